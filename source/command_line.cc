@@ -22,17 +22,13 @@
 #include <filesystem>
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 namespace po = boost::program_options;
 
 /** Returns the library that the BLAS calls end in, which decides the speed. */
-std::string blas_in_use()
-{
-  if (void *const symbol = dlsym(RTLD_DEFAULT, "openblas_get_config"))
-  {
+std::string blas_in_use() {
+  if (void *const symbol = dlsym(RTLD_DEFAULT, "openblas_get_config")) {
     const auto get_config = reinterpret_cast<char *(*)()>(symbol);
     return get_config();
   }
@@ -43,8 +39,7 @@ std::string blas_in_use()
          " (the package libopenblas0-pthread is several times faster)";
 }
 
-std::string version_text()
-{
+std::string version_text() {
   std::ostringstream text;
   text << "signorini " << SIGNORINI_VERSION << "\n"
        << "deal.II   " << DEAL_II_PACKAGE_VERSION << "\n"
@@ -53,8 +48,7 @@ std::string version_text()
   return text.str();
 }
 
-std::string help_text(const po::options_description &options)
-{
+std::string help_text(const po::options_description &options) {
   std::ostringstream text;
   text << "Solves the Signorini problem: an elastic body pressed without friction against a rigid "
           "foundation.\n\n"
@@ -65,19 +59,15 @@ std::string help_text(const po::options_description &options)
   return text.str();
 }
 
-po::options_description describe_options(CommandLine &command_line)
-{
+po::options_description describe_options(CommandLine &command_line) {
   po::options_description options("options");
   options.add_options() //
-    ("set",
-     po::value(&command_line.overrides)->value_name("'Subsection/Parameter=value'"),
+    ("set", po::value(&command_line.overrides)->value_name("'Subsection/Parameter=value'"),
      "override a parameter, or one constant by Constants/NAME=value; may be repeated") //
-    ("sweep",
-     po::value(&command_line.sweeps)->value_name("'Subsection/Parameter=v1, v2, ...'"),
+    ("sweep", po::value(&command_line.sweeps)->value_name("'Subsection/Parameter=v1, v2, ...'"),
      "run the scene for each value, in directories named by the values, and write one table, "
      "sweep.csv; several sweeps: all combinations") //
-    ("output",
-     po::value<std::string>()->value_name("DIR"),
+    ("output", po::value<std::string>()->value_name("DIR"),
      "where results go (default: results/<name of the .prm file>); of several scenes: "
      "DIR/<name>")                                                                   //
     ("list-scenes", "the scenes known by name")                                      //
@@ -87,11 +77,8 @@ po::options_description describe_options(CommandLine &command_line)
   return options;
 }
 
-po::variables_map parse(const int argc,
-                        char **argv,
-                        const po::options_description &visible,
-                        CommandLine &command_line)
-{
+po::variables_map parse(const int argc, char **argv, const po::options_description &visible,
+                        CommandLine &command_line) {
   po::options_description all;
   all.add(visible).add_options()("scene", po::value(&command_line.parameter_files));
   po::positional_options_description positional;
@@ -99,15 +86,12 @@ po::variables_map parse(const int argc,
   po::variables_map values;
   // Guessing abbreviations would make new options break old command lines.
   const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-  try
-  {
+  try {
     po::store(
       po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
       values);
     po::notify(values);
-  }
-  catch (const po::error &error)
-  {
+  } catch (const po::error &error) {
     throw InputError(std::string("command line: ") + error.what() +
                      "; --help lists what is allowed.");
   }
@@ -116,15 +100,13 @@ po::variables_map parse(const int argc,
 /** Returns one directory per file. */
 std::vector<std::string> choose_directories(const std::vector<std::string> &files,
                                             const std::filesystem::path &output,
-                                            const bool is_given)
-{
+                                            const bool is_given) {
   if (output.empty())
     throw InputError("--output: found '', allowed: the name of a directory.");
   if (is_given && files.size() == 1)
     return {output.string()};
   std::vector<std::string> directories;
-  for (const std::string &file : files)
-  {
+  for (const std::string &file : files) {
     const std::string directory = (output / std::filesystem::path(file).stem()).string();
     const auto same = std::find(directories.begin(), directories.end(), directory);
     if (same != directories.end())
@@ -138,8 +120,7 @@ std::vector<std::string> choose_directories(const std::vector<std::string> &file
 }
 } // namespace
 
-CommandLine read_command_line(const int argc, char **argv)
-{
+CommandLine read_command_line(const int argc, char **argv) {
   CommandLine command_line;
   const po::options_description options = describe_options(command_line);
   const po::variables_map values = parse(argc, argv, options, command_line);
@@ -164,8 +145,7 @@ CommandLine read_command_line(const int argc, char **argv)
   return command_line;
 }
 
-std::string share_command_line(CommandLine &command_line, MPI_Comm communicator)
-{
+std::string share_command_line(CommandLine &command_line, MPI_Comm communicator) {
   const auto packed = [](const CommandLine &given) { return Utilities::pack(given, false); };
   const std::vector<char> mine = packed(command_line);
   command_line = Utilities::MPI::broadcast(communicator, command_line);

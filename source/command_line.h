@@ -6,11 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The files, options and texts of a command line. */
-struct CommandLine
-{
+struct CommandLine {
   /** The parameter files to run; empty if only @p text is printed. */
   std::vector<std::string> parameter_files;
   /** "Subsection/Parameter=value", in the order given. */
@@ -24,8 +22,7 @@ struct CommandLine
 
   /** Packs the command line for messages between ranks. */
   template <typename Archive>
-  void serialize(Archive &archive, const unsigned int /*version*/)
-  {
+  void serialize(Archive &archive, const unsigned int /*version*/) {
     archive &parameter_files &overrides &sweeps &directories &text;
   }
 };

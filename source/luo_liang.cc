@@ -218,8 +218,7 @@
 #include <string>
 #include <vector>
 
-namespace
-{
+namespace {
 using namespace dealii;
 
 // The paper treats bodies in the plane.
@@ -228,25 +227,21 @@ constexpr int dim = 2;
 // ## Stage 1: the example
 //
 // The formulas of section 6 above. They are polynomials on either side of the line x = xi.
-namespace Example
-{
+namespace Example {
 constexpr double lambda = 1.;
 constexpr double mu = 1.;
 constexpr double xi = numbers::SQRT1_2;
 
-double pressure(const double x)
-{
+double pressure(const double x) {
   return -10. * std::pow(std::max(xi - x, 0.), 3);
 }
 
-double gap(const double x)
-{
+double gap(const double x) {
   return -0.1 * x * (1. - x) + std::pow(std::max(x - xi, 0.), 2);
 }
 
 // Here and below M is (xi - x)_+, so that p = -10 M^3 and p' = 30 M^2.
-Tensor<1, dim> displacement(const Point<dim> &point)
-{
+Tensor<1, dim> displacement(const Point<dim> &point) {
   const double x = point[0], y = point[1], M = std::max(xi - x, 0.);
   Tensor<1, dim> u;
   u[0] = (0.1 * x * x - y * (0.1 - 0.2 * x)) * (1. - y * y);
@@ -255,8 +250,7 @@ Tensor<1, dim> displacement(const Point<dim> &point)
 }
 
 // u_{i,j} in row i and column j.
-Tensor<2, dim> displacement_gradient(const Point<dim> &point)
-{
+Tensor<2, dim> displacement_gradient(const Point<dim> &point) {
   const double x = point[0], y = point[1], M = std::max(xi - x, 0.);
   const double slope_1 = -(0.1 - 0.2 * x), slope_2 = -(10. * M * M * M + 0.2 * x) / 3.;
   Tensor<2, dim> gradient;
@@ -268,14 +262,12 @@ Tensor<2, dim> displacement_gradient(const Point<dim> &point)
 }
 
 // Hooke's law: sigma = lambda tr(eps) I + 2 mu eps.
-SymmetricTensor<2, dim> stress(const SymmetricTensor<2, dim> &strain)
-{
+SymmetricTensor<2, dim> stress(const SymmetricTensor<2, dim> &strain) {
   return lambda * trace(strain) * unit_symmetric_tensor<dim>() + 2. * mu * strain;
 }
 
 // f = -div sigma(u).
-Tensor<1, dim> body_force(const Point<dim> &point)
-{
+Tensor<1, dim> body_force(const Point<dim> &point) {
   const double x = point[0], y = point[1], M = std::max(xi - x, 0.);
   Tensor<1, dim> f;
   f[0] = M * M * (60. * y * y - 20.) + 0.2 * x * x + 0.4 * x * y + 0.2 * y * y - 0.2 * y - 7. / 15.;
@@ -285,23 +277,18 @@ Tensor<1, dim> body_force(const Point<dim> &point)
 }
 
 // t = sigma(u) n.
-Tensor<1, dim> traction(const Point<dim> &point, const Tensor<1, dim> &normal)
-{
+Tensor<1, dim> traction(const Point<dim> &point, const Tensor<1, dim> &normal) {
   return stress(symmetrize(displacement_gradient(point))) * normal;
 }
 } // namespace Example
 
 // The displacement as deal.II's functions for interpolation want it.
-class ExactDisplacement : public Function<dim>
-{
+class ExactDisplacement : public Function<dim> {
 public:
   ExactDisplacement()
-    : Function<dim>(dim)
-  {
-  }
+    : Function<dim>(dim) {}
 
-  double value(const Point<dim> &point, const unsigned int component) const override
-  {
+  double value(const Point<dim> &point, const unsigned int component) const override {
     return Example::displacement(point)[component];
   }
 };
@@ -313,8 +300,7 @@ constexpr types::boundary_id clamped_side = 3; // y = 1
 // ## Stage 2: parameters
 //
 // In-class defaults make the program run without a file.
-struct Parameters
-{
+struct Parameters {
   unsigned int coarsest_level = 2;
   unsigned int finest_level = 6;
   unsigned int patch_ratio = 2;
@@ -323,8 +309,7 @@ struct Parameters
   unsigned int digits = 3;
   bool write_vtu = false;
 
-  void read(const std::string &file_name)
-  {
+  void read(const std::string &file_name) {
     ParameterHandler prm;
     prm.add_parameter("Coarsest level", coarsest_level, "", Patterns::Integer(1, 10));
     prm.add_parameter("Finest level", finest_level, "", Patterns::Integer(1, 10));
@@ -350,16 +335,14 @@ struct Parameters
 // 1e-4 in the errors of Theorem 5, and more points help little. We therefore split the interval
 // (a, b) of such a cell at xi and use a rule on each part. Four points are exact for polynomials of
 // degree seven, and hence for all loads, matrices and errors below: they are exact up to rounding.
-Quadrature<1> gauss_split_at_xi(const double a, const double b)
-{
+Quadrature<1> gauss_split_at_xi(const double a, const double b) {
   const QGauss<1> gauss(4);
   if (Example::xi <= a || b <= Example::xi)
     return gauss;
   const double cut = (Example::xi - a) / (b - a);
   std::vector<Point<1>> points;
   std::vector<double> weights;
-  for (unsigned int q = 0; q < gauss.size(); ++q)
-  {
+  for (unsigned int q = 0; q < gauss.size(); ++q) {
     points.emplace_back(cut * gauss.point(q)[0]);
     weights.push_back(cut * gauss.weight(q));
     points.emplace_back(cut + (1. - cut) * gauss.point(q)[0]);
@@ -371,21 +354,16 @@ Quadrature<1> gauss_split_at_xi(const double a, const double b)
 // On a cell the rule is the product of such a rule in x and a Gauss rule in y. The mesh is uniform,
 // so that xi cuts all cells of one column at the same place: two objects FEValues are enough, one
 // for this column and one for all others.
-class CellValues
-{
+class CellValues {
 public:
   CellValues(const FiniteElement<dim> &fe, const double h)
     : column(std::floor(Example::xi / h))
     , flags(update_values | update_gradients | update_quadrature_points | update_JxW_values)
     , plain(fe, QGauss<dim>(4), flags)
-    , split(fe,
-            QAnisotropic<dim>(gauss_split_at_xi(column * h, (column + 1.) * h), QGauss<1>(4)),
-            flags)
-  {
-  }
+    , split(fe, QAnisotropic<dim>(gauss_split_at_xi(column * h, (column + 1.) * h), QGauss<1>(4)),
+            flags) {}
 
-  const FEValues<dim> &reinit(const DoFHandler<dim>::active_cell_iterator &cell)
-  {
+  const FEValues<dim> &reinit(const DoFHandler<dim>::active_cell_iterator &cell) {
     const bool crossed = cell->vertex(0)[0] < Example::xi && Example::xi < cell->vertex(1)[0];
     FEValues<dim> &values = crossed ? split : plain;
     values.reinit(cell);
@@ -432,16 +410,14 @@ using PairMatrix = std::array<std::array<double, 4>, 4>;
 
 // The quadratic form of two cells at the distance d >= 1 in the nodal values (v_0, v_1) of the
 // first and (v_2, v_3) of the second one. For d = 1, v_1 and v_2 are values of the same node.
-PairMatrix pair_matrix(const unsigned int d)
-{
+PairMatrix pair_matrix(const unsigned int d) {
   PairMatrix matrix = {};
   const auto add_square = [&](const std::array<double, 4> &w, const double weight) {
     for (unsigned int i = 0; i < 4; ++i)
       for (unsigned int j = 0; j < 4; ++j)
         matrix[i][j] += weight * w[i] * w[j];
   };
-  if (d == 1)
-  {
+  if (d == 1) {
     // 2 alpha beta = (alpha + beta)^2 - alpha^2 - beta^2.
     const double square = 2. * (1. - std::log(2.)), mixed = 2. * (std::log(2.) - 0.5);
     add_square({1., -1., 0., 0.}, square + mixed);
@@ -451,8 +427,7 @@ PairMatrix pair_matrix(const unsigned int d)
   }
   static const QGauss<1> gauss(12);
   for (unsigned int p = 0; p < gauss.size(); ++p)
-    for (unsigned int q = 0; q < gauss.size(); ++q)
-    {
+    for (unsigned int q = 0; q < gauss.size(); ++q) {
       const double x = gauss.point(p)[0], y = gauss.point(q)[0];
       add_square({1. - x, x, -(1. - y), -y},
                  2. * gauss.weight(p) * gauss.weight(q) / std::pow(d + y - x, 2));
@@ -461,18 +436,15 @@ PairMatrix pair_matrix(const unsigned int d)
 }
 
 // S. The first loop adds ||phi||_0^2 and the pairs of each cell with itself.
-LAPACKFullMatrix<double> gram_matrix(const unsigned int n_cells)
-{
+LAPACKFullMatrix<double> gram_matrix(const unsigned int n_cells) {
   FullMatrix<double> S(n_cells + 1, n_cells + 1);
   for (unsigned int c = 0; c < n_cells; ++c)
     for (unsigned int i = 0; i < 2; ++i)
       for (unsigned int j = 0; j < 2; ++j)
         S(c + i, c + j) += (i == j ? 1. / 3. : 1. / 6.) / n_cells + (i == j ? 1. : -1.);
-  for (unsigned int d = 1; d < n_cells; ++d)
-  {
+  for (unsigned int d = 1; d < n_cells; ++d) {
     const PairMatrix pair = pair_matrix(d);
-    for (unsigned int c = 0; c + d < n_cells; ++c)
-    {
+    for (unsigned int c = 0; c + d < n_cells; ++c) {
       const std::array<unsigned int, 4> nodes = {{c, c + 1, c + d, c + d + 1}};
       for (unsigned int i = 0; i < 4; ++i)
         for (unsigned int j = 0; j < 4; ++j)
@@ -489,19 +461,15 @@ LAPACKFullMatrix<double> gram_matrix(const unsigned int n_cells)
 // |||q|||_N for several functions q. They must be polynomials of degree three at most on every cell
 // of the grid, but for the cut at xi.
 std::vector<double> dual_norms(const std::vector<std::function<double(double)>> &functions,
-                               const unsigned int n_cells)
-{
+                               const unsigned int n_cells) {
   const LAPACKFullMatrix<double> S = gram_matrix(n_cells);
   const double length = 1. / n_cells;
   std::vector<double> norms;
-  for (const auto &function : functions)
-  {
+  for (const auto &function : functions) {
     Vector<double> b(n_cells + 1);
-    for (unsigned int c = 0; c < n_cells; ++c)
-    {
+    for (unsigned int c = 0; c < n_cells; ++c) {
       const Quadrature<1> rule = gauss_split_at_xi(c * length, (c + 1) * length);
-      for (unsigned int q = 0; q < rule.size(); ++q)
-      {
+      for (unsigned int q = 0; q < rule.size(); ++q) {
         const double s = rule.point(q)[0];
         const double value = function((c + s) * length) * rule.weight(q) * length;
         b[c] += (1. - s) * value;
@@ -519,8 +487,7 @@ std::vector<double> dual_norms(const std::vector<std::function<double(double)>> 
 //
 // One object holds one level after the other. The function run() calls the stages in the order of
 // the paper; everything that a later stage needs is a member with the name that it has there.
-class LuoLiang
-{
+class LuoLiang {
 public:
   explicit LuoLiang(const Parameters &parameters);
   void run();
@@ -535,8 +502,7 @@ private:
   void interpolate_on_2h();
 
   // What the theorems are about.
-  struct Errors
-  {
+  struct Errors {
     double u_h1 = 0., p_l2 = 0., p_dual = 0.;            // (13), (14), (15)
     double u_superclose_h1 = 0., p_superclose_dual = 0.; // (24), (25)
     double u_post_h1 = 0.;                               // (31)
@@ -585,20 +551,17 @@ LuoLiang::LuoLiang(const Parameters &parameters)
   , fe_post(FE_Q<dim>(2), dim)
   , dof_handler(triangulation)
   , dof_handler_post(triangulation)
-  , m(0)
-{
+  , m(0) {
   GridGenerator::hyper_cube(triangulation, 0., 1., /*colorize*/ true);
   triangulation.refine_global(parameters.coarsest_level);
 }
 
-double LuoLiang::mesh_size() const
-{
+double LuoLiang::mesh_size() const {
   return triangulation.begin_active()->extent_in_direction(0);
 }
 
 // The patches are the intervals (i H, (i + 1) H) of the lower side.
-double LuoLiang::patch_length() const
-{
+double LuoLiang::patch_length() const {
   return parameters.patch_ratio * mesh_size();
 }
 
@@ -606,12 +569,11 @@ double LuoLiang::patch_length() const
 //
 // V^h needs a DoFHandler and the condition u = 0 on Gamma_D. Q^H needs neither: its functions are
 // vectors with one entry per patch.
-void LuoLiang::make_spaces()
-{
+void LuoLiang::make_spaces() {
   dof_handler.distribute_dofs(fe);
   constraints.clear();
-  VectorTools::interpolate_boundary_values(
-    dof_handler, clamped_side, Functions::ZeroFunction<dim>(dim), constraints);
+  VectorTools::interpolate_boundary_values(dof_handler, clamped_side,
+                                           Functions::ZeroFunction<dim>(dim), constraints);
   constraints.close();
 
   m = static_cast<unsigned int>(std::lround(1. / patch_length()));
@@ -621,8 +583,7 @@ void LuoLiang::make_spaces()
 //
 // This is linear elasticity as in step-8. No contact enters. The condition on Gamma_D is eliminated
 // when cells are added to the matrix: rows of nodes on Gamma_D have an entry on the diagonal only.
-void LuoLiang::assemble_A_and_f()
-{
+void LuoLiang::assemble_A_and_f() {
   DynamicSparsityPattern dynamic(dof_handler.n_dofs());
   DoFTools::make_sparsity_pattern(dof_handler, dynamic, constraints, /*keep_constrained*/ false);
   sparsity_A.copy_from(dynamic);
@@ -631,24 +592,20 @@ void LuoLiang::assemble_A_and_f()
 
   const FEValuesExtractors::Vector displacement(0);
   CellValues cell_values(fe, mesh_size());
-  FEFaceValues<dim> face_values(fe,
-                                QGauss<dim - 1>(4),
+  FEFaceValues<dim> face_values(fe, QGauss<dim - 1>(4),
                                 update_values | update_quadrature_points | update_normal_vectors |
                                   update_JxW_values);
   const unsigned int n = fe.n_dofs_per_cell();
   FullMatrix<double> cell_matrix(n, n);
   Vector<double> cell_rhs(n);
   std::vector<types::global_dof_index> indices(n);
-  for (const auto &cell : dof_handler.active_cell_iterators())
-  {
+  for (const auto &cell : dof_handler.active_cell_iterators()) {
     cell_matrix = 0.;
     cell_rhs = 0.;
     const FEValues<dim> &values = cell_values.reinit(cell);
-    for (const unsigned int q : values.quadrature_point_indices())
-    {
+    for (const unsigned int q : values.quadrature_point_indices()) {
       const Tensor<1, dim> force = Example::body_force(values.quadrature_point(q));
-      for (unsigned int i = 0; i < n; ++i)
-      {
+      for (unsigned int i = 0; i < n; ++i) {
         const auto stress = Example::stress(values[displacement].symmetric_gradient(i, q));
         for (unsigned int j = 0; j < n; ++j)
           cell_matrix(i, j) +=
@@ -657,14 +614,12 @@ void LuoLiang::assemble_A_and_f()
       }
     }
     // Gamma_F: all sides but the clamped one and the contact side.
-    for (const auto &face : cell->face_iterators())
-    {
+    for (const auto &face : cell->face_iterators()) {
       if (!face->at_boundary() || face->boundary_id() == contact_side ||
           face->boundary_id() == clamped_side)
         continue;
       face_values.reinit(cell, face);
-      for (const unsigned int q : face_values.quadrature_point_indices())
-      {
+      for (const unsigned int q : face_values.quadrature_point_indices()) {
         const Tensor<1, dim> t =
           Example::traction(face_values.quadrature_point(q), face_values.normal_vector(q));
         for (unsigned int i = 0; i < n; ++i)
@@ -686,14 +641,13 @@ void LuoLiang::assemble_A_and_f()
 // The normal comes from deal.II, not from the knowledge that it is (0, -1) here: on another body
 // these lines remain the same. The trace phi_j.n is linear on an edge and the gap a polynomial on
 // either side of xi, so that the split rule makes no error in D and G.
-void LuoLiang::assemble_D_and_G()
-{
+void LuoLiang::assemble_D_and_G() {
   const auto contact_edges = [&](const auto &visit) {
     for (const auto &cell : dof_handler.active_cell_iterators())
       for (const unsigned int face : cell->face_indices())
         if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == contact_side)
-          visit(
-            cell, face, static_cast<unsigned int>(cell->face(face)->center()[0] / patch_length()));
+          visit(cell, face,
+                static_cast<unsigned int>(cell->face(face)->center()[0] / patch_length()));
   };
   std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
 
@@ -711,19 +665,16 @@ void LuoLiang::assemble_D_and_G()
   const FEValuesExtractors::Vector displacement(0);
   contact_edges([&](const auto &cell, const unsigned int face, const unsigned int tau) {
     const auto edge = cell->face(face);
-    FEFaceValues<dim> values(fe,
-                             gauss_split_at_xi(edge->vertex(0)[0], edge->vertex(1)[0]),
+    FEFaceValues<dim> values(fe, gauss_split_at_xi(edge->vertex(0)[0], edge->vertex(1)[0]),
                              update_values | update_quadrature_points | update_normal_vectors |
                                update_JxW_values);
     values.reinit(cell, face);
     cell->get_dof_indices(indices);
-    for (const unsigned int q : values.quadrature_point_indices())
-    {
+    for (const unsigned int q : values.quadrature_point_indices()) {
       G[tau] += Example::gap(values.quadrature_point(q)[0]) * values.JxW(q);
       for (unsigned int i = 0; i < indices.size(); ++i)
         if (fe.has_support_on_face(i, face))
-          D.add(indices[i],
-                tau,
+          D.add(indices[i], tau,
                 values[displacement].value(i, q) * values.normal_vector(q) * values.JxW(q));
     }
   });
@@ -735,14 +686,12 @@ void LuoLiang::assemble_D_and_G()
 // pressure on patch i, z = A^{-1} D e_i the displacement that answers it, and D^T z what opens on
 // all patches. One more solve, with the loads, gives F. This is the expensive part. After these
 // m + 1 solves the body's mesh plays no role: PSOR works with a matrix of the size m x m.
-void LuoLiang::compute_C_and_F()
-{
+void LuoLiang::compute_C_and_F() {
   A_inverse.initialize(A);
 
   C.reinit(m, m);
   Vector<double> e(m), column(m), d(dof_handler.n_dofs()), z(dof_handler.n_dofs());
-  for (unsigned int i = 0; i < m; ++i)
-  {
+  for (unsigned int i = 0; i < m; ++i) {
     e = 0.;
     e[i] = 1.;
     D.vmult(d, e);
@@ -765,16 +714,13 @@ void LuoLiang::compute_C_and_F()
 // pressure. A small increment is no proof of a small error: if the error falls by the factor rho
 // per sweep, it is rho/(1 - rho) increments. So the program also prints a residual, see
 // kkt_residual().
-unsigned int LuoLiang::solve_by_psor()
-{
+unsigned int LuoLiang::solve_by_psor() {
   constexpr unsigned int most_sweeps = 100000;
   const double omega = parameters.relaxation;
   P.reinit(m);
   Vector<double> increment(m);
-  for (unsigned int sweep = 1; sweep <= most_sweeps; ++sweep)
-  {
-    for (unsigned int i = 0; i < m; ++i)
-    {
+  for (unsigned int sweep = 1; sweep <= most_sweeps; ++sweep) {
+    for (unsigned int i = 0; i < m; ++i) {
       double lambda = F[i];
       for (unsigned int j = 0; j < m; ++j)
         if (j != i)
@@ -795,13 +741,11 @@ unsigned int LuoLiang::solve_by_psor()
 // and W_i = 0, or P_i = 0 and W_i <= 0. The residual of this equation judges any method that claims
 // to have found P. It is named after Karush, Kuhn and Tucker, whose conditions it expresses, and is
 // divided by the larger one of |P| and |F/diag C|, so that it has no unit.
-double LuoLiang::kkt_residual() const
-{
+double LuoLiang::kkt_residual() const {
   Vector<double> residual(m), scale(m), W(m);
   C.vmult(W, P);
   W -= F;
-  for (unsigned int i = 0; i < m; ++i)
-  {
+  for (unsigned int i = 0; i < m; ++i) {
     residual[i] = P[i] - std::min(0., P[i] - W[i] / C(i, i));
     scale[i] = F[i] / C(i, i);
   }
@@ -809,8 +753,7 @@ double LuoLiang::kkt_residual() const
 }
 
 // Step (iv), one more solve: U = A^{-1} (D P + f).
-void LuoLiang::recover_U()
-{
+void LuoLiang::recover_U() {
   Vector<double> forces(f);
   D.vmult_add(forces, P);
   U.reinit(dof_handler.n_dofs());
@@ -820,8 +763,7 @@ void LuoLiang::recover_U()
 
 // J(U, P) of (22), with W = D^T U - G put together. At the solution P^T W = 0, so that this is the
 // potential energy of the body.
-double LuoLiang::energy() const
-{
+double LuoLiang::energy() const {
   Vector<double> W(G);
   W *= -1.;
   D.Tvmult_add(W, U);
@@ -849,8 +791,7 @@ double LuoLiang::energy() const
 // FETools::extrapolate() does precisely this. It writes v on T^h with the element of degree two,
 // asks the parent of four cells for the values at its own nine nodes, and writes the result down on
 // the four cells again. For this every cell needs a parent: there is no level 0.
-void LuoLiang::interpolate_on_2h()
-{
+void LuoLiang::interpolate_on_2h() {
   dof_handler_post.distribute_dofs(fe_post);
   U_post.reinit(dof_handler_post.n_dofs());
   FETools::extrapolate(dof_handler, U, dof_handler_post, U_post);
@@ -861,8 +802,7 @@ void LuoLiang::interpolate_on_2h()
 // The norm ||.||_1 is the full norm of H^1, with (||v||_0^2 + ||grad v||_0^2)^{1/2} for both
 // components. One pass over the cells integrates u - u_h, I^h u - u_h and u - pi^{2h} u_h. Function
 // VectorTools::integrate_difference() has one rule for all cells and cannot split some at xi.
-void LuoLiang::add_displacement_errors(Errors &errors) const
-{
+void LuoLiang::add_displacement_errors(Errors &errors) const {
   Vector<double> difference(dof_handler.n_dofs());
   VectorTools::interpolate(dof_handler, ExactDisplacement(), difference);
   difference -= U;
@@ -871,11 +811,10 @@ void LuoLiang::add_displacement_errors(Errors &errors) const
   CellValues cell_values(fe, mesh_size()), cell_values_post(fe_post, mesh_size());
   std::vector<Tensor<1, dim>> u_h, superclose, post;
   std::vector<Tensor<2, dim>> du_h, dsuperclose, dpost;
-  for (const auto &cell : dof_handler.active_cell_iterators())
-  {
+  for (const auto &cell : dof_handler.active_cell_iterators()) {
     const FEValues<dim> &values = cell_values.reinit(cell);
-    const DoFHandler<dim>::active_cell_iterator cell_post(
-      &triangulation, cell->level(), cell->index(), &dof_handler_post);
+    const DoFHandler<dim>::active_cell_iterator cell_post(&triangulation, cell->level(),
+                                                          cell->index(), &dof_handler_post);
     const FEValues<dim> &values_post = cell_values_post.reinit(cell_post);
     for (auto *v : {&u_h, &superclose, &post})
       v->resize(values.n_quadrature_points);
@@ -887,8 +826,7 @@ void LuoLiang::add_displacement_errors(Errors &errors) const
     values[displacement].get_function_gradients(difference, dsuperclose);
     values_post[displacement].get_function_values(U_post, post);
     values_post[displacement].get_function_gradients(U_post, dpost);
-    for (const unsigned int q : values.quadrature_point_indices())
-    {
+    for (const unsigned int q : values.quadrature_point_indices()) {
       const Tensor<1, dim> u = Example::displacement(values.quadrature_point(q));
       const Tensor<2, dim> du = Example::displacement_gradient(values.quadrature_point(q));
       const auto square = [&](const Tensor<1, dim> &v, const Tensor<2, dim> &dv) {
@@ -905,15 +843,12 @@ void LuoLiang::add_displacement_errors(Errors &errors) const
 
 // The pressures are functions on an interval, which needs no mesh: patches are (i H, (i + 1) H).
 // The mean of p on each patch is R^H p, see (12).
-void LuoLiang::add_pressure_errors(Errors &errors) const
-{
+void LuoLiang::add_pressure_errors(Errors &errors) const {
   const double H = patch_length();
   Vector<double> means(m);
-  for (unsigned int tau = 0; tau < m; ++tau)
-  {
+  for (unsigned int tau = 0; tau < m; ++tau) {
     const Quadrature<1> rule = gauss_split_at_xi(tau * H, (tau + 1) * H);
-    for (unsigned int q = 0; q < rule.size(); ++q)
-    {
+    for (unsigned int q = 0; q < rule.size(); ++q) {
       const double p = Example::pressure((tau + rule.point(q)[0]) * H);
       means[tau] += p * rule.weight(q);
       errors.p_l2 += std::pow(p - P[tau], 2) * rule.weight(q) * H;
@@ -936,8 +871,7 @@ void LuoLiang::add_pressure_errors(Errors &errors) const
   errors.p_superclose_dual = norms[1];
 }
 
-LuoLiang::Errors LuoLiang::compute_errors() const
-{
+LuoLiang::Errors LuoLiang::compute_errors() const {
   Errors errors;
   add_displacement_errors(errors);
   add_pressure_errors(errors);
@@ -948,8 +882,7 @@ LuoLiang::Errors LuoLiang::compute_errors() const
 //
 // Columns have the names that they have in `convergence.csv` of the program signorini. The contact
 // force is the integral of -p_H over Gamma_c, and the largest pressure is positive here, too.
-void LuoLiang::add_to_tables(const unsigned int level, const unsigned int n_sweeps)
-{
+void LuoLiang::add_to_tables(const unsigned int level, const unsigned int n_sweeps) {
   const auto active = std::count_if(P.begin(), P.end(), [](const double p) { return p < 0.; });
   computation.add_value("level", level);
   computation.add_value("cells", triangulation.n_active_cells());
@@ -973,29 +906,26 @@ void LuoLiang::add_to_tables(const unsigned int level, const unsigned int n_swee
   convergence.add_value("u_post_h1", errors.u_post_h1);
 }
 
-void LuoLiang::write_vtu(const unsigned int level) const
-{
+void LuoLiang::write_vtu(const unsigned int level) const {
   DataOut<dim> data_out;
   const std::vector<DataComponentInterpretation::DataComponentInterpretation> vector(
     dim, DataComponentInterpretation::component_is_part_of_vector);
   data_out.add_data_vector(dof_handler, U, std::vector<std::string>(dim, "u_h"), vector);
-  data_out.add_data_vector(
-    dof_handler_post, U_post, std::vector<std::string>(dim, "post_u_h"), vector);
+  data_out.add_data_vector(dof_handler_post, U_post, std::vector<std::string>(dim, "post_u_h"),
+                           vector);
   data_out.build_patches(2);
   std::ofstream file("solution-" + Utilities::int_to_string(level, 2) + ".vtu");
   data_out.write_vtu(file);
 }
 
-void LuoLiang::print_tables()
-{
-  for (const char *column : {"kkt", "energy", "contact_force_n", "max_pressure", "contact_length"})
-  {
+void LuoLiang::print_tables() {
+  for (const char *column :
+       {"kkt", "energy", "contact_force_n", "max_pressure", "contact_length"}) {
     computation.set_precision(column, parameters.digits);
     computation.set_scientific(column, true);
   }
   for (const char *column :
-       {"u_h1", "p_l2", "p_dual", "u_superclose_h1", "p_superclose_dual", "u_post_h1"})
-  {
+       {"u_h1", "p_l2", "p_dual", "u_superclose_h1", "p_superclose_dual", "u_post_h1"}) {
     convergence.set_precision(column, parameters.digits);
     convergence.set_scientific(column, true);
     convergence.evaluate_convergence_rates(column, ConvergenceTable::reduction_rate_log2);
@@ -1012,10 +942,8 @@ void LuoLiang::print_tables()
 }
 
 // ## Stage 10: all levels
-void LuoLiang::run()
-{
-  for (unsigned int level = parameters.coarsest_level; level <= parameters.finest_level; ++level)
-  {
+void LuoLiang::run() {
+  for (unsigned int level = parameters.coarsest_level; level <= parameters.finest_level; ++level) {
     if (level > parameters.coarsest_level)
       triangulation.refine_global();
     make_spaces();
@@ -1033,17 +961,13 @@ void LuoLiang::run()
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
-  try
-  {
+int main(int argc, char **argv) {
+  try {
     Parameters parameters;
     if (argc > 1)
       parameters.read(argv[1]);
     LuoLiang(parameters).run();
-  }
-  catch (const ExceptionBase &error)
-  {
+  } catch (const ExceptionBase &error) {
     std::cerr << "luo_liang:\n";
     error.print_info(std::cerr);
     return 1;

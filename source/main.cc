@@ -16,21 +16,18 @@
 #include "command_line.h"
 #include "start_up.h"
 
-namespace
-{
+namespace {
 using namespace Signorini;
 
 constexpr int other_error = 3;
 
-void complain(const std::string &sentence)
-{
+void complain(const std::string &sentence) {
   std::cerr << "signorini: " << sentence << std::endl;
 }
 
 /** Flushes the standard output; a full disk or a closed pipe gives a message and an exit code.
  * @return the exit code. */
-int flush_standard_output(const int code)
-{
+int flush_standard_output(const int code) {
   if (std::cout.flush())
     return code;
   complain("the standard output could not be written.");
@@ -38,17 +35,11 @@ int flush_standard_output(const int code)
 }
 
 /** Runs one parameter file, or all runs of its sweeps. */
-RunSummary run_file(const CommandLine &command_line,
-                    const std::size_t i,
-                    MPI_Comm communicator,
-                    Screen &screen)
-{
+RunSummary run_file(const CommandLine &command_line, const std::size_t i, MPI_Comm communicator,
+                    Screen &screen) {
   return tell_errors(screen, [&]() {
-    RunInput input = read_input(command_line.parameter_files[i],
-                                command_line.overrides,
-                                command_line.directories[i],
-                                communicator,
-                                screen);
+    RunInput input = read_input(command_line.parameter_files[i], command_line.overrides,
+                                command_line.directories[i], communicator, screen);
     input.others.assign(command_line.parameter_files.begin() + i + 1,
                         command_line.parameter_files.end());
     std::vector<Sweep> sweeps;
@@ -60,8 +51,7 @@ RunSummary run_file(const CommandLine &command_line,
 }
 
 /** Runs one scene after the other. @return the largest exit code. */
-int run(CommandLine command_line, MPI_Comm communicator)
-{
+int run(CommandLine command_line, MPI_Comm communicator) {
   Screen screen(communicator);
   const std::string others = share_command_line(command_line, communicator);
   if (!others.empty())
@@ -69,8 +59,7 @@ int run(CommandLine command_line, MPI_Comm communicator)
                     " than to the first rank, whose command line all of them use.");
   int code = 0;
   std::vector<RunSummary> summaries;
-  for (std::size_t i = 0; i < command_line.parameter_files.size(); ++i)
-  {
+  for (std::size_t i = 0; i < command_line.parameter_files.size(); ++i) {
     summaries.push_back(run_file(command_line, i, communicator, screen));
     code = std::max(code, summaries.back().exit_code);
   }
@@ -85,10 +74,8 @@ int run(CommandLine command_line, MPI_Comm communicator)
 
 /** Reports a failure of this rank alone, by an exception that is not agreed upon, and does not
  * leave the others waiting. @return the exit code. */
-int fail_alone(const std::string &sentence)
-{
-  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1)
-  {
+int fail_alone(const std::string &sentence) {
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1) {
     complain(sentence);
     return other_error;
   }
@@ -101,8 +88,7 @@ int fail_alone(const std::string &sentence)
 }
 
 /** Returns the sentence about an exception that nobody expected. */
-std::string describe(const std::exception &error)
-{
+std::string describe(const std::exception &error) {
   // Where there is no room for another thread, a system_error is thrown.
   const auto *const system_error = dynamic_cast<const std::system_error *>(&error);
   const bool is_memory =
@@ -113,45 +99,34 @@ std::string describe(const std::exception &error)
 }
 
 /** Starts MPI and runs all scenes. @return the exit code. */
-int start_and_run(int argc, char **argv, const CommandLine &command_line)
-{
+int start_and_run(int argc, char **argv, const CommandLine &command_line) {
   const std::vector<int> signals = ending_signals();
   configure_single_process();
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   handle_signals(signals);
-  try
-  {
+  try {
     return run(command_line, MPI_COMM_WORLD);
-  }
-  catch (const std::exception &error)
-  {
+  } catch (const std::exception &error) {
     return fail_alone(describe(error));
   }
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   make_standard_streams_safe();
   dealii::deal_II_exceptions::disable_abort_on_exception();
-  try
-  {
+  try {
     const CommandLine command_line = read_command_line(argc, argv);
-    if (!command_line.text.empty())
-    {
+    if (!command_line.text.empty()) {
       std::cout << command_line.text;
       return flush_standard_output(0);
     }
     check_surroundings();
     return start_and_run(argc, argv, command_line);
-  }
-  catch (const InputError &error)
-  {
+  } catch (const InputError &error) {
     complain(error.what());
     return 1;
-  }
-  catch (const std::exception &error)
-  {
+  } catch (const std::exception &error) {
     complain(describe(error));
     // Threads of the BLAS may be waiting for memory forever, and exit() for these threads.
     _exit(other_error);

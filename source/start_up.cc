@@ -18,10 +18,8 @@
 #include <thread>
 #include <vector>
 
-namespace Signorini
-{
-void configure_single_process()
-{
+namespace Signorini {
+void configure_single_process() {
   for (const char *launched : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"})
     if (std::getenv(launched) != nullptr)
       return;
@@ -37,11 +35,9 @@ void configure_single_process()
   setenv("HWLOC_PLUGINS_BLACKLIST", "hwloc_gl.so,hwloc_opencl.so,hwloc_pci.so", keep);
 }
 
-namespace
-{
+namespace {
 /** Multiplies two matrices: one product is enough for a thread of OpenBLAS to get its buffer. */
-void multiply_matrices()
-{
+void multiply_matrices() {
   FullMatrix<double> a(200, 200), product(200, 200);
   a = 1.;
   a.mmult(product, a);
@@ -49,8 +45,7 @@ void multiply_matrices()
 
 /** Takes the buffers of the BLAS: 128 MiB of address space per thread for OpenBLAS, and as much for
  * what a thread allocates in libc. */
-void reserve_buffers()
-{
+void reserve_buffers() {
   rlimit limit = {};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
     return;
@@ -67,8 +62,7 @@ void reserve_buffers()
 }
 } // namespace
 
-void check_surroundings()
-{
+void check_surroundings() {
   std::error_code error;
   if (std::filesystem::current_path(error).empty() || error)
     throw InputError("The working directory cannot be found any more: " + error.message() +

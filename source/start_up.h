@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * Refuses to start where libraries would hang or abort: without a working directory, and where the
  * address space (`ulimit -v`) is too small for the buffers of the BLAS, which waits for them

@@ -15,50 +15,37 @@
 #include "scene_text.h"
 
 /** Returns the scene of a text (scene_text.h). */
-inline Signorini::Scene<2> scene_of(const std::string &text)
-{
+inline Signorini::Scene<2> scene_of(const std::string &text) {
   return Signorini::make_scene<2>(Signorini::parse_parameters(parameter_file(text), "test"));
 }
 
 /** A scene from the text of a parameter file or of its entries (scene_text.h) and overrides, and
  * its discretization on one level. */
-struct OneLevel
-{
-  OneLevel(const std::string &text,
-           const unsigned int level,
+struct OneLevel {
+  OneLevel(const std::string &text, const unsigned int level,
            const std::vector<std::string> &overrides = {})
     : parameters(Signorini::parse_parameters(parameter_file(text), "test", overrides))
     , scene(Signorini::make_scene<2>(parameters))
-    , discretization(parameters, scene, level, MPI_COMM_WORLD)
-  {
-  }
+    , discretization(parameters, scene, level, MPI_COMM_WORLD) {}
   /** On the mesh of a plan. */
   OneLevel(const std::string &text, const Signorini::MeshPlan &plan)
     : parameters(Signorini::parse_parameters(parameter_file(text), "test"))
     , scene(Signorini::make_scene<2>(parameters))
-    , discretization(parameters, scene, plan)
-  {
-  }
+    , discretization(parameters, scene, plan) {}
   OneLevel(const OneLevel &) = delete;
 
-  const Signorini::DisplacementSpace<2> &space() const
-  {
+  const Signorini::DisplacementSpace<2> &space() const {
     return discretization.space;
   }
-  const Signorini::MultiplierSpace<2> &multipliers() const
-  {
+  const Signorini::MultiplierSpace<2> &multipliers() const {
     return discretization.multipliers;
   }
-  Signorini::SolverChoice solvers() const
-  {
+  Signorini::SolverChoice solvers() const {
     return choose_solvers(parameters, scene, 0, 1);
   }
-  Signorini::LevelSolution<2> solve() const
-  {
-    return Signorini::solve_level<2>({parameters, scene, solvers()},
-                                     discretization,
-                                     Signorini::ContactStart(),
-                                     [](const std::string &) {});
+  Signorini::LevelSolution<2> solve() const {
+    return Signorini::solve_level<2>({parameters, scene, solvers()}, discretization,
+                                     Signorini::ContactStart(), [](const std::string &) {});
   }
 
   Signorini::Parameters parameters;
@@ -71,15 +58,13 @@ using Field = Signorini::FieldFunction<2>::Field;
 
 /** Returns the field's values at all nodes, on every rank. */
 inline Signorini::Displacement nodal_values(const Signorini::DisplacementSpace<2> &space,
-                                            const Field &field)
-{
+                                            const Field &field) {
   return interpolate_at_nodes(space, Signorini::FieldFunction<2>(field));
 }
 
 /** Returns random numbers in the rows of A, the same ones on any number of ranks. */
 inline Signorini::DistributedVector random_rows(const Signorini::DisplacementSpace<2> &space,
-                                                RandomNumbers &random)
-{
+                                                RandomNumbers &random) {
   Signorini::DistributedVector rows = space.make_vector();
   const auto values = random.vector(space.dofs().n_dofs());
   for (const auto i : space.locally_owned())
@@ -90,8 +75,7 @@ inline Signorini::DistributedVector random_rows(const Signorini::DisplacementSpa
 
 /** Returns max |a_i - b_i|. */
 template <typename First, typename Second>
-double distance(const First &a, const Second &b)
-{
+double distance(const First &a, const Second &b) {
   First difference(a);
   difference -= b;
   return difference.size() == 0 ? 0. : difference.linfty_norm();

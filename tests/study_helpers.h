@@ -22,18 +22,16 @@
 template <int dim>
 Signorini::StudyResult<dim> run(const Signorini::Parameters &parameters,
                                 const Signorini::Scene<dim> &scene,
-                                const std::string &directory = "")
-{
+                                const std::string &directory = "") {
   std::ostream silence(nullptr);
-  return Signorini::run_study(
-    parameters, scene, MPI_COMM_WORLD, {silence, directory, [](const std::string &) {}});
+  return Signorini::run_study(parameters, scene, MPI_COMM_WORLD,
+                              {silence, directory, [](const std::string &) {}});
 }
 
 /** Solves the scene of a text. */
 template <int dim = 2>
 Signorini::StudyResult<dim> solve(const std::string &text,
-                                  const std::vector<std::string> &overrides = {})
-{
+                                  const std::vector<std::string> &overrides = {}) {
   const Signorini::Parameters parameters =
     Signorini::parse_parameters(parameter_file(text), "test", overrides);
   return run(parameters, Signorini::make_scene<dim>(parameters));
@@ -43,23 +41,19 @@ Signorini::StudyResult<dim> solve(const std::string &text,
 template <int dim = 2>
 Signorini::StudyResult<dim> solve_file(const std::string &file,
                                        const std::vector<std::string> &overrides = {},
-                                       const std::string &directory = "")
-{
+                                       const std::string &directory = "") {
   const Signorini::Parameters parameters = Signorini::read_parameters(file, overrides);
   return run(parameters, Signorini::make_scene<dim>(parameters), directory);
 }
 
 /** Returns the parameter file of a scene of the catalogue. */
-inline std::string named_scene(const std::string &name)
-{
+inline std::string named_scene(const std::string &name) {
   return "subsection Scene\n set Name = " + name + "\n end\n";
 }
 
 /** Returns the overrides for a study from one level to another, and more of them. */
-inline std::vector<std::string> levels(const unsigned int coarsest,
-                                       const unsigned int finest,
-                                       std::vector<std::string> more = {})
-{
+inline std::vector<std::string> levels(const unsigned int coarsest, const unsigned int finest,
+                                       std::vector<std::string> more = {}) {
   more.push_back("Discretization/Coarsest level=" + std::to_string(coarsest));
   more.push_back("Discretization/Finest level=" + std::to_string(finest));
   return more;
@@ -67,19 +61,16 @@ inline std::vector<std::string> levels(const unsigned int coarsest,
 
 /** Returns a column of the last level, which must be known. */
 template <int dim>
-double last(const Signorini::StudyResult<dim> &result, const std::string &column)
-{
+double last(const Signorini::StudyResult<dim> &result, const std::string &column) {
   return Signorini::value(result.levels.back(), column).value();
 }
 
 /** A line by least squares, and how well it fits. */
-struct Line
-{
+struct Line {
   double slope, correlation;
 };
 
-inline Line fit(const std::vector<double> &x, const std::vector<double> &y)
-{
+inline Line fit(const std::vector<double> &x, const std::vector<double> &y) {
   const auto covariance = [n = x.size()](const std::vector<double> &a,
                                          const std::vector<double> &b) {
     return n * std::inner_product(a.begin(), a.end(), b.begin(), 0.) -
@@ -91,11 +82,9 @@ inline Line fit(const std::vector<double> &x, const std::vector<double> &y)
 
 /** Returns the least-squares slope of log(quantity) against log(h). */
 inline double slope(const std::vector<Signorini::LevelRecord> &levels,
-                    const std::function<double(const Signorini::LevelRecord &)> &quantity)
-{
+                    const std::function<double(const Signorini::LevelRecord &)> &quantity) {
   std::vector<double> x, y;
-  for (const Signorini::LevelRecord &level : levels)
-  {
+  for (const Signorini::LevelRecord &level : levels) {
     x.push_back(std::log(level.sizes.h));
     y.push_back(std::log(quantity(level)));
   }
@@ -103,26 +92,22 @@ inline double slope(const std::vector<Signorini::LevelRecord> &levels,
 }
 
 /** Returns the slope of a column. */
-inline double slope(const std::vector<Signorini::LevelRecord> &levels, const std::string &column)
-{
+inline double slope(const std::vector<Signorini::LevelRecord> &levels, const std::string &column) {
   return slope(levels, [&column](const Signorini::LevelRecord &level) {
     return Signorini::value(level, column).value();
   });
 }
 
 /** Checks that the slopes of columns lie between two numbers. */
-inline void check_orders(Checks &checks,
-                         const std::vector<Signorini::LevelRecord> &levels,
-                         const std::vector<std::tuple<std::string, double, double>> &orders)
-{
+inline void check_orders(Checks &checks, const std::vector<Signorini::LevelRecord> &levels,
+                         const std::vector<std::tuple<std::string, double, double>> &orders) {
   for (const auto &[column, low, high] : orders)
     checks.between("order of " + column, slope(levels, column), low, high);
 }
 
 /** Returns |a - b| / |b|. */
 template <typename First, typename Second>
-double relative_distance(const First &a, const Second &b)
-{
+double relative_distance(const First &a, const Second &b) {
   First difference(a);
   difference -= b;
   return difference.l2_norm() / b.l2_norm();

@@ -20,53 +20,40 @@
  * does not depend on rounding. An assertion may stand in a loop: "ok" is printed once per name,
  * what fails every time.
  */
-class Checks
-{
+class Checks {
 public:
   /** Starts without failures. @param speak false on ranks other than the first, whose lines would
    * repeat. */
   explicit Checks(const bool speak = true)
-    : speak_(speak)
-  {
-  }
+    : speak_(speak) {}
 
   /** The names of all checks that follow begin with @p subject. */
-  void about(const std::string &subject)
-  {
+  void about(const std::string &subject) {
     subject_ = subject.empty() ? "" : subject + ": ";
   }
 
-  void that(const std::string &name, const bool condition)
-  {
+  void that(const std::string &name, const bool condition) {
     report(name, condition, "the condition does not hold");
   }
 
   /** Checks that |value - expected| ≤ tolerance. */
-  void
-  near(const std::string &name, const double value, const double expected, const double tolerance)
-  {
-    report(name,
-           std::abs(value - expected) <= tolerance,
+  void near(const std::string &name, const double value, const double expected,
+            const double tolerance) {
+    report(name, std::abs(value - expected) <= tolerance,
            "found " + std::to_string(value) + ", expected " + std::to_string(expected) +
              ", difference " + std::to_string((value - expected) / tolerance) + " tolerances");
   }
 
   /** The same for points, vectors and tensors. */
   template <typename First, typename Second>
-  auto near(const std::string &name,
-            const First &value,
-            const Second &expected,
-            const double tolerance) -> decltype((value - expected).norm(), void())
-  {
+  auto near(const std::string &name, const First &value, const Second &expected,
+            const double tolerance) -> decltype((value - expected).norm(), void()) {
     near(name, (value - expected).norm(), 0., tolerance);
   }
 
   /** Checks each entry of a list, and that there are as many as expected. */
-  void near(const std::string &name,
-            const std::vector<double> &values,
-            const std::vector<double> &expected,
-            const double tolerance)
-  {
+  void near(const std::string &name, const std::vector<double> &values,
+            const std::vector<double> &expected, const double tolerance) {
     if (values.size() != expected.size())
       return near(name + ", entries", values.size(), expected.size(), 0.);
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -74,25 +61,19 @@ public:
   }
 
   /** Checks that low ≤ value ≤ high. */
-  void between(const std::string &name, const double value, const double low, const double high)
-  {
-    report(name,
-           value >= low && value <= high,
+  void between(const std::string &name, const double value, const double low, const double high) {
+    report(name, value >= low && value <= high,
            "found " + std::to_string(value) + ", expected " + std::to_string(low) + " to " +
              std::to_string(high));
   }
 
   /** Checks that the call throws an Exception whose message contains @p fragment. */
   template <typename Exception, typename Call>
-  void throws(const std::string &name, const std::string &fragment, const Call &call)
-  {
+  void throws(const std::string &name, const std::string &fragment, const Call &call) {
     std::string found = "nothing was thrown";
-    try
-    {
+    try {
       call();
-    }
-    catch (const Exception &exception)
-    {
+    } catch (const Exception &exception) {
       found = exception.what();
     }
     report(name, found.find(fragment) != std::string::npos, found);
@@ -100,28 +81,22 @@ public:
 
   /** Checks that the call throws an InputError with exactly this message. */
   template <typename Call>
-  void refuses(const std::string &message, const Call &call)
-  {
+  void refuses(const std::string &message, const Call &call) {
     std::string found = "nothing was thrown";
-    try
-    {
+    try {
       call();
-    }
-    catch (const Signorini::InputError &exception)
-    {
+    } catch (const Signorini::InputError &exception) {
       found = exception.what();
     }
     report(message, found == message, found);
   }
 
-  int exit_code() const
-  {
+  int exit_code() const {
     return n_failures_ == 0 ? 0 : 1;
   }
 
 private:
-  void report(const std::string &name, const bool passed, const std::string &found)
-  {
+  void report(const std::string &name, const bool passed, const std::string &found) {
     n_failures_ += passed ? 0 : 1;
     if (!passed || (names_.insert(subject_ + name).second && speak_))
       std::cout << subject_ << name << ": " << (passed ? "ok" : "FAILED, " + found) << std::endl;
@@ -134,12 +109,11 @@ private:
 };
 
 /** Runs all tests of a file one after the other. @return the exit code of main. */
-inline int run_tests(const std::initializer_list<void (*)(Checks &)> tests, const bool speak = true)
-{
+inline int run_tests(const std::initializer_list<void (*)(Checks &)> tests,
+                     const bool speak = true) {
   dealii::deal_II_exceptions::disable_abort_on_exception();
   Checks checks(speak);
-  for (const auto &test : tests)
-  {
+  for (const auto &test : tests) {
     checks.about("");
     test(checks);
   }
@@ -147,15 +121,13 @@ inline int run_tests(const std::initializer_list<void (*)(Checks &)> tests, cons
 }
 
 /** The same with MPI, on all processes; the first one speaks. */
-inline int run_tests(int argc, char **argv, const std::initializer_list<void (*)(Checks &)> tests)
-{
+inline int run_tests(int argc, char **argv, const std::initializer_list<void (*)(Checks &)> tests) {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   return run_tests(tests, dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
 }
 
 /** Returns the text of a file. */
-inline std::string file_text(const std::string &name)
-{
+inline std::string file_text(const std::string &name) {
   std::ostringstream text;
   text << std::ifstream(name).rdbuf();
   return text.str();

@@ -8,16 +8,13 @@
 
 #include <sys/resource.h>
 
-namespace Signorini
-{
-double StageTimes::total() const
-{
+namespace Signorini {
+double StageTimes::total() const {
   return mesh + setup + assembly + factor + compliance + qp + recovery + postprocess + bound +
          errors + output;
 }
 
-Columns<StageTimes> StageTimes::columns()
-{
+Columns<StageTimes> StageTimes::columns() {
   return {{"t_mesh", &StageTimes::mesh},
           {"t_setup", &StageTimes::setup},
           {"t_assembly", &StageTimes::assembly},
@@ -32,13 +29,11 @@ Columns<StageTimes> StageTimes::columns()
           {"t_total", &StageTimes::total}};
 }
 
-Columns<Resources> Resources::columns()
-{
+Columns<Resources> Resources::columns() {
   return {{"cpu_total", &Resources::cpu_seconds}, {"peak_memory_mb", &Resources::peak_memory_mb}};
 }
 
-Resources measure_resources()
-{
+Resources measure_resources() {
   rusage usage = {};
   getrusage(RUSAGE_SELF, &usage);
   const auto seconds = [](const timeval &time) {

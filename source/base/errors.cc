@@ -14,24 +14,18 @@
 #include <new>
 #include <string>
 
-namespace Signorini
-{
-std::string one_line(std::string sentence)
-{
+namespace Signorini {
+std::string one_line(std::string sentence) {
   std::replace_if(
-    sentence.begin(),
-    sentence.end(),
-    [](const unsigned char c) { return std::iscntrl(c) != 0; },
+    sentence.begin(), sentence.end(), [](const unsigned char c) { return std::iscntrl(c) != 0; },
     '?');
   return sentence;
 }
 
 // An error on one rank becomes the same error on all.
 
-namespace
-{
-enum class Outcome
-{
+namespace {
+enum class Outcome {
   success,
   input_error,
   computation_error,
@@ -40,8 +34,7 @@ enum class Outcome
   other_error
 };
 
-[[noreturn]] void rethrow(const Outcome outcome, const std::string &message)
-{
+[[noreturn]] void rethrow(const Outcome outcome, const std::string &message) {
   if (outcome == Outcome::input_error)
     throw InputError(message);
   if (outcome == Outcome::computation_error)
@@ -54,16 +47,12 @@ enum class Outcome
 }
 } // namespace
 
-void agree(MPI_Comm communicator, const std::function<void()> &work)
-{
+void agree(MPI_Comm communicator, const std::function<void()> &work) {
   Outcome outcome = Outcome::success;
   std::string message;
-  try
-  {
+  try {
     work();
-  }
-  catch (const std::exception &error)
-  {
+  } catch (const std::exception &error) {
     message = error.what();
     outcome = Outcome::other_error;
     if (dynamic_cast<const InputError *>(&error) != nullptr)
@@ -82,8 +71,7 @@ void agree(MPI_Comm communicator, const std::function<void()> &work)
       rethrow(static_cast<Outcome>(other.first), other.second);
 }
 
-std::string list_ranks(MPI_Comm communicator, const bool condition)
-{
+std::string list_ranks(MPI_Comm communicator, const bool condition) {
   const std::vector<int> all =
     Utilities::MPI::all_gather(communicator, static_cast<int>(condition));
   std::vector<std::string> ranks;

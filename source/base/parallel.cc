@@ -13,10 +13,8 @@
 #include <dlfcn.h>
 #include <thread>
 
-namespace Signorini
-{
-unsigned int n_available_threads(MPI_Comm communicator)
-{
+namespace Signorini {
+unsigned int n_available_threads(MPI_Comm communicator) {
   if (const char *const given = std::getenv("DEAL_II_NUM_THREADS"))
     return static_cast<unsigned int>(std::max(1L, std::strtol(given, nullptr, 10)));
   int n_ranks = 1;
@@ -24,14 +22,11 @@ unsigned int n_available_threads(MPI_Comm communicator)
   return n_ranks > 1 ? 1U : std::max(1U, std::thread::hardware_concurrency());
 }
 
-void work_on_ranges(const unsigned int n_threads,
-                    const std::size_t n,
-                    const std::function<void(std::size_t, std::size_t)> &work)
-{
+void work_on_ranges(const unsigned int n_threads, const std::size_t n,
+                    const std::function<void(std::size_t, std::size_t)> &work) {
   constexpr std::size_t length = 512;
   produce_in_parallel<bool>(
-    n_threads,
-    (n + length - 1) / length,
+    n_threads, (n + length - 1) / length,
     [&](const std::size_t i) {
       work(i * length, std::min(n, (i + 1) * length));
       return true;
@@ -41,18 +36,15 @@ void work_on_ranges(const unsigned int n_threads,
 
 // OpenBLAS and OpenMP are found at run time: which BLAS a system uses is decided there.
 
-namespace
-{
+namespace {
 constexpr int unknown_setting = -1;
 
-int library_setting(const char *const function)
-{
+int library_setting(const char *const function) {
   void *const symbol = dlsym(RTLD_DEFAULT, function);
   return symbol != nullptr ? reinterpret_cast<int (*)()>(symbol)() : unknown_setting;
 }
 
-void set_library(const char *const function, const int value)
-{
+void set_library(const char *const function, const int value) {
   if (void *const symbol = dlsym(RTLD_DEFAULT, function))
     reinterpret_cast<void (*)(int)>(symbol)(value);
 }
@@ -60,8 +52,7 @@ void set_library(const char *const function, const int value)
 
 LibraryThreads::LibraryThreads(const unsigned int n)
   : blas_threads_before_(library_setting("openblas_get_num_threads"))
-  , parallel_levels_before_(library_setting("omp_get_max_active_levels"))
-{
+  , parallel_levels_before_(library_setting("omp_get_max_active_levels")) {
   static const int blas_threads_given = blas_threads_before_;
   if (blas_threads_before_ != unknown_setting)
     set_library("openblas_set_num_threads", std::clamp(static_cast<int>(n), 1, blas_threads_given));
@@ -69,8 +60,7 @@ LibraryThreads::LibraryThreads(const unsigned int n)
     set_library("omp_set_max_active_levels", n > 1 ? 1 : 0);
 }
 
-LibraryThreads::~LibraryThreads()
-{
+LibraryThreads::~LibraryThreads() {
   if (blas_threads_before_ != unknown_setting)
     set_library("openblas_set_num_threads", blas_threads_before_);
   if (parallel_levels_before_ != unknown_setting)
@@ -78,8 +68,7 @@ LibraryThreads::~LibraryThreads()
 }
 // Texts of all ranks for the one that writes files.
 
-std::vector<std::string> gather_texts(std::string text, MPI_Comm communicator)
-{
+std::vector<std::string> gather_texts(std::string text, MPI_Comm communicator) {
   // Messages of MPI count by int, and deal.II gathers all texts in one of them.
   constexpr double max_size = 2e9;
   if (Utilities::MPI::sum(static_cast<double>(text.size()), communicator) > max_size)

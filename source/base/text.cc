@@ -9,15 +9,12 @@
 #include <cstdlib>
 #include <sstream>
 
-namespace Signorini
-{
-std::string trim(const std::string &text)
-{
+namespace Signorini {
+std::string trim(const std::string &text) {
   return boost::trim_copy_if(text, boost::is_any_of(" \t\r\n"));
 }
 
-std::vector<std::string> split_words(const std::string &text)
-{
+std::vector<std::string> split_words(const std::string &text) {
   const auto separators = boost::is_any_of(" \t,");
   const std::string trimmed = boost::trim_copy_if(text, separators);
   std::vector<std::string> words;
@@ -26,20 +23,17 @@ std::vector<std::string> split_words(const std::string &text)
   return words;
 }
 
-std::vector<std::string> split_list(const std::string &text, const char separator)
-{
+std::vector<std::string> split_list(const std::string &text, const char separator) {
   std::vector<std::string> parts;
   if (trim(text).empty())
     return parts;
   int depth = 0;
   std::string part;
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
+  for (std::size_t i = 0; i < text.size(); ++i) {
     const bool doubled =
       (i > 0 && text[i - 1] == separator) || (i + 1 < text.size() && text[i + 1] == separator);
     const bool separates = text[i] == separator && depth == 0 && !(separator == '|' && doubled);
-    if (separates)
-    {
+    if (separates) {
       parts.push_back(trim(part));
       part.clear();
       continue;
@@ -51,8 +45,7 @@ std::vector<std::string> split_list(const std::string &text, const char separato
   return parts;
 }
 
-bool read_number(const std::string &text, double &number)
-{
+bool read_number(const std::string &text, double &number) {
   const std::string trimmed = trim(text);
   if (trimmed.empty())
     return false;
@@ -61,11 +54,9 @@ bool read_number(const std::string &text, double &number)
   return *end == '\0' && std::isfinite(number);
 }
 
-bool read_numbers(const std::string &text, std::vector<double> &numbers)
-{
+bool read_numbers(const std::string &text, std::vector<double> &numbers) {
   numbers.clear();
-  for (const std::string &part : split_list(text, ','))
-  {
+  for (const std::string &part : split_list(text, ',')) {
     double number = 0;
     if (!read_number(part, number))
       return false;
@@ -74,20 +65,17 @@ bool read_numbers(const std::string &text, std::vector<double> &numbers)
   return true;
 }
 
-namespace
-{
+namespace {
 /** Returns the first position from i on, in steps of +1 or -1, that is not inside a character of
  * UTF-8. */
-std::size_t whole_character(const std::string &text, std::size_t i, const int step)
-{
+std::size_t whole_character(const std::string &text, std::size_t i, const int step) {
   while (i > 0 && i < text.size() && (text[i] & 0xC0) == 0x80)
     i += step;
   return i;
 }
 } // namespace
 
-std::string shorten(const std::string &text)
-{
+std::string shorten(const std::string &text) {
   constexpr std::size_t longest = 120, beginning = 80, ending = 30;
   if (text.size() <= longest)
     return text;
@@ -95,21 +83,18 @@ std::string shorten(const std::string &text)
          text.substr(whole_character(text, text.size() - ending, 1));
 }
 
-std::string shorten_path(const std::string &path)
-{
+std::string shorten_path(const std::string &path) {
   constexpr std::size_t longest = 100, ending = 60;
   return path.size() <= longest
            ? path
            : "..." + path.substr(whole_character(path, path.size() - ending, 1));
 }
 
-std::string quote(const std::string &text)
-{
+std::string quote(const std::string &text) {
   return "'" + shorten(text) + "'";
 }
 
-std::string number_text(const double number)
-{
+std::string number_text(const double number) {
   if (std::isnan(number))
     return "nan";
   std::ostringstream text;
@@ -117,8 +102,7 @@ std::string number_text(const double number)
   return text.str();
 }
 
-std::string join(const std::vector<std::string> &words, const std::string &separator)
-{
+std::string join(const std::vector<std::string> &words, const std::string &separator) {
   return boost::join(words, separator);
 }
 } // namespace Signorini

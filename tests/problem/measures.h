@@ -16,8 +16,7 @@
 
 /** What a mesh of curved cells knows of a body: integrals, and how far its faces are off the sides.
  */
-struct Measures
-{
+struct Measures {
   double area = 0., length = 0.;
   std::map<std::string, double> lengths;
   /** int n ds. */
@@ -28,21 +27,16 @@ struct Measures
 };
 
 inline Measures measure(const Signorini::Geometry<2> &geometry,
-                        const dealii::Triangulation<2> &mesh,
-                        const unsigned int degree)
-{
+                        const dealii::Triangulation<2> &mesh, const unsigned int degree) {
   using namespace dealii;
   const MappingQ<2> mapping(degree);
   const FE_Nothing<2> nothing;
   FEValues<2> corners(mapping, nothing, QGaussLobatto<2>(5), update_jacobians),
     cells(mapping, nothing, QGauss<2>(6), update_JxW_values);
-  FEFaceValues<2> faces(mapping,
-                        nothing,
-                        QGauss<1>(6),
+  FEFaceValues<2> faces(mapping, nothing, QGauss<1>(6),
                         update_JxW_values | update_normal_vectors | update_quadrature_points);
   Measures found;
-  for (const auto &cell : mesh.active_cell_iterators())
-  {
+  for (const auto &cell : mesh.active_cell_iterators()) {
     cells.reinit(cell);
     corners.reinit(cell);
     for (const unsigned int q : cells.quadrature_point_indices())
@@ -52,14 +46,12 @@ inline Measures measure(const Signorini::Geometry<2> &geometry,
       determinants.push_back(corners.jacobian(q).determinant());
     const auto [smallest, largest] = std::minmax_element(determinants.begin(), determinants.end());
     found.shape = std::min(found.shape, *smallest / *largest);
-    for (const unsigned int f : cell->face_indices())
-    {
+    for (const unsigned int f : cell->face_indices()) {
       if (!cell->at_boundary(f))
         continue;
       const Signorini::Side<2> &side = geometry.sides.at(cell->face(f)->boundary_id());
       faces.reinit(cell, f);
-      for (const unsigned int q : faces.quadrature_point_indices())
-      {
+      for (const unsigned int q : faces.quadrature_point_indices()) {
         const Point<2> &x = faces.quadrature_point(q);
         const double s = side.arc_length(x);
         found.length += faces.JxW(q);

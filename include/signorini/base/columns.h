@@ -7,15 +7,13 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * A column of a table: its name, and a function that returns its value in a row, empty where the
  * value is unknown. The function may be a pointer to a member of Row.
  */
 template <typename Row>
-struct Column
-{
+struct Column {
   std::string name;
   std::function<std::optional<double>(const Row &)> value;
 };
@@ -25,8 +23,7 @@ using Columns = std::vector<Column<Row>>;
 
 /** Returns the columns that a part of a row declares by Part::columns(), as columns of the row. */
 template <typename Row, typename Part>
-Columns<Row> columns_of(Part Row::*const part)
-{
+Columns<Row> columns_of(Part Row::*const part) {
   Columns<Row> columns;
   for (const Column<Part> &column : Part::columns())
     columns.push_back(
@@ -36,8 +33,7 @@ Columns<Row> columns_of(Part Row::*const part)
 
 /** Returns the same columns for a part that a row may lack; they are empty there. */
 template <typename Row, typename Part>
-Columns<Row> columns_of(std::optional<Part> Row::*const part)
-{
+Columns<Row> columns_of(std::optional<Part> Row::*const part) {
   Columns<Row> columns;
   for (const Column<Part> &column : Part::columns())
     columns.push_back({column.name, [column, part](const Row &row) {
@@ -50,20 +46,17 @@ Columns<Row> columns_of(std::optional<Part> Row::*const part)
  * A timer that adds the wall seconds of its life to a number. A timer that starts within another
  * one's life stops that one meanwhile, so the time of a stage within a stage counts once.
  */
-class StageTimer
-{
+class StageTimer {
 public:
   explicit StageTimer(double &seconds)
     : seconds_(seconds)
-    , outer_(innermost)
-  {
+    , outer_(innermost) {
     if (outer_ != nullptr)
       outer_->stop();
     innermost = this;
     start_ = Clock::now();
   }
-  ~StageTimer()
-  {
+  ~StageTimer() {
     stop();
     innermost = outer_;
     if (outer_ != nullptr)
@@ -75,8 +68,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  void stop()
-  {
+  void stop() {
     seconds_ += std::chrono::duration<double>(Clock::now() - start_).count();
   }
 
@@ -90,15 +82,13 @@ private:
 
 /** Calls @p stage, adds its wall seconds to @p seconds, and returns its result. */
 template <typename Stage>
-auto timed(double &seconds, const Stage &stage)
-{
+auto timed(double &seconds, const Stage &stage) {
   const StageTimer timer(seconds);
   return stage();
 }
 
 /** Wall seconds of the stages of one level. */
-struct StageTimes
-{
+struct StageTimes {
   double mesh = 0.;
   double setup = 0.;
   double assembly = 0.;
@@ -117,8 +107,7 @@ struct StageTimes
 };
 
 /** The resources that this process has used since it began. */
-struct Resources
-{
+struct Resources {
   double cpu_seconds = 0.;
   double peak_memory_mb = 0.;
 

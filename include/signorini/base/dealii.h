@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-namespace dealii
-{
-}
+namespace dealii {}
 
 /** The project. Names of deal.II are known inside; a name of this project hides one of deal.II. */
-namespace Signorini
-{
+namespace Signorini {
 using namespace dealii;
 }

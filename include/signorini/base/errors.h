@@ -7,8 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Returns the sentence with a question mark in place of every control character, which would break
  * the line or steer a terminal. */
 std::string one_line(std::string sentence);
@@ -19,28 +18,21 @@ std::string one_line(std::string sentence);
  * The message is one sentence that names the place (file and line, or command line option), the
  * parameter, what was found and what is allowed.
  */
-class InputError : public std::runtime_error
-{
+class InputError : public std::runtime_error {
 public:
   explicit InputError(const std::string &sentence)
-    : std::runtime_error(one_line(sentence))
-  {
-  }
+    : std::runtime_error(one_line(sentence)) {}
 };
 
 /** Thrown if a result cannot be computed: exit code 2. The message names the cause. */
-class ComputationError : public std::runtime_error
-{
+class ComputationError : public std::runtime_error {
 public:
   explicit ComputationError(const std::string &sentence)
-    : std::runtime_error(one_line(sentence))
-  {
-  }
+    : std::runtime_error(one_line(sentence)) {}
 };
 
 /** Thrown if results cannot be written: exit code 3. The message names the file. */
-class WritingError : public ComputationError
-{
+class WritingError : public ComputationError {
   using ComputationError::ComputationError;
 };
 

@@ -6,12 +6,10 @@
 #include <sstream>
 #include <string>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Returns the parts of a sentence, texts and numbers with six digits, one behind the other. */
 template <typename... Parts>
-std::string concatenate(const Parts &...parts)
-{
+std::string concatenate(const Parts &...parts) {
   std::ostringstream text;
   (text << ... << parts);
   return text.str();
@@ -19,8 +17,7 @@ std::string concatenate(const Parts &...parts)
 
 /** Returns the error with these parts of its sentence. */
 template <typename... Parts>
-InputError input_error(const Parts &...parts)
-{
+InputError input_error(const Parts &...parts) {
   return InputError(concatenate(parts...));
 }
 } // namespace Signorini

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * Returns how many threads this process may use: DEAL_II_NUM_THREADS if that is set; otherwise one
  * if there are several ranks, and one for each core if there is a single rank.
@@ -28,18 +27,14 @@ unsigned int n_available_threads(MPI_Comm communicator);
  * data at a quadrature point must become a message.)
  */
 template <typename Result>
-void produce_in_parallel(const unsigned int n_threads,
-                         const std::size_t n,
+void produce_in_parallel(const unsigned int n_threads, const std::size_t n,
                          const std::function<Result(std::size_t)> &produce,
-                         const std::function<void(const Result &)> &consume)
-{
+                         const std::function<void(const Result &)> &consume) {
   const std::size_t n_ahead = n_threads > 1 ? n_threads : 0;
   std::deque<std::future<Result>> under_way;
   std::size_t started = 0;
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    if (n_ahead == 0)
-    {
+  for (std::size_t i = 0; i < n; ++i) {
+    if (n_ahead == 0) {
       consume(produce(i));
       continue;
     }
@@ -57,8 +52,7 @@ void produce_in_parallel(const unsigned int n_threads,
  * digits.
  * @throws what work throws.
  */
-void work_on_ranges(unsigned int n_threads,
-                    std::size_t n,
+void work_on_ranges(unsigned int n_threads, std::size_t n,
                     const std::function<void(std::size_t, std::size_t)> &work);
 
 /**
@@ -69,8 +63,7 @@ void work_on_ranges(unsigned int n_threads,
  * CPU time and gain nothing (CHOLMOD moves its blocks by four OpenMP threads, however many cores
  * there are). So the program runs with one, and MUMPS asks for more.
  */
-class LibraryThreads
-{
+class LibraryThreads {
 public:
   /** @param n not more than OpenBLAS had at first (OPENBLAS_NUM_THREADS, or all cores) is taken. */
   explicit LibraryThreads(unsigned int n);

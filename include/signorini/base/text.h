@@ -5,8 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Removes blanks at both ends. */
 std::string trim(const std::string &text);
 

@@ -6,19 +6,15 @@
 #include <algorithm>
 #include <limits>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 const UpdateFlags stiffness_flags = update_gradients | update_quadrature_points | update_JxW_values;
 
 /** Returns whether every vertex is the sum of the edges along its coordinates: a parallelogram, in
  * 3-D a parallelepiped. */
 template <int dim>
-bool is_affine(const typename Triangulation<dim>::active_cell_iterator &cell)
-{
-  for (const unsigned int v : cell->vertex_indices())
-  {
+bool is_affine(const typename Triangulation<dim>::active_cell_iterator &cell) {
+  for (const unsigned int v : cell->vertex_indices()) {
     Tensor<1, dim> difference = cell->vertex(v) - cell->vertex(0);
     for (unsigned int d = 0; d < dim; ++d)
       if (((v >> d) & 1U) != 0)
@@ -31,13 +27,11 @@ bool is_affine(const typename Triangulation<dim>::active_cell_iterator &cell)
 
 /** Returns ∫_K div φ_i / |K| for all i. */
 template <int dim>
-std::vector<double> mean_divergences(const FEValues<dim> &values)
-{
+std::vector<double> mean_divergences(const FEValues<dim> &values) {
   const FEValuesExtractors::Vector displacement(0);
   std::vector<double> means(values.dofs_per_cell, 0.);
   double volume = 0.;
-  for (const unsigned int q : values.quadrature_point_indices())
-  {
+  for (const unsigned int q : values.quadrature_point_indices()) {
     volume += values.JxW(q);
     for (unsigned int i = 0; i < means.size(); ++i)
       means[i] += values[displacement].divergence(i, q) * values.JxW(q);
@@ -57,13 +51,10 @@ CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Sce
   , constant_(material_.is_constant())
   , kinks_(constant_ ? Kinks<dim>() : scene.kinks)
   , affine_values_(mesh_.unit_mapping(), space, kinks_, 2, stiffness_flags)
-  , values_(mesh_.unit_mapping(), space, kinks_, 4, stiffness_flags)
-{
-}
+  , values_(mesh_.unit_mapping(), space, kinks_, 4, stiffness_flags) {}
 
 template <int dim>
-typename CellStiffness<dim>::Matrix CellStiffness<dim>::integrate(const CellIterator &cell)
-{
+typename CellStiffness<dim>::Matrix CellStiffness<dim>::integrate(const CellIterator &cell) {
   // Fewer points are exact for a constant tensor where edges are parallel.
   const bool is_exact = constant_ && !mesh_.is_curved() && is_affine<dim>(cell);
   const FEValues<dim> &values = (is_exact ? affine_values_ : values_).reinit(cell);
@@ -80,18 +71,15 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::integrate(const CellIter
   // With a row for every point and component, the sum over both is a product of matrices.
   strains_.reinit(values.n_quadrature_points * n_strains, n);
   stresses_.reinit(values.n_quadrature_points * n_strains, n);
-  for (const unsigned int q : values.quadrature_point_indices())
-  {
+  for (const unsigned int q : values.quadrature_point_indices()) {
     if (!constant_)
       hooke = hooke_at(q);
-    for (unsigned int i = 0; i < n; ++i)
-    {
+    for (unsigned int i = 0; i < n; ++i) {
       SymmetricTensor<2, dim> strain = values[displacement].symmetric_gradient(i, q);
       if (!mean_dilatation.empty())
         replace_trace(strain, mean_dilatation[i]);
       const SymmetricTensor<2, dim> stress = values.JxW(q) * (hooke * strain);
-      for (unsigned int c = 0; c < n_strains; ++c)
-      {
+      for (unsigned int c = 0; c < n_strains; ++c) {
         // Off the diagonal a component stands for two.
         strains_(q * n_strains + c, i) = (c < dim ? 1. : 2.) * strain.access_raw_entry(c);
         stresses_(q * n_strains + c, i) = stress.access_raw_entry(c);
@@ -104,8 +92,7 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::integrate(const CellIter
 }
 
 template <int dim>
-typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator &cell)
-{
+typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator &cell) {
   // Vertices do not determine the shape of a curved cell.
   if (!constant_ || mesh_.is_curved())
     return integrate(cell);
@@ -119,9 +106,7 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator
     sample.shape.back().norm();
   for (const Sample &known : samples_)
     if (known.element_number == sample.element_number &&
-        std::equal(known.shape.begin(),
-                   known.shape.end(),
-                   sample.shape.begin(),
+        std::equal(known.shape.begin(), known.shape.end(), sample.shape.begin(),
                    [&](const auto &a, const auto &b) { return (a - b).norm() <= tolerance; }))
       return known.matrix;
   sample.matrix = integrate(cell);

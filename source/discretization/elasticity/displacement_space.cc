@@ -13,21 +13,16 @@
 #include <cmath>
 #include <set>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns the conditions of clamped, prescribed and roller sides for u_h. */
 template <int dim>
-AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
-                                               const DoFHandler<dim> &dofs,
-                                               const Scene<dim> &scene)
-{
+AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh, const DoFHandler<dim> &dofs,
+                                               const Scene<dim> &scene) {
   const Functions::ZeroFunction<dim> zero(dim);
   std::map<types::boundary_id, const Function<dim> *> displacements;
   std::set<types::boundary_id> rollers;
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-  {
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     const BoundaryCondition<dim> &condition = scene.boundary[i];
     if (condition.role == Role::clamped)
       displacements[i] = &zero;
@@ -48,18 +43,15 @@ AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh,
 using Pin = DisplacementSpace<2>::Pin;
 
 /** A place for a pin, and the share at which its speed counts where pins are chosen. */
-struct PinCandidate
-{
+struct PinCandidate {
   Pin pin;
   double weight;
 };
 
 /** Returns the free components of vertices of the coarse mesh, which do not hang. Those on contact
  * sides count little: a pin there takes part of the load. */
-std::vector<PinCandidate> pin_candidates(const DoFHandler<2> &dofs,
-                                         const Scene<2> &scene,
-                                         const AffineConstraints<double> &essential)
-{
+std::vector<PinCandidate> pin_candidates(const DoFHandler<2> &dofs, const Scene<2> &scene,
+                                         const AffineConstraints<double> &essential) {
   std::map<unsigned int, double> weights;
   for (const auto &cell : dofs.get_triangulation().cell_iterators_on_level(0))
     for (const unsigned int v : cell->vertex_indices())
@@ -72,10 +64,8 @@ std::vector<PinCandidate> pin_candidates(const DoFHandler<2> &dofs,
   std::vector<PinCandidate> candidates;
   for (const auto &cell : dofs.active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
-      if (const auto vertex = weights.find(cell->vertex_index(v)); vertex != weights.end())
-      {
-        for (unsigned int c = 0; c < 2; ++c)
-        {
+      if (const auto vertex = weights.find(cell->vertex_index(v)); vertex != weights.end()) {
+        for (unsigned int c = 0; c < 2; ++c) {
           const auto dof = cell->vertex_dof_index(v, c, cell->active_fe_index());
           if (!essential.is_constrained(dof))
             candidates.push_back({{dof, cell->vertex(v), c}, vertex->second});
@@ -87,26 +77,22 @@ std::vector<PinCandidate> pin_candidates(const DoFHandler<2> &dofs,
 
 /** Returns as many pins as there are motions, chosen one after the other where the motions that are
  * left are fastest: elimination with complete pivoting. */
-std::vector<Pin> choose_pins(const DoFHandler<2> &dofs,
-                             const Scene<2> &scene,
-                             const AffineConstraints<double> &essential)
-{
+std::vector<Pin> choose_pins(const DoFHandler<2> &dofs, const Scene<2> &scene,
+                             const AffineConstraints<double> &essential) {
   std::vector<RigidMotion> motions = free_rigid_motions(scene);
   const auto candidates = pin_candidates(dofs, scene, essential);
   const auto speed = [](const RigidMotion &motion, const Pin &pin) {
     return motion.velocity(pin.node)[pin.component];
   };
   std::vector<Pin> pins;
-  while (!motions.empty())
-  {
+  while (!motions.empty()) {
     Pin pin = {};
     std::size_t fastest = 0;
     double largest = 0.;
     for (const PinCandidate &candidate : candidates)
       for (std::size_t k = 0; k < motions.size(); ++k)
         if (const double size = candidate.weight * std::abs(speed(motions[k], candidate.pin));
-            size > largest)
-        {
+            size > largest) {
           largest = size;
           pin = candidate.pin;
           fastest = k;
@@ -123,11 +109,9 @@ std::vector<Pin> choose_pins(const DoFHandler<2> &dofs,
 /** Returns constrained degrees of freedom and their masters: on an oblique roller both components
  * of a node carry the reaction. */
 IndexSet held_dofs(const AffineConstraints<double> &conditions,
-                   const types::global_dof_index n_dofs)
-{
+                   const types::global_dof_index n_dofs) {
   IndexSet held(n_dofs);
-  for (const auto &line : conditions.get_lines())
-  {
+  for (const auto &line : conditions.get_lines()) {
     held.add_index(line.index);
     for (const auto &entry : line.entries)
       held.add_index(entry.first);
@@ -139,8 +123,7 @@ IndexSet held_dofs(const AffineConstraints<double> &conditions,
 /** Returns the constraints that keep u_h continuous at hanging nodes and between different degrees.
  */
 template <int dim>
-AffineConstraints<double> continuity_conditions(const DoFHandler<dim> &dofs)
-{
+AffineConstraints<double> continuity_conditions(const DoFHandler<dim> &dofs) {
   AffineConstraints<double> conditions;
   if (dofs.get_triangulation().has_hanging_nodes() || dofs.get_fe_collection().size() > 1)
     DoFTools::make_hanging_node_constraints(dofs, conditions);
@@ -149,18 +132,15 @@ AffineConstraints<double> continuity_conditions(const DoFHandler<dim> &dofs)
 }
 
 /** Copies the owned rows of a vector that is distributed like A. */
-void copy_rows(const IndexSet &owned, const DistributedVector &from, DualVector &to)
-{
+void copy_rows(const IndexSet &owned, const DistributedVector &from, DualVector &to) {
   for (const auto i : owned)
     to(i) = from(i);
 }
 
 /** Sets the constrained values of w = T w_free. */
-void set_constrained(const AffineConstraints<double> &constraints, Displacement &w)
-{
+void set_constrained(const AffineConstraints<double> &constraints, Displacement &w) {
   w.update_ghost_values();
-  for (const auto &line : constraints.get_lines())
-  {
+  for (const auto &line : constraints.get_lines()) {
     if (!w.in_local_range(line.index))
       continue;
     double value = 0.;
@@ -174,8 +154,7 @@ void set_constrained(const AffineConstraints<double> &constraints, Displacement 
 /** Returns both sets of constraints; where a degree of freedom has both, the essential condition.
  */
 AffineConstraints<double> merge(AffineConstraints<double> essential,
-                                const AffineConstraints<double> &continuity)
-{
+                                const AffineConstraints<double> &continuity) {
   if (continuity.n_constraints() == 0)
     return essential;
   AffineConstraints<double> constraints(continuity);
@@ -186,25 +165,21 @@ AffineConstraints<double> merge(AffineConstraints<double> essential,
 } // namespace
 
 template <int dim>
-DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
-                                          const Scene<dim> &scene,
+DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh, const Scene<dim> &scene,
                                           const StrainOperator strain_operator,
                                           const unsigned int degree)
   : mesh_(mesh)
   , strain_operator_(strain_operator)
-  , dofs_(mesh.triangulation())
-{
+  , dofs_(mesh.triangulation()) {
   distribute(scene, hp::FECollection<dim>(FESystem<dim>(FE_Q<dim>(degree), dim)));
 }
 
 template <int dim>
-DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
-                                          const Scene<dim> &scene,
+DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh, const Scene<dim> &scene,
                                           const std::vector<unsigned int> &degrees)
   : mesh_(mesh)
   , strain_operator_(StrainOperator::symmetric_gradient)
-  , dofs_(mesh.triangulation())
-{
+  , dofs_(mesh.triangulation()) {
   AssertDimension(degrees.size(), mesh.triangulation().n_active_cells());
   constexpr unsigned int lowest = 2;
   const unsigned int highest = *std::max_element(degrees.begin(), degrees.end());
@@ -219,15 +194,13 @@ DisplacementSpace<dim>::DisplacementSpace(const Mesh<dim> &mesh,
 
 template <int dim>
 void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
-                                        const hp::FECollection<dim> &elements)
-{
+                                        const hp::FECollection<dim> &elements) {
   dofs_.distribute_dofs(elements);
   auto essential = essential_conditions(mesh_, dofs_, scene);
   supports_ = held_dofs(essential, dofs_.n_dofs());
   continuity_ = continuity_conditions(dofs_);
   if constexpr (dim == 2)
-    if (scene.is_held_by_contact)
-    {
+    if (scene.is_held_by_contact) {
       pins_ = choose_pins(dofs_, scene, essential);
       constraints_without_pins_ = merge(essential_conditions(mesh_, dofs_, scene), continuity_);
       AffineConstraints<double> conditions;
@@ -240,19 +213,17 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
   constraints_ = merge(std::move(essential), continuity_);
   IndexSet relevant;
   DoFTools::extract_locally_relevant_dofs(dofs_, relevant);
-  rows_ = std::make_shared<const Utilities::MPI::Partitioner>(
-    locally_owned(), relevant, mesh_.communicator());
+  rows_ = std::make_shared<const Utilities::MPI::Partitioner>(locally_owned(), relevant,
+                                                              mesh_.communicator());
 }
 
 template <int dim>
-DistributedVector DisplacementSpace<dim>::make_vector() const
-{
+DistributedVector DisplacementSpace<dim>::make_vector() const {
   return DistributedVector(locally_owned(), mesh_.communicator());
 }
 
 template <int dim>
-Displacement DisplacementSpace<dim>::complete(const DistributedVector &free_values) const
-{
+Displacement DisplacementSpace<dim>::complete(const DistributedVector &free_values) const {
   Displacement values(rows_);
   copy_rows(locally_owned(), free_values, values);
   constraints_.distribute(values.entries());
@@ -261,8 +232,7 @@ Displacement DisplacementSpace<dim>::complete(const DistributedVector &free_valu
 }
 
 template <int dim>
-Displacement DisplacementSpace<dim>::prescribed(const Scene<dim> &scene) const
-{
+Displacement DisplacementSpace<dim>::prescribed(const Scene<dim> &scene) const {
   Displacement k(rows_);
   merge(essential_conditions(mesh_, dofs_, scene), continuity_).distribute(k.entries());
   k.update_ghost_values();
@@ -270,20 +240,17 @@ Displacement DisplacementSpace<dim>::prescribed(const Scene<dim> &scene) const
 }
 
 template <int dim>
-void DisplacementSpace<dim>::distribute_homogeneous(Displacement &w) const
-{
+void DisplacementSpace<dim>::distribute_homogeneous(Displacement &w) const {
   set_constrained(constraints_, w);
 }
 
 template <int dim>
-void DisplacementSpace<dim>::distribute_without_pins(Displacement &w) const
-{
+void DisplacementSpace<dim>::distribute_without_pins(Displacement &w) const {
   set_constrained(constraints_without_pins(), w);
 }
 
 template <int dim>
-Displacement DisplacementSpace<dim>::displacement(const DistributedVector &rows) const
-{
+Displacement DisplacementSpace<dim>::displacement(const DistributedVector &rows) const {
   Displacement U(rows_);
   copy_rows(locally_owned(), rows, U);
   U.update_ghost_values();
@@ -291,21 +258,17 @@ Displacement DisplacementSpace<dim>::displacement(const DistributedVector &rows)
 }
 
 template <int dim>
-DualVector DisplacementSpace<dim>::dual(const DistributedVector &rows) const
-{
+DualVector DisplacementSpace<dim>::dual(const DistributedVector &rows) const {
   DualVector functional(rows_);
   copy_rows(locally_owned(), rows, functional);
   return functional;
 }
 
-namespace
-{
+namespace {
 /** Adds the rows of constrained degrees of freedom to those that they follow, and clears them. */
-void carry(const AffineConstraints<double> &constraints, DualVector &functional)
-{
+void carry(const AffineConstraints<double> &constraints, DualVector &functional) {
   functional.zero_out_ghost_values();
-  for (const auto &line : constraints.get_lines())
-  {
+  for (const auto &line : constraints.get_lines()) {
     if (!functional.in_local_range(line.index))
       continue;
     for (const auto &entry : line.entries)
@@ -317,8 +280,7 @@ void carry(const AffineConstraints<double> &constraints, DualVector &functional)
 } // namespace
 
 template <int dim>
-DualVector DisplacementSpace<dim>::condense(const DualVector &functional) const
-{
+DualVector DisplacementSpace<dim>::condense(const DualVector &functional) const {
   // AffineConstraints::condense() refuses prescribed displacements, which T leaves out.
   DualVector condensed = functional;
   carry(constraints_, condensed);
@@ -326,22 +288,19 @@ DualVector DisplacementSpace<dim>::condense(const DualVector &functional) const
 }
 
 template <int dim>
-void DisplacementSpace<dim>::carry_to_masters(DualVector &functional) const
-{
+void DisplacementSpace<dim>::carry_to_masters(DualVector &functional) const {
   carry(continuity_, functional);
 }
 
 template <int dim>
 typename DoFHandler<dim>::active_cell_iterator
-DisplacementSpace<dim>::dof_cell(const CellIterator &cell) const
-{
+DisplacementSpace<dim>::dof_cell(const CellIterator &cell) const {
   return {&mesh_.triangulation(), cell->level(), cell->index(), &dofs_};
 }
 
 template <int dim>
 std::vector<types::global_dof_index>
-DisplacementSpace<dim>::cell_dofs(const CellIterator &cell) const
-{
+DisplacementSpace<dim>::cell_dofs(const CellIterator &cell) const {
   std::vector<types::global_dof_index> indices(element(cell).n_dofs_per_cell());
   dof_cell(cell)->get_dof_indices(indices);
   return indices;

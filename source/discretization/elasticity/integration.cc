@@ -11,23 +11,17 @@
 #include <cmath>
 #include <limits>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Calls work(cell, K, U) with the matrix of every cell of this rank and the values of U there, as
  * long as it returns true. */
 template <int dim, typename Work>
-void for_each_cell(const DisplacementSpace<dim> &space,
-                   const Scene<dim> &scene,
-                   const Displacement &U,
-                   const Work &work)
-{
+void for_each_cell(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                   const Displacement &U, const Work &work) {
   CellStiffness<dim> stiffness(space, scene);
   dealii::Vector<double> on_cell;
   for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->is_locally_owned())
-    {
+    if (cell->is_locally_owned()) {
       on_cell.reinit(cell->get_fe().n_dofs_per_cell());
       cell->get_dof_values(U, on_cell);
       if (!work(cell, stiffness(cell), on_cell))
@@ -37,27 +31,24 @@ void for_each_cell(const DisplacementSpace<dim> &space,
 } // namespace
 
 template <int dim>
-InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
-                                    const Scene<dim> &scene,
-                                    const Displacement &U)
-{
+InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                                    const Displacement &U) {
   InternalForces<dim> result = {space.make_vector(), space.make_vector()};
   dealii::Vector<double> forces, magnitudes;
-  for_each_cell(
-    space, scene, U, [&](const auto &cell, const FullMatrix<double> &K, const auto &on_cell) {
-      forces.reinit(on_cell.size());
-      magnitudes.reinit(on_cell.size());
-      K.vmult(forces, on_cell);
-      for (unsigned int i = 0; i < on_cell.size(); ++i)
-        for (unsigned int j = 0; j < on_cell.size(); ++j)
-          magnitudes[i] += std::abs(K(i, j) * on_cell[j]);
-      const auto indices = space.cell_dofs(cell);
-      result.forces.add(indices, forces);
-      result.magnitudes.add(indices, magnitudes);
-      return true;
-    });
-  for (DistributedVector *const vector : {&result.forces, &result.magnitudes})
-  {
+  for_each_cell(space, scene, U,
+                [&](const auto &cell, const FullMatrix<double> &K, const auto &on_cell) {
+                  forces.reinit(on_cell.size());
+                  magnitudes.reinit(on_cell.size());
+                  K.vmult(forces, on_cell);
+                  for (unsigned int i = 0; i < on_cell.size(); ++i)
+                    for (unsigned int j = 0; j < on_cell.size(); ++j)
+                      magnitudes[i] += std::abs(K(i, j) * on_cell[j]);
+                  const auto indices = space.cell_dofs(cell);
+                  result.forces.add(indices, forces);
+                  result.magnitudes.add(indices, magnitudes);
+                  return true;
+                });
+  for (DistributedVector *const vector : {&result.forces, &result.magnitudes}) {
     vector->compress(VectorOperation::add);
     *vector *= stiffness_unit(space, *scene.material);
   }
@@ -65,10 +56,8 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-double energy_norm(const DisplacementSpace<dim> &space,
-                   const Scene<dim> &scene,
-                   const Displacement &U)
-{
+double energy_norm(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                   const Displacement &U) {
   double energy = 0.;
   for_each_cell(space, scene, U, [&](const auto &cell, const FullMatrix<double> &K, auto &on_cell) {
     const FiniteElement<dim> &element = cell->get_fe();
@@ -86,9 +75,7 @@ double energy_norm(const DisplacementSpace<dim> &space,
 
 template <int dim>
 std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
-                                           const Scene<dim> &scene,
-                                           const Displacement &U)
-{
+                                           const Scene<dim> &scene, const Displacement &U) {
   constexpr double unit_roundoff = std::numeric_limits<double>::epsilon();
   const double motion = U.linfty_norm(), size = space.mesh().size();
   // Of a body that moves far, the strains are not known: they are less than rounding of U.
@@ -99,13 +86,13 @@ std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
     std::max(1e3 * unit_roundoff, 1e-10 * size / std::max(motion, 0.1 * size));
   dealii::Vector<double> forces;
   bool rigid = true;
-  for_each_cell(
-    space, scene, U, [&](const auto &, const FullMatrix<double> &K, const auto &on_cell) {
-      forces.reinit(on_cell.size());
-      K.vmult(forces, on_cell);
-      rigid = forces.linfty_norm() <= tolerance * K.linfty_norm() * motion;
-      return rigid;
-    });
+  for_each_cell(space, scene, U,
+                [&](const auto &, const FullMatrix<double> &K, const auto &on_cell) {
+                  forces.reinit(on_cell.size());
+                  K.vmult(forces, on_cell);
+                  rigid = forces.linfty_norm() <= tolerance * K.linfty_norm() * motion;
+                  return rigid;
+                });
   if (Utilities::MPI::min(rigid ? 1 : 0, space.mesh().communicator()) == 0)
     return {};
   // A body at rest, too, has a size that rounding is compared with.
@@ -113,12 +100,8 @@ std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-double energy_scale(const double norm,
-                    const double error,
-                    const DisplacementSpace<dim> &space,
-                    const Scene<dim> &scene,
-                    const Displacement &U)
-{
+double energy_scale(const double norm, const double error, const DisplacementSpace<dim> &space,
+                    const Scene<dim> &scene, const Displacement &U) {
   constexpr double rounding = 1e-7;
   const std::optional<double> rigid = norm_of_rigid_motion(space, scene, U);
   if (!rigid)
@@ -130,23 +113,18 @@ double energy_scale(const double norm,
 
 template <int dim>
 TraceValues<dim>::TraceValues(const DisplacementSpace<dim> &space)
-  : space_(space)
-{
-}
+  : space_(space) {}
 
 template <int dim>
 const FEFaceValues<dim> &TraceValues<dim>::reinit(const ContactFace<dim> &face,
-                                                  const std::vector<Point<dim - 1>> &on_face)
-{
+                                                  const std::vector<Point<dim - 1>> &on_face) {
   const unsigned int number = space_.element_number(face.cell);
-  if (values_ == nullptr || number != element_number_ || on_face != on_face_)
-  {
+  if (values_ == nullptr || number != element_number_ || on_face != on_face_) {
     on_face_ = on_face;
     element_number_ = number;
-    values_ = std::make_unique<FEFaceValues<dim>>(space_.mesh().mapping(),
-                                                  space_.elements()[number],
-                                                  Quadrature<dim - 1>(on_face),
-                                                  update_values);
+    values_ =
+      std::make_unique<FEFaceValues<dim>>(space_.mesh().mapping(), space_.elements()[number],
+                                          Quadrature<dim - 1>(on_face), update_values);
   }
   values_->reinit(space_.dof_cell(face.cell), face.face_no);
   return *values_;
@@ -155,8 +133,7 @@ const FEFaceValues<dim> &TraceValues<dim>::reinit(const ContactFace<dim> &face,
 template <int dim>
 std::vector<Tensor<1, dim>> TraceValues<dim>::displacement(const ContactFace<dim> &face,
                                                            const SurfaceRule<dim> &rule,
-                                                           const Displacement &U)
-{
+                                                           const Displacement &U) {
   const auto &values = reinit(face, rule.on_face);
   std::vector<Tensor<1, dim>> u(rule.size());
   values[FEValuesExtractors::Vector(0)].get_function_values(U.entries(), u);
@@ -166,8 +143,7 @@ std::vector<Tensor<1, dim>> TraceValues<dim>::displacement(const ContactFace<dim
 template <int dim>
 std::vector<double> TraceValues<dim>::normal_displacement(const ContactFace<dim> &face,
                                                           const SurfaceRule<dim> &rule,
-                                                          const Displacement &U)
-{
+                                                          const Displacement &U) {
   const std::vector<Tensor<1, dim>> u = displacement(face, rule, U);
   std::vector<double> u_n(rule.size());
   for (std::size_t q = 0; q < rule.size(); ++q)
@@ -176,8 +152,7 @@ std::vector<double> TraceValues<dim>::normal_displacement(const ContactFace<dim>
 }
 
 template <int dim>
-Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Function<dim> &u)
-{
+Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Function<dim> &u) {
   Displacement values = space.zero();
   values.zero_out_ghost_values();
   VectorTools::interpolate(space.mesh().mapping(), space.dofs(), u, values.entries());
@@ -186,14 +161,14 @@ Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Fun
 }
 
 #define INSTANTIATE(dim)                                                                           \
-  template InternalForces<dim> internal_forces(                                                    \
-    const DisplacementSpace<dim> &, const Scene<dim> &, const Displacement &);                     \
-  template double energy_norm(                                                                     \
-    const DisplacementSpace<dim> &, const Scene<dim> &, const Displacement &);                     \
-  template std::optional<double> norm_of_rigid_motion(                                             \
-    const DisplacementSpace<dim> &, const Scene<dim> &, const Displacement &);                     \
-  template double energy_scale(                                                                    \
-    double, double, const DisplacementSpace<dim> &, const Scene<dim> &, const Displacement &);     \
+  template InternalForces<dim> internal_forces(const DisplacementSpace<dim> &, const Scene<dim> &, \
+                                               const Displacement &);                              \
+  template double energy_norm(const DisplacementSpace<dim> &, const Scene<dim> &,                  \
+                              const Displacement &);                                               \
+  template std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &,              \
+                                                      const Scene<dim> &, const Displacement &);   \
+  template double energy_scale(double, double, const DisplacementSpace<dim> &, const Scene<dim> &, \
+                               const Displacement &);                                              \
   template class TraceValues<dim>;                                                                 \
   template Displacement interpolate_at_nodes(const DisplacementSpace<dim> &, const Function<dim> &);
 INSTANTIATE(2)

@@ -16,18 +16,13 @@
 #include <cmath>
 #include <sstream>
 
-namespace Signorini
-{
+namespace Signorini {
 template <int dim>
-TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space)
-{
+TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space) {
   const MPI_Comm communicator = space.mesh().communicator();
   const IndexSet &owned = space.locally_owned();
   TrilinosWrappers::SparsityPattern sparsity(owned, owned, communicator);
-  DoFTools::make_sparsity_pattern(space.dofs(),
-                                  sparsity,
-                                  space.constraints(),
-                                  false,
+  DoFTools::make_sparsity_pattern(space.dofs(), sparsity, space.constraints(), false,
                                   Utilities::MPI::this_mpi_process(communicator));
   sparsity.compress();
   TrilinosWrappers::SparseMatrix matrix;
@@ -35,49 +30,37 @@ TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space)
   return matrix;
 }
 
-namespace
-{
+namespace {
 /** The entries of a matrix that one rank stores, as deal.II adds to them. Trilinos looks up every
  * entry in its row, which took a third of a run of graded meshes to 1e-6; here one pass over a row
  * finds all columns of a cell. */
-class OwnRows : public Subscriptor
-{
+class OwnRows : public Subscriptor {
 public:
   using size_type = types::global_dof_index;
   using value_type = double;
 
   explicit OwnRows(const Epetra_CrsMatrix &matrix)
-    : size_(matrix.NumMyRows())
-  {
+    : size_(matrix.NumMyRows()) {
     const int error = matrix.ExtractCrsDataPointers(start_, column_, value_);
     AssertThrow(error == 0, ExcTrilinosError(error));
   }
 
-  size_type m() const
-  {
+  size_type m() const {
     return size_;
   }
-  size_type n() const
-  {
+  size_type n() const {
     return size_;
   }
 
-  void add(const size_type row, const size_type column, const double value)
-  {
+  void add(const size_type row, const size_type column, const double value) {
     add(row, 1, &column, &value, false, true);
   }
 
   /** Adds to increasing columns. */
-  void add(const size_type row,
-           const size_type n,
-           const size_type *const columns,
-           const double *const values,
-           bool,
-           bool)
-  {
+  void add(const size_type row, const size_type n, const size_type *const columns,
+           const double *const values, bool, bool) {
     int entry = start_[row];
-    for (size_type j = 0; j < n; ++j, ++entry)
-    {
+    for (size_type j = 0; j < n; ++j, ++entry) {
       while (column_[entry] < static_cast<int>(columns[j]))
         ++entry;
       value_[entry] += values[j];
@@ -92,12 +75,9 @@ private:
 } // namespace
 
 template <int dim>
-void add_cell(const DisplacementSpace<dim> &space,
-              const FullMatrix<double> &cell_matrix,
+void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cell_matrix,
               const std::vector<types::global_dof_index> &indices,
-              TrilinosWrappers::SparseMatrix &matrix,
-              DistributedVector &reduction)
-{
+              TrilinosWrappers::SparseMatrix &matrix, DistributedVector &reduction) {
   const auto add_to = [&](auto &rows) {
     space.constraints().distribute_local_to_global(
       cell_matrix, dealii::Vector<double>(indices.size()), indices, rows, reduction);
@@ -108,57 +88,43 @@ void add_cell(const DisplacementSpace<dim> &space,
   add_to(rows);
 }
 
-namespace
-{
+namespace {
 const UpdateFlags load_flags = update_values | update_quadrature_points | update_JxW_values;
 
 /** Integrates f_i of one cell: body force and tractions. */
 template <int dim>
-class CellLoads
-{
+class CellLoads {
 public:
-  CellLoads(const DisplacementSpace<dim> &space,
-            const Scene<dim> &scene,
+  CellLoads(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
             const unsigned int n_points)
     : scene_(scene)
     , cell_values_(space.mesh().mapping(), space, scene.kinks, n_points, load_flags)
-    , face_values_(space.mesh().mapping(), space, scene.kinks, n_points, load_flags)
-  {
-  }
+    , face_values_(space.mesh().mapping(), space, scene.kinks, n_points, load_flags) {}
 
   /** Adds the loads of a cell to @p vector and to @p resultant. */
-  void add(const typename FaceValues<dim>::CellIterator &cell,
-           dealii::Vector<double> &vector,
-           Resultant<dim> &resultant)
-  {
+  void add(const typename FaceValues<dim>::CellIterator &cell, dealii::Vector<double> &vector,
+           Resultant<dim> &resultant) {
     if (scene_.body_force != nullptr)
       add_force(cell_values_.reinit(cell), *scene_.body_force, "the body force", vector, resultant);
     for (const unsigned int f : cell->face_indices())
-      if (cell->face(f)->at_boundary())
-      {
+      if (cell->face(f)->at_boundary()) {
         const BoundaryCondition<dim> &condition = scene_.boundary[cell->face(f)->boundary_id()];
         if (condition.role == Role::traction)
-          add_force(
-            face_values_.reinit(cell, f), *condition.data, "the traction", vector, resultant);
+          add_force(face_values_.reinit(cell, f), *condition.data, "the traction", vector,
+                    resultant);
       }
   }
 
 private:
   /** Adds Σ_q force(x_q).φ_i(x_q) JxW_q to vector_i. */
-  void add_force(const FEValuesBase<dim> &values,
-                 const Function<dim> &force,
-                 const char *name,
-                 dealii::Vector<double> &vector,
-                 Resultant<dim> &resultant)
-  {
+  void add_force(const FEValuesBase<dim> &values, const Function<dim> &force, const char *name,
+                 dealii::Vector<double> &vector, Resultant<dim> &resultant) {
     const std::vector<Point<dim>> &points = values.get_quadrature_points();
     force_.resize(points.size(), dealii::Vector<double>(dim));
     force.vector_value_list(points, force_);
-    for (const unsigned int q : values.quadrature_point_indices())
-    {
+    for (const unsigned int q : values.quadrature_point_indices()) {
       Tensor<1, dim> weighted;
-      for (unsigned int d = 0; d < dim; ++d)
-      {
+      for (unsigned int d = 0; d < dim; ++d) {
         check_finite(force_[q][d], points[q], name);
         weighted[d] = force_[q][d] * values.JxW(q);
       }
@@ -169,8 +135,7 @@ private:
     }
   }
 
-  static void check_finite(const double component, const Point<dim> &x, const char *name)
-  {
+  static void check_finite(const double component, const Point<dim> &x, const char *name) {
     if (std::isfinite(component))
       return;
     std::ostringstream message;
@@ -191,17 +156,13 @@ private:
  * @return the resultant of this rank.
  */
 template <int dim>
-Resultant<dim> add_loads(const DisplacementSpace<dim> &space,
-                         const Scene<dim> &scene,
-                         const unsigned int n_points,
-                         DistributedVector &loads)
-{
+Resultant<dim> add_loads(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                         const unsigned int n_points, DistributedVector &loads) {
   CellLoads<dim> cell_loads(space, scene, n_points);
   Resultant<dim> resultant;
   dealii::Vector<double> cell_data;
   for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->is_locally_owned() && (scene.body_force != nullptr || cell->at_boundary()))
-    {
+    if (cell->is_locally_owned() && (scene.body_force != nullptr || cell->at_boundary())) {
       const auto indices = space.cell_dofs(cell);
       cell_data.reinit(indices.size());
       cell_loads.add(cell, cell_data, resultant);
@@ -213,11 +174,8 @@ Resultant<dim> add_loads(const DisplacementSpace<dim> &space,
 /** Adds the matrices of all owned cells, and -a(k, φ_i)/unit with the prescribed displacements k;
  * threads integrate them. */
 template <int dim>
-void add_stiffness(const DisplacementSpace<dim> &space,
-                   const Scene<dim> &scene,
-                   TrilinosWrappers::SparseMatrix &matrix,
-                   DistributedVector &reduction)
-{
+void add_stiffness(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                   TrilinosWrappers::SparseMatrix &matrix, DistributedVector &reduction) {
   using Matrices = std::vector<
     std::pair<std::vector<types::global_dof_index>, typename CellStiffness<dim>::Matrix>>;
   integrate_by_chunks<Matrices, dim>(
@@ -237,11 +195,8 @@ void add_stiffness(const DisplacementSpace<dim> &space,
 
 /** Returns the system without prescribed displacements, f = Tᵀ loads, and with a matrix to fill. */
 template <int dim>
-LinearSystem<dim> begin_system(const DisplacementSpace<dim> &space,
-                               const Scene<dim> &scene,
-                               const unsigned int n_points,
-                               TrilinosWrappers::SparseMatrix matrix)
-{
+LinearSystem<dim> begin_system(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                               const unsigned int n_points, TrilinosWrappers::SparseMatrix matrix) {
   const MPI_Comm communicator = space.mesh().communicator();
   LinearSystem<dim> system = {std::move(matrix),
                               stiffness_unit(space, *scene.material),
@@ -261,9 +216,7 @@ LinearSystem<dim> begin_system(const DisplacementSpace<dim> &space,
 
 template <int dim>
 LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
-                                         const Scene<dim> &scene,
-                                         const unsigned int n_points)
-{
+                                         const Scene<dim> &scene, const unsigned int n_points) {
   LinearSystem<dim> system = begin_system(space, scene, n_points, make_matrix(space));
   DistributedVector reduction = space.make_vector();
   agree(space.mesh().communicator(),
@@ -276,9 +229,7 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
 
 template <int dim>
 LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
-                                           const Scene<dim> &scene,
-                                           const unsigned int n_points)
-{
+                                           const Scene<dim> &scene, const unsigned int n_points) {
   LinearSystem<dim> system = begin_system(space, scene, n_points, {});
   // f = Tᵀ (loads - A k) with the prescribed displacements k, U = T U_free + k.
   const Displacement k = space.prescribed(scene);
@@ -293,15 +244,13 @@ LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
 
 #define INSTANTIATE(dim)                                                                           \
   template TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &);             \
-  template void add_cell(const DisplacementSpace<dim> &,                                           \
-                         const FullMatrix<double> &,                                               \
+  template void add_cell(const DisplacementSpace<dim> &, const FullMatrix<double> &,               \
                          const std::vector<types::global_dof_index> &,                             \
-                         TrilinosWrappers::SparseMatrix &,                                         \
-                         DistributedVector &);                                                     \
-  template LinearSystem<dim> assemble_linear_system(                                               \
-    const DisplacementSpace<dim> &, const Scene<dim> &, unsigned int);                             \
-  template LinearSystem<dim> assemble_right_hand_side(                                             \
-    const DisplacementSpace<dim> &, const Scene<dim> &, unsigned int);
+                         TrilinosWrappers::SparseMatrix &, DistributedVector &);                   \
+  template LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &,                \
+                                                    const Scene<dim> &, unsigned int);             \
+  template LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &,              \
+                                                      const Scene<dim> &, unsigned int);
 INSTANTIATE(2)
 INSTANTIATE(3)
 #undef INSTANTIATE

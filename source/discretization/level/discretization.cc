@@ -8,25 +8,20 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns the number of additional points: on coarse meshes the data varies much from cell to
  * cell, and accurate integrals cost little. */
-unsigned int additional_points(const unsigned int n_cells)
-{
+unsigned int additional_points(const unsigned int n_cells) {
   return n_cells <= 64 ? 6 : n_cells <= 1024 ? 3 : n_cells <= 16384 ? 1 : 0;
 }
 
-StrainOperator strain_operator(const Element element)
-{
+StrainOperator strain_operator(const Element element) {
   return element == Element::q1_b_bar ? StrainOperator::mean_dilatation
                                       : StrainOperator::symmetric_gradient;
 }
 
-unsigned int degree_of(const Element element)
-{
+unsigned int degree_of(const Element element) {
   return element == Element::q2 ? 2 : 1;
 }
 
@@ -35,10 +30,8 @@ unsigned int degree_of(const Element element)
 constexpr unsigned int max_patches_per_face = 4;
 
 template <int dim>
-void refuse_needless_patches(const Parameters &parameters,
-                             const unsigned int level,
-                             const ContactSurface<dim> &surface)
-{
+void refuse_needless_patches(const Parameters &parameters, const unsigned int level,
+                             const ContactSurface<dim> &surface) {
   const unsigned int finer = std::max(parameters.discretization.finest_level.value, level) - level;
   const std::size_t n_faces = surface.faces().size() << ((dim - 1) * finer);
   const std::size_t n_patches = surface.patches().size();
@@ -51,8 +44,7 @@ void refuse_needless_patches(const Parameters &parameters,
 
 template <int dim>
 void refuse_unstable_patches(const Parameters &parameters,
-                             const Discretization<dim> &discretization)
-{
+                             const Discretization<dim> &discretization) {
   if (!is_unstable(discretization))
     return;
   if (dim == 3)
@@ -70,8 +62,7 @@ void refuse_unstable_patches(const Parameters &parameters,
 
 /** Returns the numbers of Gauss points on the faces of every cell, enough for a trace, a multiplier
  * and a component of the normal of a curved face. */
-std::vector<unsigned int> points_on_faces(const DisplacementSpace<2> &space)
-{
+std::vector<unsigned int> points_on_faces(const DisplacementSpace<2> &space) {
   std::vector<unsigned int> n_points = degrees_of(space);
   for (unsigned int &n : n_points)
     n += space.mesh().is_curved() ? 3 : 0;
@@ -80,8 +71,7 @@ std::vector<unsigned int> points_on_faces(const DisplacementSpace<2> &space)
 
 /** Returns the numbers of unknowns of the patches: P_{p-2} on every face of degree p. */
 std::vector<unsigned int> nodes_of_patches(const DisplacementSpace<2> &space,
-                                           const ContactSurface<2> &surface)
-{
+                                           const ContactSurface<2> &surface) {
   std::vector<unsigned int> n_nodes(surface.patches().size());
   for (const Piece<2> &piece : surface.pieces())
     n_nodes[piece.patch] = space.element(surface.faces()[piece.face].cell).degree - 1;
@@ -90,43 +80,37 @@ std::vector<unsigned int> nodes_of_patches(const DisplacementSpace<2> &space,
 } // namespace
 
 template <int dim>
-Discretization<dim>::Discretization(const Parameters &parameters,
-                                    const Scene<dim> &scene,
-                                    const unsigned int level,
-                                    MPI_Comm communicator)
+Discretization<dim>::Discretization(const Parameters &parameters, const Scene<dim> &scene,
+                                    const unsigned int level, MPI_Comm communicator)
   : mesh(timed(times.mesh,
                [&]() {
-                 return Mesh<dim>(
-                   scene.geometry, parameters.discretization.coarsest_level, level, communicator);
+                 return Mesh<dim>(scene.geometry, parameters.discretization.coarsest_level, level,
+                                  communicator);
                }))
   , n_points(parameters.discretization.quadrature_points +
              additional_points(mesh.triangulation().n_active_cells()))
   , space(timed(times.setup,
                 [&]() {
-                  return DisplacementSpace<dim>(mesh,
-                                                scene,
+                  return DisplacementSpace<dim>(mesh, scene,
                                                 strain_operator(parameters.discretization.element),
                                                 degree_of(parameters.discretization.element));
                 }))
   , surface(timed(times.setup,
                   [&]() {
-                    return ContactSurface<dim>(mesh,
-                                               scene,
+                    return ContactSurface<dim>(mesh, scene,
                                                Partition{parameters.discretization.patch_ratio,
                                                          parameters.discretization.patches});
                   }))
   , multipliers(surface)
   , n_gap_points(n_points)
-  , gap_grading(Grading::towards_kinks)
-{
+  , gap_grading(Grading::towards_kinks) {
   assemble(parameters, scene);
   refuse_needless_patches(parameters, level, surface);
   refuse_unstable_patches(parameters, *this);
 }
 
 template <>
-Discretization<2>::Discretization(const Parameters &parameters,
-                                  const Scene<2> &scene,
+Discretization<2>::Discretization(const Parameters &parameters, const Scene<2> &scene,
                                   const MeshPlan &plan)
   : mesh(timed(times.mesh, [&]() { return make_mesh(plan, scene); }))
   , n_points(parameters.discretization.quadrature_points)
@@ -136,14 +120,12 @@ Discretization<2>::Discretization(const Parameters &parameters,
       timed(times.setup, [&]() { return ContactSurface<2>(mesh, scene, points_on_faces(space)); }))
   , multipliers(surface, nodes_of_patches(space, surface))
   , n_gap_points(n_points + 2)
-  , gap_grading(Grading::none)
-{
+  , gap_grading(Grading::none) {
   assemble(parameters, scene);
 }
 
 template <int dim>
-void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim> &scene)
-{
+void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim> &scene) {
   const StageTimer timer(times.setup);
   D = assemble_coupling(space, multipliers);
   condensed_D = condense(D, space.constraints());
@@ -157,13 +139,11 @@ void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim
 }
 
 template <int dim>
-dealii::Vector<double> Discretization<dim>::assemble_gap_of(const Scene<dim> &scene) const
-{
+dealii::Vector<double> Discretization<dim>::assemble_gap_of(const Scene<dim> &scene) const {
   return assemble_gap(multipliers, scene.boundary, n_gap_points, gap_grading);
 }
 
-std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space)
-{
+std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space) {
   std::vector<unsigned int> degrees;
   for (const auto &cell : space.dofs().active_cell_iterators())
     degrees.push_back(cell->get_fe().degree);

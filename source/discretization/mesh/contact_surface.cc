@@ -13,31 +13,24 @@
 #include <cmath>
 #include <memory>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 constexpr unsigned int no_patch = numbers::invalid_unsigned_int;
 
 /** Returns the ends of the intervals that the patches [first, last) cover in one coordinate. */
 template <int dim>
-std::vector<double> ends_of(const std::vector<Patch<dim>> &patches,
-                            const std::size_t first,
-                            const std::size_t last,
-                            const unsigned int d)
-{
+std::vector<double> ends_of(const std::vector<Patch<dim>> &patches, const std::size_t first,
+                            const std::size_t last, const unsigned int d) {
   std::vector<double> starts;
   double end = patches[first].upper[d], shortest = end - patches[first].lower[d];
-  for (std::size_t t = first; t < last; ++t)
-  {
+  for (std::size_t t = first; t < last; ++t) {
     starts.push_back(patches[t].lower[d]);
     end = std::max(end, patches[t].upper[d]);
     shortest = std::min(shortest, patches[t].upper[d] - patches[t].lower[d]);
   }
   std::sort(starts.begin(), starts.end());
   // Starts are equal up to rounding.
-  starts.erase(std::unique(starts.begin(),
-                           starts.end(),
+  starts.erase(std::unique(starts.begin(), starts.end(),
                            [&](const double a, const double b) { return b - a < 0.5 * shortest; }),
                starts.end());
   starts.push_back(end);
@@ -45,19 +38,16 @@ std::vector<double> ends_of(const std::vector<Patch<dim>> &patches,
 }
 
 /** Returns the interval that contains a point. */
-unsigned int interval_of(const std::vector<double> &ends, const double s)
-{
+unsigned int interval_of(const std::vector<double> &ends, const double s) {
   const auto next = std::upper_bound(ends.begin() + 1, ends.end() - 1, s);
   return next - ends.begin() - 1;
 }
 } // namespace
 
 template <int dim>
-std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches)
-{
+std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches) {
   std::vector<PatchGrid> grids;
-  for (std::size_t first = 0, last = 0; first < patches.size(); first = last)
-  {
+  for (std::size_t first = 0, last = 0; first < patches.size(); first = last) {
     while (last < patches.size() && patches[last].side == patches[first].side)
       ++last;
     PatchGrid grid;
@@ -65,8 +55,7 @@ std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches)
     for (unsigned int d = 0; d < dim - 1; ++d)
       grid.ends[d] = ends_of(patches, first, last, d);
     grid.patches.assign(static_cast<std::size_t>(grid.n(0)) * grid.n(1), no_patch);
-    for (std::size_t t = first; t < last; ++t)
-    {
+    for (std::size_t t = first; t < last; ++t) {
       const Point<dim - 1> centre = patches[t].centre();
       const unsigned int row = dim == 2 ? 0 : interval_of(grid.ends[1], centre[dim - 2]);
       grid.patches[interval_of(grid.ends[0], centre[0]) + grid.n(0) * row] = t;
@@ -82,35 +71,29 @@ std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches)
 INSTANTIATE_FUNCTION(patch_grids);
 
 template <int dim>
-std::vector<Neighbours<dim>> ContactSurface<dim>::neighbours() const
-{
+std::vector<Neighbours<dim>> ContactSurface<dim>::neighbours() const {
   std::vector<Neighbours<dim>> all(patches_.size());
-  for (const PatchGrid &grid : patch_grids(patches_))
-  {
+  for (const PatchGrid &grid : patch_grids(patches_)) {
     const Side<dim> &side = scene_.geometry.sides[grid.side];
     for (unsigned int k = 0; k < grid.patches.size(); ++k)
       for (unsigned int d = 0; d < dim - 1; ++d)
-        for (const int step : {-1, 1})
-        {
+        for (const int step : {-1, 1}) {
           const int stride = d == 0 ? 1 : grid.n(0), n = grid.n(d);
           const int i = static_cast<int>(k) / stride % n;
           int next = i + step;
           double shift = 0.;
-          if constexpr (dim == 2)
-          {
+          if constexpr (dim == 2) {
             // Beyond a corner, the pressure is that of another direction.
             if (side.has_corner(grid.ends[0][step < 0 ? i : i + 1]))
               continue;
-            if (side.is_closed() && n > 1 && (next < 0 || next == n))
-            {
+            if (side.is_closed() && n > 1 && (next < 0 || next == n)) {
               next -= step * n;
               shift = step * side.length();
             }
           }
           if (next >= 0 && next < n)
             all[grid.patches[k]][d][step < 0 ? 0 : 1] = {
-              grid.patches[static_cast<int>(k) + (next - i) * stride],
-              grid.ends[d][next] + shift,
+              grid.patches[static_cast<int>(k) + (next - i) * stride], grid.ends[d][next] + shift,
               grid.ends[d][next + 1] + shift};
         }
   }
@@ -119,35 +102,29 @@ std::vector<Neighbours<dim>> ContactSurface<dim>::neighbours() const
 
 // Γ_c: its faces, and the points of its pieces on the mesh.
 
-namespace
-{
+namespace {
 template <int dim>
-std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Scene<dim> &scene)
-{
+std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Scene<dim> &scene) {
   std::vector<ContactFace<dim>> faces;
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     for (const unsigned int f : cell->face_indices())
-      if (cell->face(f)->at_boundary())
-      {
+      if (cell->face(f)->at_boundary()) {
         const unsigned int side = cell->face(f)->boundary_id();
         if (scene.boundary[side].role == Role::contact)
           faces.push_back({cell, f, side});
       }
-  std::stable_sort(
-    faces.begin(), faces.end(), [](const auto &a, const auto &b) { return a.side < b.side; });
+  std::stable_sort(faces.begin(), faces.end(),
+                   [](const auto &a, const auto &b) { return a.side < b.side; });
   return faces;
 }
 
 /** Returns @p rule on the box between two corners in the reference coordinates of a face. */
 template <int dim>
-Quadrature<dim> on_box(const Quadrature<dim> &rule,
-                       const Point<dim> &corner,
-                       const Point<dim> &opposite)
-{
+Quadrature<dim> on_box(const Quadrature<dim> &rule, const Point<dim> &corner,
+                       const Point<dim> &opposite) {
   std::vector<Point<dim>> points = rule.get_points();
   std::vector<double> weights = rule.get_weights();
-  for (unsigned int d = 0; d < dim; ++d)
-  {
+  for (unsigned int d = 0; d < dim; ++d) {
     const double lowest = std::min(corner[d], opposite[d]);
     const double edge = std::abs(opposite[d] - corner[d]);
     for (Point<dim> &point : points)
@@ -160,8 +137,7 @@ Quadrature<dim> on_box(const Quadrature<dim> &rule,
 
 /** Returns the coordinates of a point of a patch; around a closed side those next to the patch. */
 template <int dim>
-Point<dim - 1> coordinates_on(const Patch<dim> &patch, const Side<dim> &side, const Point<dim> &x)
-{
+Point<dim - 1> coordinates_on(const Patch<dim> &patch, const Side<dim> &side, const Point<dim> &x) {
   Point<dim - 1> s = side.coordinates(x);
   if constexpr (dim == 2)
     if (side.is_closed())
@@ -171,46 +147,38 @@ Point<dim - 1> coordinates_on(const Patch<dim> &patch, const Side<dim> &side, co
 } // namespace
 
 template <int dim>
-ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
-                                    const Scene<dim> &scene,
+ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &scene,
                                     const Partition &partition)
   : mesh_(mesh)
   , scene_(scene)
-  , faces_(find_contact_faces(mesh, scene))
-{
+  , faces_(find_contact_faces(mesh, scene)) {
   divide(partition);
   // φ.n dS has degree one per direction on a flat face, and degree two on a parabola.
   place_points(std::vector<unsigned int>(mesh.triangulation().n_active_cells(), 2));
 }
 
 template <int dim>
-ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh,
-                                    const Scene<dim> &scene,
+ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &scene,
                                     const std::vector<unsigned int> &n_points)
   : mesh_(mesh)
   , scene_(scene)
-  , faces_(find_contact_faces(mesh, scene))
-{
+  , faces_(find_contact_faces(mesh, scene)) {
   divide(Partition{1, 0});
   place_points(n_points);
 }
 
 template <int dim>
-void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points)
-{
+void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points) {
   const FE_Nothing<dim> no_functions;
   std::unique_ptr<FEFaceValues<dim>> values;
   std::vector<Point<dim - 1>> last_points;
-  for (Piece<dim> &piece : pieces_)
-  {
+  for (Piece<dim> &piece : pieces_) {
     const unsigned int n = n_points[faces_[piece.face].cell->active_cell_index()];
     const Quadrature<dim - 1> rule =
       on_box<dim - 1>(QGauss<dim - 1>(n), piece.lower_on_face, piece.upper_on_face);
     // Nearly all pieces are whole faces or the same part of one.
     if (values == nullptr || rule.get_points() != last_points)
-      values = std::make_unique<FEFaceValues<dim>>(mesh_.mapping(),
-                                                   no_functions,
-                                                   rule,
+      values = std::make_unique<FEFaceValues<dim>>(mesh_.mapping(), no_functions, rule,
                                                    update_quadrature_points |
                                                      update_normal_vectors | update_JxW_values);
     last_points = rule.get_points();
@@ -227,8 +195,7 @@ void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points
 }
 
 template <int dim>
-double ContactSurface<dim>::longest_patch() const
-{
+double ContactSurface<dim>::longest_patch() const {
   double longest = 0.;
   for (const Patch<dim> &patch : patches_)
     longest = std::max(longest, patch.diameter());
@@ -236,8 +203,7 @@ double ContactSurface<dim>::longest_patch() const
 }
 
 template <int dim>
-bool ContactSurface<dim>::has_unstable_patch() const
-{
+bool ContactSurface<dim>::has_unstable_patch() const {
   std::vector<unsigned int> n_pieces(patches_.size(), 0);
   for (const Piece<dim> &piece : pieces_)
     ++n_pieces[piece.patch];

@@ -10,18 +10,14 @@
 #include <array>
 #include <cmath>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using Polygon = std::vector<Point<2>>;
 
 /** Returns the part of a convex polygon on one side of a line. */
-Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign)
-{
+Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign) {
   Polygon part;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-  {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Point<2> &a = polygon[i];
     const Point<2> &b = polygon[(i + 1) % polygon.size()];
     const double da = sign * line.signed_distance(a);
@@ -35,8 +31,7 @@ Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign)
 }
 
 /** Collects physical points and weights on convex polygons. */
-class PolygonRule
-{
+class PolygonRule {
 public:
   /**
    * Makes the rules of all depths. With p + 3 points per direction, p > 1, that of whole pieces is
@@ -45,8 +40,7 @@ public:
    * @param ends points towards which the pieces shrink.
    */
   PolygonRule(const unsigned int n_points, std::vector<Point<2>> ends)
-    : ends_(std::move(ends))
-  {
+    : ends_(std::move(ends)) {
     rules_.emplace_back(n_points > 4 ? 2 * n_points - 4 : n_points, 1.);
     for (unsigned int depth = 1; depth <= deepest; ++depth)
       rules_.emplace_back(
@@ -54,8 +48,7 @@ public:
   }
 
   /** Adds a polygon: a fan of triangles. */
-  void add(const Polygon &polygon)
-  {
+  void add(const Polygon &polygon) {
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
       add({{polygon[0], polygon[i], polygon[i + 1]}}, 0);
   }
@@ -73,8 +66,7 @@ private:
   /** The number of points on the smallest pieces. */
   static constexpr unsigned int min_points = 5;
 
-  void add(const Triangle &piece, const unsigned int depth)
-  {
+  void add(const Triangle &piece, const unsigned int depth) {
     // The longest edge, opposite to the vertex a.
     unsigned int a = 0;
     const auto edge = [&piece](const unsigned int opposite) {
@@ -90,8 +82,7 @@ private:
     const auto is_near = [&](const Point<2> &end) {
       return 0.75 * (end.distance(middle) - radius) < edge(a);
     };
-    if (depth < deepest && std::any_of(ends_.begin(), ends_.end(), is_near))
-    {
+    if (depth < deepest && std::any_of(ends_.begin(), ends_.end(), is_near)) {
       add({{x, y, middle}}, depth + 1);
       add({{x, middle, z}}, depth + 1);
       return;
@@ -99,8 +90,7 @@ private:
     const Tensor<1, 2> s = y - x, t = z - x;
     const double jacobian = std::abs(s[0] * t[1] - s[1] * t[0]);
     const Quadrature<2> &rule = rules_[depth];
-    for (unsigned int q = 0; q < rule.size(); ++q)
-    {
+    for (unsigned int q = 0; q < rule.size(); ++q) {
       points.push_back(x + rule.point(q)[0] * s + rule.point(q)[1] * t);
       weights.push_back(rule.weight(q) * jacobian);
     }
@@ -112,8 +102,7 @@ private:
 };
 
 /** Returns the Jacobian determinant of the bilinear map of a cell at a reference point. */
-double jacobian(const Triangulation<2>::cell_iterator &cell, const Point<2> &xi)
-{
+double jacobian(const Triangulation<2>::cell_iterator &cell, const Point<2> &xi) {
   const Tensor<1, 2> ds = (1. - xi[1]) * (cell->vertex(1) - cell->vertex(0)) +
                           xi[1] * (cell->vertex(3) - cell->vertex(2));
   const Tensor<1, 2> dt = (1. - xi[0]) * (cell->vertex(2) - cell->vertex(0)) +
@@ -124,8 +113,7 @@ double jacobian(const Triangulation<2>::cell_iterator &cell, const Point<2> &xi)
 /** Returns the possible ends of contact zones that are near the cell, measured by its diameter. */
 template <int dim>
 std::vector<Point<dim>> ends_near(const Kinks<dim> &kinks,
-                                  const typename Triangulation<dim>::cell_iterator &cell)
-{
+                                  const typename Triangulation<dim>::cell_iterator &cell) {
   std::vector<Point<dim>> near;
   for (const Point<dim> &end : kinks.ends())
     if (cell->center().distance(end) < 2.5 * cell->diameter())
@@ -134,16 +122,13 @@ std::vector<Point<dim>> ends_near(const Kinks<dim> &kinks,
 }
 
 /** Returns the polygons into which the lines cut a cell. */
-std::vector<Polygon> cut_cell(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell)
-{
+std::vector<Polygon> cut_cell(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell) {
   std::vector<Polygon> pieces = {
     {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}};
-  for (const KinkLine<2> &line : kinks.lines())
-  {
+  for (const KinkLine<2> &line : kinks.lines()) {
     std::vector<Polygon> parts;
     for (const Polygon &piece : pieces)
-      for (const double sign : {-1., 1.})
-      {
+      for (const double sign : {-1., 1.}) {
         Polygon part = clip(piece, line, sign);
         if (part.size() > 2)
           parts.push_back(std::move(part));
@@ -155,10 +140,8 @@ std::vector<Polygon> cut_cell(const Kinks<2> &kinks, const Triangulation<2>::cel
 } // namespace
 
 template <int dim>
-bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell)
-{
-  for (const KinkLine<dim> &line : kinks.lines())
-  {
+bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell) {
+  for (const KinkLine<dim> &line : kinks.lines()) {
     std::vector<double> distances;
     for (const unsigned int v : cell->vertex_indices())
       distances.push_back(line.signed_distance(cell->vertex(v)));
@@ -170,29 +153,24 @@ bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell
   return !ends_near(kinks, cell).empty();
 }
 
-Quadrature<2> cut_quadrature(const Kinks<2> &kinks,
-                             const Triangulation<2>::cell_iterator &cell,
-                             const unsigned int n_points)
-{
+Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
+                             const unsigned int n_points) {
   PolygonRule rule(n_points, ends_near(kinks, cell));
   for (const Polygon &piece : cut_cell(kinks, cell))
     rule.add(piece);
   const MappingQ1<2> mapping;
-  for (std::size_t q = 0; q < rule.points.size(); ++q)
-  {
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
     rule.points[q] = mapping.transform_real_to_unit_cell(cell, rule.points[q]);
     rule.weights[q] /= jacobian(cell, rule.points[q]);
   }
   return Quadrature<2>(rule.points, rule.weights);
 }
 
-Quadrature<1> split_quadrature(const Quadrature<1> &rule, const std::vector<double> &cuts)
-{
+Quadrature<1> split_quadrature(const Quadrature<1> &rule, const std::vector<double> &cuts) {
   std::vector<Point<1>> points;
   std::vector<double> weights;
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-    for (unsigned int q = 0; q < rule.size(); ++q)
-    {
+    for (unsigned int q = 0; q < rule.size(); ++q) {
       const double length = cuts[i + 1] - cuts[i];
       points.emplace_back(cuts[i] + length * rule.point(q)[0]);
       weights.push_back(length * rule.weight(q));
@@ -200,8 +178,7 @@ Quadrature<1> split_quadrature(const Quadrature<1> &rule, const std::vector<doub
   return Quadrature<1>(points, weights);
 }
 
-std::vector<double> graded_positions(const double s, const double distance)
-{
+std::vector<double> graded_positions(const double s, const double distance) {
   std::vector<double> positions;
   for (unsigned int k = 0; k < n_graded_layers; ++k)
     positions.push_back(s + distance * std::pow(0.25, k));

@@ -12,26 +12,21 @@
 
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Moves the interior vertices; the mapping of every cell must stay one to one. */
 template <int dim>
-void distort(const Geometry<dim> &geometry, Triangulation<dim> &triangulation)
-{
+void distort(const Geometry<dim> &geometry, Triangulation<dim> &triangulation) {
   using Info = GeometryInfo<dim>;
   GridTools::distort_random(geometry.distortion, triangulation, true);
-  for (const auto &cell : triangulation.active_cell_iterators())
-  {
+  for (const auto &cell : triangulation.active_cell_iterators()) {
     Point<dim> vertices[Info::vertices_per_cell];
     Tensor<0, dim> determinants[Info::vertices_per_cell];
     for (const unsigned int v : cell->vertex_indices())
       vertices[v] = cell->vertex(v);
     Info::alternating_form_at_vertices(vertices, determinants);
     for (const double determinant : determinants)
-      if (!(determinant > 0.))
-      {
+      if (!(determinant > 0.)) {
         std::ostringstream message;
         message << geometry.where_distortion << ": found " << geometry.distortion
                 << ", with which the cell at (" << cell->center()
@@ -43,29 +38,23 @@ void distort(const Geometry<dim> &geometry, Triangulation<dim> &triangulation)
 
 /** A map of the given degree, followed by x -> (x - lower)/size. */
 template <int dim>
-class UnitMapping : public MappingQ<dim>
-{
+class UnitMapping : public MappingQ<dim> {
 public:
   UnitMapping(const unsigned int degree, const Point<dim> &lower, const double size)
     : MappingQ<dim>(degree)
     , lower_(lower)
-    , size_(size)
-  {
-  }
+    , size_(size) {}
 
-  std::unique_ptr<Mapping<dim>> clone() const override
-  {
+  std::unique_ptr<Mapping<dim>> clone() const override {
     return std::make_unique<UnitMapping<dim>>(this->get_degree(), lower_, size_);
   }
 
-  bool preserves_vertex_locations() const override
-  {
+  bool preserves_vertex_locations() const override {
     return false;
   }
 
   boost::container::small_vector<Point<dim>, GeometryInfo<dim>::vertices_per_cell>
-  get_vertices(const typename Triangulation<dim>::cell_iterator &cell) const override
-  {
+  get_vertices(const typename Triangulation<dim>::cell_iterator &cell) const override {
     auto vertices = MappingQ<dim>::get_vertices(cell);
     for (Point<dim> &x : vertices)
       x = to_unit_body(x);
@@ -74,8 +63,7 @@ public:
 
 protected:
   std::vector<Point<dim>> compute_mapping_support_points(
-    const typename Triangulation<dim>::cell_iterator &cell) const override
-  {
+    const typename Triangulation<dim>::cell_iterator &cell) const override {
     auto points = MappingQ<dim>::compute_mapping_support_points(cell);
     for (Point<dim> &x : points)
       x = to_unit_body(x);
@@ -83,8 +71,7 @@ protected:
   }
 
 private:
-  Point<dim> to_unit_body(const Point<dim> &x) const
-  {
+  Point<dim> to_unit_body(const Point<dim> &x) const {
     return Point<dim>((x - lower_) / size_);
   }
 
@@ -96,10 +83,8 @@ private:
  * evaluated once per cell and not in every integral. With bilinear maps, π^{2h} would lose an
  * order: the map of a cell of T^{2h} must be that of its children up to higher order. */
 template <int dim>
-std::unique_ptr<const Mapping<dim>> cache(const Mapping<dim> &mapping,
-                                          const unsigned int degree,
-                                          const Triangulation<dim> &triangulation)
-{
+std::unique_ptr<const Mapping<dim>> cache(const Mapping<dim> &mapping, const unsigned int degree,
+                                          const Triangulation<dim> &triangulation) {
   auto cached = std::make_unique<MappingQCache<dim>>(degree);
   cached->initialize(mapping, triangulation);
   return cached;
@@ -107,20 +92,16 @@ std::unique_ptr<const Mapping<dim>> cache(const Mapping<dim> &mapping,
 } // namespace
 
 template <int dim>
-Mesh<dim>::Mesh(const Geometry<dim> &geometry,
-                const unsigned int coarsest_level,
-                const unsigned int level,
-                MPI_Comm communicator)
-  : triangulation_(communicator,
-                   Triangulation<dim>::none,
+Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level,
+                const unsigned int level, MPI_Comm communicator)
+  : triangulation_(communicator, Triangulation<dim>::none,
                    /*allow_artificial_cells=*/false,
                    parallel::shared::Triangulation<dim>::partition_metis)
   , curved_(geometry.curved)
   , lower_(geometry.lower)
   , size_(geometry.longest_extent())
   , n_nested_ancestors_(geometry.distortion == 0. ? level : level - std::min(coarsest_level, level))
-  , uniform_levels_(level)
-{
+  , uniform_levels_(level) {
   const unsigned int first = std::min(coarsest_level, level);
   geometry.make_coarse_mesh(triangulation_);
   triangulation_.refine_global(first);
@@ -133,25 +114,20 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
 }
 
 template <int dim>
-Mesh<dim>::Mesh(const Geometry<dim> &geometry,
-                const unsigned int base_level,
-                const std::array<std::vector<double>, dim> &lines,
-                const Splits &must_split,
+Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int base_level,
+                const std::array<std::vector<double>, dim> &lines, const Splits &must_split,
                 const unsigned int mapping_degree)
-  : triangulation_(MPI_COMM_SELF,
-                   Triangulation<dim>::none,
+  : triangulation_(MPI_COMM_SELF, Triangulation<dim>::none,
                    /*allow_artificial_cells=*/false,
                    parallel::shared::Triangulation<dim>::partition_zorder)
   , curved_(geometry.curved)
   , lower_(geometry.lower)
   , size_(geometry.longest_extent())
   , n_nested_ancestors_(0)
-  , uniform_levels_(0)
-{
+  , uniform_levels_(0) {
   if (geometry.make_mesh_with_lines && geometry.distortion == 0.)
     geometry.make_mesh_with_lines(triangulation_, base_level, lines);
-  else
-  {
+  else {
     geometry.make_coarse_mesh(triangulation_);
     triangulation_.refine_global(base_level);
     uniform_levels_ = base_level;
@@ -160,12 +136,10 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
   }
   if (geometry.number_after_refinement)
     geometry.number_after_refinement(triangulation_);
-  for (bool changed = true; changed;)
-  {
+  for (bool changed = true; changed;) {
     changed = false;
     for (const auto &cell : triangulation_.active_cell_iterators())
-      if (must_split(cell, splits(cell)))
-      {
+      if (must_split(cell, splits(cell))) {
         cell->set_refine_flag();
         changed = true;
       }
@@ -176,23 +150,18 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry,
 }
 
 template <int dim>
-void Mesh<dim>::make_mappings(const unsigned int degree)
-{
-  if (curved_)
-  {
+void Mesh<dim>::make_mappings(const unsigned int degree) {
+  if (curved_) {
     mapping_ = cache(MappingQ<dim>(degree), degree, triangulation_);
     unit_mapping_ = cache(UnitMapping<dim>(degree, lower_, size_), degree, triangulation_);
-  }
-  else
-  {
+  } else {
     mapping_ = std::make_unique<MappingQ1<dim>>();
     unit_mapping_ = std::make_unique<UnitMapping<dim>>(1, lower_, size_);
   }
 }
 
 template <int dim>
-double Mesh<dim>::shortest_edge() const
-{
+double Mesh<dim>::shortest_edge() const {
   double shortest = size_;
   for (const auto &cell : triangulation_.active_cell_iterators())
     for (const unsigned int line : cell->line_indices())
@@ -201,8 +170,7 @@ double Mesh<dim>::shortest_edge() const
 }
 
 template <int dim>
-double Mesh<dim>::longest_edge() const
-{
+double Mesh<dim>::longest_edge() const {
   double longest = 0.;
   for (const auto &cell : triangulation_.active_cell_iterators())
     for (const unsigned int line : cell->line_indices())

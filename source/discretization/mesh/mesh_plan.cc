@@ -6,16 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns whether the part [from, to] of a side meets a face on it. */
-bool meets_face(const Side<2> &side,
-                const double from,
-                const double to,
-                const Triangulation<2>::face_iterator &face)
-{
+bool meets_face(const Side<2> &side, const double from, const double to,
+                const Triangulation<2>::face_iterator &face) {
   double first = side.arc_length(face->vertex(0)), last = side.arc_length(face->vertex(1));
   const double middle = 0.5 * (from + to);
   if (side.is_closed())
@@ -30,10 +25,8 @@ bool meets_face(const Side<2> &side,
 } // namespace
 
 bool Singularity::touches(const Scene<2> &scene,
-                          const Triangulation<2>::active_cell_iterator &cell) const
-{
-  if (kind == Kind::corner)
-  {
+                          const Triangulation<2>::active_cell_iterator &cell) const {
+  if (kind == Kind::corner) {
     const double tolerance = 1e-3 * cell->diameter();
     for (const unsigned int v : cell->vertex_indices())
       if (cell->vertex(v).distance(point) < tolerance)
@@ -49,8 +42,7 @@ bool Singularity::touches(const Scene<2> &scene,
   return false;
 }
 
-const Singularity *nearest(const std::vector<Singularity> &singularities, const Point<2> &x)
-{
+const Singularity *nearest(const std::vector<Singularity> &singularities, const Point<2> &x) {
   const auto closer = [&x](const Singularity &a, const Singularity &b) {
     return a.point.distance_square(x) < b.point.distance_square(x);
   };
@@ -63,21 +55,18 @@ const Singularity *nearest(const std::vector<Singularity> &singularities, const 
 
 // From a plan to a mesh with degrees.
 
-namespace
-{
+namespace {
 /** The deepest level. The numbers of cells (CellId) end at level 30; coordinates in double
  * precision hardly resolve more vertices. */
 constexpr int max_cell_level = 29;
 
 /** Returns the lowest degree that demands require of a cell, or of a cell that it is a part of. */
 unsigned int demanded_degree(const MeshPlan &plan,
-                             const Triangulation<2>::active_cell_iterator &cell)
-{
+                             const Triangulation<2>::active_cell_iterator &cell) {
   if (plan.demands.empty())
     return 0;
   unsigned int degree = 0;
-  for (Triangulation<2>::cell_iterator ancestor = cell;; ancestor = ancestor->parent())
-  {
+  for (Triangulation<2>::cell_iterator ancestor = cell;; ancestor = ancestor->parent()) {
     const auto found = plan.demands.find(ancestor->id());
     if (found != plan.demands.end())
       degree = std::max(degree, found->second.degree);
@@ -87,14 +76,11 @@ unsigned int demanded_degree(const MeshPlan &plan,
 }
 
 /** Raises degrees until those of neighbours differ by one at most. */
-void level_out(const Mesh<2> &mesh, std::vector<unsigned int> &degrees)
-{
-  for (bool changed = true; changed;)
-  {
+void level_out(const Mesh<2> &mesh, std::vector<unsigned int> &degrees) {
+  for (bool changed = true; changed;) {
     changed = false;
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-      {
+      for (const unsigned int f : cell->face_indices()) {
         if (cell->at_boundary(f) || !cell->neighbor(f)->is_active())
           continue;
         unsigned int &mine = degrees[cell->active_cell_index()];
@@ -108,10 +94,8 @@ void level_out(const Mesh<2> &mesh, std::vector<unsigned int> &degrees)
 }
 } // namespace
 
-bool MeshPlan::must_split(const Scene<2> &scene,
-                          const Triangulation<2>::active_cell_iterator &cell,
-                          const unsigned int n_splits) const
-{
+bool MeshPlan::must_split(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell,
+                          const unsigned int n_splits) const {
   if (cell->level() >= max_cell_level)
     return false;
   for (const Singularity &singularity : singularities)
@@ -123,27 +107,21 @@ bool MeshPlan::must_split(const Scene<2> &scene,
   return found != demands.end() && found->second.split;
 }
 
-Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene)
-{
+Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene) {
   const unsigned int mapping_degree =
     std::min(plan.max_element_degree, 2 + static_cast<unsigned int>(plan.rise));
   return Mesh<2>(
-    scene.geometry,
-    plan.base_level,
-    plan.lines,
+    scene.geometry, plan.base_level, plan.lines,
     [&](const Triangulation<2>::active_cell_iterator &cell, const unsigned int n_splits) {
       return plan.must_split(scene, cell, n_splits);
     },
     mapping_degree);
 }
 
-unsigned int planned_degree(const MeshPlan &plan,
-                            const Mesh<2> &mesh,
-                            const Triangulation<2>::active_cell_iterator &cell)
-{
+unsigned int planned_degree(const MeshPlan &plan, const Mesh<2> &mesh,
+                            const Triangulation<2>::active_cell_iterator &cell) {
   double share = 1.;
-  if (const Singularity *const singularity = nearest(plan.singularities, cell->center()))
-  {
+  if (const Singularity *const singularity = nearest(plan.singularities, cell->center())) {
     // The layers that a graded mesh has at this distance; demands may have split the cell further.
     const double distance = cell->center().distance(singularity->point);
     const double by_distance =
@@ -155,8 +133,7 @@ unsigned int planned_degree(const MeshPlan &plan,
   return std::min(plan.max_element_degree, std::max(degree, demanded_degree(plan, cell)));
 }
 
-std::vector<unsigned int> plan_degrees(const MeshPlan &plan, const Mesh<2> &mesh)
-{
+std::vector<unsigned int> plan_degrees(const MeshPlan &plan, const Mesh<2> &mesh) {
   std::vector<unsigned int> degrees(mesh.triangulation().n_active_cells());
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     degrees[cell->active_cell_index()] = planned_degree(plan, mesh, cell);

@@ -14,28 +14,22 @@
 #include <numeric>
 #include <sstream>
 
-namespace Signorini
-{
+namespace Signorini {
 template <int dim>
 MultiplierSpace<dim>::MultiplierSpace(const ContactSurface<dim> &surface)
-  : MultiplierSpace(surface, std::vector<unsigned int>(surface.patches().size(), 1))
-{
-}
+  : MultiplierSpace(surface, std::vector<unsigned int>(surface.patches().size(), 1)) {}
 
 template <int dim>
 MultiplierSpace<dim>::MultiplierSpace(const ContactSurface<dim> &surface,
                                       const std::vector<unsigned int> &n_nodes)
   : surface_(surface)
-  , first_({0})
-{
+  , first_({0}) {
   AssertDimension(n_nodes.size(), surface.patches().size());
-  for (unsigned int patch = 0; patch < n_nodes.size(); ++patch)
-  {
+  for (unsigned int patch = 0; patch < n_nodes.size(); ++patch) {
     Assert(dim == 2 || n_nodes[patch] == 1, ExcNotImplemented());
     patch_of_.insert(patch_of_.end(), n_nodes[patch], patch);
     first_.push_back(patch_of_.size());
-    while (rules_.size() < n_nodes[patch])
-    {
+    while (rules_.size() < n_nodes[patch]) {
       rules_.emplace_back(rules_.size() + 1);
       bases_.push_back(Polynomials::generate_complete_Lagrange_basis(rules_.back().get_points()));
     }
@@ -43,8 +37,7 @@ MultiplierSpace<dim>::MultiplierSpace(const ContactSurface<dim> &surface,
 }
 
 template <int dim>
-Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) const
-{
+Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) const {
   const unsigned int patch = patch_of_[unknown];
   const Patch<dim> &place = surface_.patches()[patch];
   const double t = rules_[n_of(patch) - 1].point(unknown - first_[patch])[0];
@@ -52,8 +45,8 @@ Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) const
 }
 
 template <int dim>
-double MultiplierSpace<dim>::shape_value(const unsigned int unknown, const Point<dim - 1> &s) const
-{
+double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
+                                         const Point<dim - 1> &s) const {
   const unsigned int patch = patch_of_[unknown];
   const Patch<dim> &place = surface_.patches()[patch];
   const double t = (s[0] - place.lower[0]) / (place.upper[0] - place.lower[0]);
@@ -61,10 +54,8 @@ double MultiplierSpace<dim>::shape_value(const unsigned int unknown, const Point
 }
 
 template <int dim>
-double MultiplierSpace<dim>::value(const Pressure &P,
-                                   const unsigned int patch,
-                                   const Point<dim - 1> &s) const
-{
+double MultiplierSpace<dim>::value(const Pressure &P, const unsigned int patch,
+                                   const Point<dim - 1> &s) const {
   double sum = 0.;
   for (unsigned int k = first_of(patch); k < first_of(patch + 1); ++k)
     sum += P[k] * shape_value(k, s);
@@ -72,11 +63,9 @@ double MultiplierSpace<dim>::value(const Pressure &P,
 }
 
 template <int dim>
-dealii::Vector<double> MultiplierSpace<dim>::integrals() const
-{
+dealii::Vector<double> MultiplierSpace<dim>::integrals() const {
   Vector integrals(n_multipliers());
-  for (unsigned int k = 0; k < n_multipliers(); ++k)
-  {
+  for (unsigned int k = 0; k < n_multipliers(); ++k) {
     const unsigned int patch = patch_of_[k];
     integrals[k] =
       surface_.patches()[patch].measure * rules_[n_of(patch) - 1].weight(k - first_[patch]);
@@ -85,8 +74,7 @@ dealii::Vector<double> MultiplierSpace<dim>::integrals() const
 }
 
 template <int dim>
-dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) const
-{
+dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) const {
   // ∫ ψ_j ψ_k = δ_jk ∫ ψ_k: Gauss' rule integrates the product exactly.
   Vector coefficients = moments;
   const Vector squares = integrals();
@@ -98,15 +86,12 @@ dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) cons
 template <int dim>
 dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
                                     const std::vector<BoundaryCondition<dim>> &boundary,
-                                    const unsigned int n_points,
-                                    const Grading grading)
-{
+                                    const unsigned int n_points, const Grading grading) {
   const auto gap_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
     std::vector<double> g(rule.size());
     boundary[space.surface().patches()[piece.patch].side].data->value_list(rule.points, g);
     for (std::size_t q = 0; q < rule.size(); ++q)
-      if (!std::isfinite(g[q]))
-      {
+      if (!std::isfinite(g[q])) {
         std::ostringstream message;
         message << "the gap has the value " << g[q] << " at (" << rule.points[q]
                 << "), allowed: finite values on the whole side.";
@@ -122,17 +107,14 @@ template class MultiplierSpace<2>;
 template class MultiplierSpace<3>;
 template dealii::Vector<double> assemble_gap(const MultiplierSpace<2> &,
                                              const std::vector<BoundaryCondition<2>> &,
-                                             unsigned int,
-                                             Grading);
+                                             unsigned int, Grading);
 template dealii::Vector<double> assemble_gap(const MultiplierSpace<3> &,
                                              const std::vector<BoundaryCondition<3>> &,
-                                             unsigned int,
-                                             Grading);
+                                             unsigned int, Grading);
 
 // D of (22): the normal trace B tested with the basis of Q^H.
 
-void Coupling::add_product(const dealii::Vector<double> &P, DistributedVector &vector) const
-{
+void Coupling::add_product(const dealii::Vector<double> &P, DistributedVector &vector) const {
   AssertDimension(P.size(), n_columns());
   for (unsigned int tau = 0; tau < n_columns(); ++tau)
     if (P[tau] != 0.)
@@ -142,8 +124,7 @@ void Coupling::add_product(const dealii::Vector<double> &P, DistributedVector &v
 }
 
 template <typename VectorType>
-dealii::Vector<double> Coupling::transpose_product(const VectorType &U) const
-{
+dealii::Vector<double> Coupling::transpose_product(const VectorType &U) const {
   dealii::Vector<double> product(n_columns());
   for (unsigned int tau = 0; tau < n_columns(); ++tau)
     for (const auto &entry : columns_[tau])
@@ -160,24 +141,20 @@ template dealii::Vector<double> Coupling::transpose_product(const Displacement &
 
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,
-                           const MultiplierSpace<dim> &multipliers)
-{
+                           const MultiplierSpace<dim> &multipliers) {
   const ContactSurface<dim> &surface = multipliers.surface();
   const FEValuesExtractors::Vector displacement(0);
   TraceValues<dim> traces(space);
   std::vector<Coupling::Column> columns(multipliers.n_multipliers());
-  for (const Piece<dim> &piece : surface.pieces())
-  {
+  for (const Piece<dim> &piece : surface.pieces()) {
     const ContactFace<dim> &face = surface.faces()[piece.face];
     const SurfaceRule<dim> &rule = piece.on_mesh;
     const auto &values = traces.reinit(face, rule.on_face);
     const auto indices = space.cell_dofs(face.cell);
     const double measure = std::accumulate(rule.weights.begin(), rule.weights.end(), 0.);
     for (unsigned int k = multipliers.first_of(piece.patch);
-         k < multipliers.first_of(piece.patch + 1);
-         ++k)
-      for (unsigned int j = 0; j < indices.size(); ++j)
-      {
+         k < multipliers.first_of(piece.patch + 1); ++k)
+      for (unsigned int j = 0; j < indices.size(); ++j) {
         double integral = 0.;
         for (std::size_t q = 0; q < rule.size(); ++q)
           integral += values[displacement].value(j, q) * rule.normals[q] *
@@ -189,12 +166,10 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
   return Coupling(std::move(columns));
 }
 
-Coupling condense(const Coupling &D, const AffineConstraints<double> &constraints)
-{
+Coupling condense(const Coupling &D, const AffineConstraints<double> &constraints) {
   std::vector<Coupling::Column> columns(D.n_columns());
   for (unsigned int tau = 0; tau < D.n_columns(); ++tau)
-    for (const auto &entry : D.column(tau))
-    {
+    for (const auto &entry : D.column(tau)) {
       if (!constraints.is_constrained(entry.first))
         columns[tau][entry.first] += entry.second;
       else if (const auto *line = constraints.get_constraint_entries(entry.first))

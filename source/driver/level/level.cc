@@ -13,15 +13,12 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Releases factors, C and the system matrix, which take most of the memory, where nothing needs
  * them later. */
 template <int dim>
-void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &solution)
-{
+void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &solution) {
   // C of several ranks is written column by column, each by a solve.
   const bool writes_compliance = problem.parameters.output.compliance;
   const bool solves_later = writes_compliance || !problem.scene.load_cases.empty();
@@ -37,8 +34,7 @@ void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &soluti
  * only if the user sets it. The constant needs a factorisation of its own, which in 3-D costs more
  * than the rest of the level from some thousand unknowns on. */
 template <int dim>
-bool wants_inf_sup(const Parameters &parameters, const ContactState<dim> &contact)
-{
+bool wants_inf_sup(const Parameters &parameters, const ContactState<dim> &contact) {
   const Choice choice = parameters.output.inf_sup_constant;
   return choice == Choice::yes || (choice == Choice::automatic && contact.inverse->has_factors() &&
                                    parameters.discretization.strategy == Strategy::nested &&
@@ -50,8 +46,7 @@ bool wants_inf_sup(const Parameters &parameters, const ContactState<dim> &contac
 constexpr unsigned long long max_bounded_unknowns = 10000000;
 
 template <int dim>
-LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy strategy)
-{
+LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy strategy) {
   return {discretization.mesh.level(),
           discretization.mesh.triangulation().n_global_active_cells(),
           discretization.space.dofs().n_dofs(),
@@ -66,22 +61,15 @@ LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy st
 
 /** Returns the records of all plates: their motions, and the forces that hold them there. */
 template <int dim>
-std::vector<PlateRecord> plates_of(const DisplacementSpace<dim> &space,
-                                   const Scene<dim> &scene,
-                                   const ContactState<dim> &contact,
-                                   const NodalForces &nodal)
-{
+std::vector<PlateRecord> plates_of(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                                   const ContactState<dim> &contact, const NodalForces &nodal) {
   std::vector<PlateRecord> plates;
-  if constexpr (dim == 2)
-  {
+  if constexpr (dim == 2) {
     const std::vector<PlateMotion> motions = contact.modes.plate_motions(scene.plates, contact.q);
     const std::vector<PlateForce> forces = plate_forces(space, scene, nodal);
     for (std::size_t p = 0; p < scene.plates.size(); ++p)
-      plates.push_back({scene.geometry.sides[scene.plates[p].side].name(),
-                        scene.plates[p],
-                        motions[p],
-                        forces[p].force,
-                        forces[p].moment});
+      plates.push_back({scene.geometry.sides[scene.plates[p].side].name(), scene.plates[p],
+                        motions[p], forces[p].force, forces[p].moment});
   }
   return plates;
 }
@@ -89,13 +77,10 @@ std::vector<PlateRecord> plates_of(const DisplacementSpace<dim> &space,
 /** Returns the largest relative imbalance of a free motion: the work of the residual on z_j minus
  * that of the forces on the plates. */
 template <int dim>
-double motion_balance(const std::vector<Plate> &plates,
-                      const MotionModes<dim> &modes,
-                      const NodalForces &forces)
-{
+double motion_balance(const std::vector<Plate> &plates, const MotionModes<dim> &modes,
+                      const NodalForces &forces) {
   double largest = 0.;
-  for (unsigned int j = 0; j < modes.size(); ++j)
-  {
+  for (unsigned int j = 0; j < modes.size(); ++j) {
     const double work = modes.motions[j].work_of_plates(plates);
     const double scale = std::max(std::abs(work), forces.scale() * modes.Z[j].linfty_norm());
     if (scale > 0.)
@@ -106,14 +91,12 @@ double motion_balance(const std::vector<Plate> &plates,
 
 /** Subtracts the work of the forces on plates from the energy, which then is that of the problem
  * with given forces. */
-void subtract_work_of_plates(LevelRecord &record)
-{
+void subtract_work_of_plates(LevelRecord &record) {
   double work = 0.;
   for (const PlateRecord &plate : record.motions.plates)
     work += plate.plate.work(plate.motion);
   record.certificate.energy -= work;
-  if (record.bound && record.bound->energy_lower && record.bound->energy_upper)
-  {
+  if (record.bound && record.bound->energy_lower && record.bound->energy_upper) {
     *record.bound->energy_lower -= work;
     *record.bound->energy_upper -= work;
   }
@@ -121,76 +104,51 @@ void subtract_work_of_plates(LevelRecord &record)
 
 /** Computes the estimate of the error. */
 template <int dim>
-ErrorEstimate estimate_of(const Discretization<dim> &discretization,
-                          const Scene<dim> &scene,
-                          const ContactState<dim> &contact)
-{
+ErrorEstimate estimate_of(const Discretization<dim> &discretization, const Scene<dim> &scene,
+                          const ContactState<dim> &contact) {
   // After V-cycles there is no such problem: each column of C would be a linear solve, and F is not
   // computed.
   DualProblem on_other_patches;
   if (contact.dual)
-    on_other_patches = [&contact](const Coupling &D,
-                                  const Coupling &condensed_D,
+    on_other_patches = [&contact](const Coupling &D, const Coupling &condensed_D,
                                   const dealii::Vector<double> &F,
                                   const dealii::Vector<double> &start) {
       return solve_on_other_patches(contact, {D, condensed_D}, F, start);
     };
-  const PressureCorrection correction =
-    correct_pressure<dim>({discretization.space,
-                           scene,
-                           discretization.multipliers,
-                           contact.dual ? contact.dual->free.U : contact.U,
-                           contact.P,
-                           discretization.condensed_D,
-                           *contact.inverse,
-                           discretization.n_points,
-                           on_other_patches});
+  const PressureCorrection correction = correct_pressure<dim>(
+    {discretization.space, scene, discretization.multipliers,
+     contact.dual ? contact.dual->free.U : contact.U, contact.P, discretization.condensed_D,
+     *contact.inverse, discretization.n_points, on_other_patches});
   OtherErrors others;
   others.algebra = contact.algebraic_error;
   if constexpr (dim == 3)
-    others.contact = energy_of_missed_contact(
-      discretization.space, discretization.multipliers, scene, contact.U, contact.P);
+    others.contact = energy_of_missed_contact(discretization.space, discretization.multipliers,
+                                              scene, contact.U, contact.P);
   return estimate_error(discretization.space, scene, contact.U, correction, others);
 }
 
 /** Computes the bound of the error of U and P, and its parts by cell. */
-LocatedBound bound_of(const Discretization<2> &discretization,
-                      const Scene<2> &scene,
-                      const ContactState<2> &contact,
-                      const double energy)
-{
-  if (contact.U.size() > max_bounded_unknowns)
-  {
+LocatedBound bound_of(const Discretization<2> &discretization, const Scene<2> &scene,
+                      const ContactState<2> &contact, const double energy) {
+  if (contact.U.size() > max_bounded_unknowns) {
     LocatedBound none;
     none.bound.missing =
       "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
     return none;
   }
-  return compute_located_bound({discretization.space,
-                                scene,
-                                discretization.multipliers,
-                                contact.U,
-                                contact.P,
-                                discretization.n_points,
-                                *contact.inverse,
-                                discretization.condensed_D,
-                                discretization.G,
-                                energy});
+  return compute_located_bound({discretization.space, scene, discretization.multipliers, contact.U,
+                                contact.P, discretization.n_points, *contact.inverse,
+                                discretization.condensed_D, discretization.G, energy});
 }
 
 /** Adds the certificate, and the answer, which needs the same nodal forces. */
 template <int dim>
-void add_certificate_and_answer(const Discretization<dim> &discretization,
-                                const Scene<dim> &scene,
-                                const ContactState<dim> &contact,
-                                LevelRecord &record)
-{
+void add_certificate_and_answer(const Discretization<dim> &discretization, const Scene<dim> &scene,
+                                const ContactState<dim> &contact, LevelRecord &record) {
   const DisplacementSpace<dim> &space = discretization.space;
   const NodalForces forces =
     nodal_forces(space, scene, contact.system->loads, discretization.D, contact.U, contact.P);
-  record.certificate = certify(space,
-                               scene,
-                               discretization.multipliers,
+  record.certificate = certify(space, scene, discretization.multipliers,
                                {contact, discretization.D, discretization.G, forces});
   record.certificate.motion_balance = motion_balance(scene.plates, contact.modes, forces);
   record.motions.plates = plates_of(space, scene, contact, forces);
@@ -201,11 +159,8 @@ void add_certificate_and_answer(const Discretization<dim> &discretization,
 /** Computes what follows from U and P: β, the certificate, the answer, and the estimate and the
  * bound of the error, as far as they are wanted. Collective. */
 template <int dim>
-void examine(const Parameters &parameters,
-             const Discretization<dim> &discretization,
-             const Progress &progress,
-             LevelSolution<dim> &solution)
-{
+void examine(const Parameters &parameters, const Discretization<dim> &discretization,
+             const Progress &progress, LevelSolution<dim> &solution) {
   const ContactState<dim> &contact = solution;
   LevelRecord &record = solution.record;
   record.sizes = sizes_of(discretization, parameters.discretization.strategy);
@@ -221,21 +176,17 @@ void examine(const Parameters &parameters,
   const bool may_stop = given.strategy == Strategy::nested &&
                         (record.sizes.level == given.finest_level || given.target_error > 0.);
   const StageTimer timer(record.times.postprocess);
-  if (wants_inf_sup<dim>(parameters, contact))
-  {
+  if (wants_inf_sup<dim>(parameters, contact)) {
     progress("inf-sup constant");
-    record.inf_sup = measure_inf_sup(discretization.space,
-                                     discretization.multipliers,
-                                     discretization.condensed_D,
-                                     parameters.solver.linear_solver);
+    record.inf_sup = measure_inf_sup(discretization.space, discretization.multipliers,
+                                     discretization.condensed_D, parameters.solver.linear_solver);
   }
   progress("certificate");
   add_certificate_and_answer(discretization, solution.scene, contact, record);
   if (discretization.mesh.has_parents())
     record.estimate = estimate_of(discretization, solution.scene, contact);
   if constexpr (dim == 2)
-    if (may_stop)
-    {
+    if (may_stop) {
       progress("bound of the error");
       const StageTimer bound_timer(record.times.bound);
       LocatedBound located =
@@ -249,10 +200,8 @@ void examine(const Parameters &parameters,
 
 template <int dim>
 LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
-                               const Discretization<dim> &discretization,
-                               const ContactStart &start,
-                               const Progress &progress)
-{
+                               const Discretization<dim> &discretization, const ContactStart &start,
+                               const Progress &progress) {
   const auto [parameters, scene, solvers] = problem;
   const auto method = make_contact_method(parameters, scene, solvers);
   LevelSolution<dim> solution;
@@ -266,12 +215,9 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
 // The errors against the exact solution.
 
 template <int dim>
-void add_errors(const Parameters &parameters,
-                const Scene<dim> &scene,
-                const Discretization<dim> &discretization,
-                const ExactPressure<dim> *pressure,
-                LevelSolution<dim> &solution)
-{
+void add_errors(const Parameters &parameters, const Scene<dim> &scene,
+                const Discretization<dim> &discretization, const ExactPressure<dim> *pressure,
+                LevelSolution<dim> &solution) {
   if (!parameters.output.errors)
     return;
   const unsigned int n_points = discretization.n_points + 1;
@@ -281,8 +227,7 @@ void add_errors(const Parameters &parameters,
   if (scene.exact_displacement != nullptr)
     record.displacement_errors =
       compute_displacement_errors(discretization.space, scene, solution.U, n_points);
-  if (scene.has_exact_pressure())
-  {
+  if (scene.has_exact_pressure()) {
     record.pressure_errors = compute_pressure_errors(multipliers, solution.P, n_points);
     if constexpr (dim == 2)
       record.endpoint_error = contact_end_error(multipliers, scene, solution.P);
@@ -292,26 +237,16 @@ void add_errors(const Parameters &parameters,
   if constexpr (dim == 2)
     if (parameters.output.lemmas && parameters.discretization.strategy == Strategy::nested &&
         scene.exact_displacement != nullptr && pressure != nullptr)
-      record.lemmas = compute_lemma_numbers(discretization.space,
-                                            scene,
-                                            multipliers,
-                                            discretization.D,
-                                            *pressure,
-                                            solution.system->loads,
-                                            parameters.solver.linear_solver,
-                                            n_points);
+      record.lemmas =
+        compute_lemma_numbers(discretization.space, scene, multipliers, discretization.D, *pressure,
+                              solution.system->loads, parameters.solver.linear_solver, n_points);
 }
 
 #define INSTANTIATE(dim)                                                                           \
-  template void add_errors(const Parameters &,                                                     \
-                           const Scene<dim> &,                                                     \
-                           const Discretization<dim> &,                                            \
-                           const ExactPressure<dim> *,                                             \
-                           LevelSolution<dim> &);                                                  \
-  template LevelSolution<dim> solve_level(const LevelProblem<dim> &,                               \
-                                          const Discretization<dim> &,                             \
-                                          const ContactStart &,                                    \
-                                          const Progress &);
+  template void add_errors(const Parameters &, const Scene<dim> &, const Discretization<dim> &,    \
+                           const ExactPressure<dim> *, LevelSolution<dim> &);                      \
+  template LevelSolution<dim> solve_level(const LevelProblem<dim> &, const Discretization<dim> &,  \
+                                          const ContactStart &, const Progress &);
 INSTANTIATE(2)
 INSTANTIATE(3)
 #undef INSTANTIATE

@@ -23,27 +23,21 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace Signorini
-{
+namespace Signorini {
 Screen::Screen(MPI_Comm communicator)
   : speaks_(Utilities::MPI::this_mpi_process(communicator) == 0)
-  , silence_(nullptr)
-{
-}
+  , silence_(nullptr) {}
 
-std::ostream &Screen::out()
-{
+std::ostream &Screen::out() {
   return speaks_ ? std::cout : silence_;
 }
 
-void Screen::complain(const std::string &sentence) const
-{
+void Screen::complain(const std::string &sentence) const {
   if (speaks_)
     std::cerr << "signorini: " << sentence << std::endl;
 }
 
-Progress Screen::progress() const
-{
+Progress Screen::progress() const {
   if (!speaks_)
     return [](const std::string &) {};
   const bool on_terminal = isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
@@ -58,20 +52,17 @@ Progress Screen::progress() const
 
 // The run of one scene, from its parameter file to an exit code.
 
-namespace
-{
+namespace {
 /** Returns the message with the name of the file in front, if it lacks that: errors at a quadrature
  * point name the parameter only. */
-std::string name_file(const std::string &message, const std::string &file_name)
-{
+std::string name_file(const std::string &message, const std::string &file_name) {
   const bool named = message.rfind(file_name, 0) == 0 || message.rfind("--", 0) == 0;
   return named ? message : file_name + ": " + message;
 }
 
 /** Returns the names of the ranks that read another text from a file than the first rank, on
  * several machines. Ranks that cannot read it are left out. Collective. */
-std::string ranks_with_another(const std::string &file_name, MPI_Comm communicator)
-{
+std::string ranks_with_another(const std::string &file_name, MPI_Comm communicator) {
   std::ifstream file(file_name, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const std::size_t digest = file.is_open() ? std::hash<std::string>()(text) : 0;
@@ -80,8 +71,7 @@ std::string ranks_with_another(const std::string &file_name, MPI_Comm communicat
 }
 
 /** Returns the text without the comments in front, in which a run describes its scene. */
-std::string without_description(const std::string &text)
-{
+std::string without_description(const std::string &text) {
   std::size_t start = 0;
   while (start < text.size() && text[start] == '#')
     start = std::min(text.size(), text.find('\n', start)) + 1;
@@ -90,8 +80,7 @@ std::string without_description(const std::string &text)
 
 /** Returns the files that results must not replace. The parameters of the same run may be replaced.
  */
-std::vector<std::filesystem::path> inputs_of(const RunInput &input, const Parameters &parameters)
-{
+std::vector<std::filesystem::path> inputs_of(const RunInput &input, const Parameters &parameters) {
   std::vector<std::filesystem::path> inputs = input.others;
   std::error_code error;
   if (without_description(input.text) != parameters.echo ||
@@ -101,27 +90,20 @@ std::vector<std::filesystem::path> inputs_of(const RunInput &input, const Parame
   return inputs;
 }
 
-bool is_first_rank(MPI_Comm communicator)
-{
+bool is_first_rank(MPI_Comm communicator) {
   return Utilities::MPI::this_mpi_process(communicator) == 0;
 }
 
 /** Returns the parameters of a run. @throws InputError */
-Parameters parameters_of(const RunInput &input)
-{
-  return parse_parameters(input.text,
-                          input.name,
-                          input.overrides,
+Parameters parameters_of(const RunInput &input) {
+  return parse_parameters(input.text, input.name, input.overrides,
                           std::filesystem::path(input.file_name).parent_path().string());
 }
 
 /** Runs the scene of some parameters. @throws InputError for wrong input. */
 template <int dim>
-RunSummary run_parameters(const Parameters &parameters,
-                          const RunInput &input,
-                          MPI_Comm communicator,
-                          Screen &screen)
-{
+RunSummary run_parameters(const Parameters &parameters, const RunInput &input,
+                          MPI_Comm communicator, Screen &screen) {
   Scene<dim> scene;
   agree(communicator, [&]() { scene = make_scene<dim>(parameters); });
   std::optional<ResultsDirectory> results;
@@ -129,10 +111,9 @@ RunSummary run_parameters(const Parameters &parameters,
     if (is_first_rank(communicator))
       results.emplace(input.directory, inputs_of(input, parameters));
   });
-  try
-  {
-    const StudyResult<dim> result = run_study(
-      parameters, scene, communicator, {screen.out(), input.directory, screen.progress()});
+  try {
+    const StudyResult<dim> result = run_study(parameters, scene, communicator,
+                                              {screen.out(), input.directory, screen.progress()});
     if (is_first_rank(communicator))
       describe_interruption("after the last level; the results are complete.");
     if (!result.verdict.reason.empty())
@@ -142,9 +123,7 @@ RunSummary run_parameters(const Parameters &parameters,
     if (!result.levels.empty())
       summary.finest = result.levels.back();
     return summary;
-  }
-  catch (const InputError &error)
-  {
+  } catch (const InputError &error) {
     // After wrong input no results remain.
     if (results)
       results->remove_if_empty();
@@ -153,8 +132,7 @@ RunSummary run_parameters(const Parameters &parameters,
 }
 
 /** Runs a scene. @throws InputError for wrong input. */
-RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen)
-{
+RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen) {
   Parameters parameters;
   agree(communicator, [&]() { parameters = parameters_of(input); });
   GeometryParameters &geometry = parameters.geometry;
@@ -168,12 +146,9 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
 }
 } // namespace
 
-RunInput read_input(const std::string &file_name,
-                    const std::vector<std::string> &overrides,
-                    const std::filesystem::path &directory,
-                    MPI_Comm communicator,
-                    const Screen &screen)
-{
+RunInput read_input(const std::string &file_name, const std::vector<std::string> &overrides,
+                    const std::filesystem::path &directory, MPI_Comm communicator,
+                    const Screen &screen) {
   RunInput input = {file_name, shorten_path(file_name), "", overrides, directory, {}};
   agree(communicator, [&]() {
     if (is_first_rank(communicator))
@@ -187,32 +162,23 @@ RunInput read_input(const std::string &file_name,
   return input;
 }
 
-RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &run)
-{
+RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &run) {
   const auto fail = [&](const std::exception &error, const int code, const char *verdict) {
     screen.complain(error.what());
     return RunSummary{code, verdict, {}};
   };
-  try
-  {
+  try {
     return run();
-  }
-  catch (const InputError &error)
-  {
+  } catch (const InputError &error) {
     return fail(error, 1, "wrong input");
-  }
-  catch (const WritingError &error)
-  {
+  } catch (const WritingError &error) {
     return fail(error, 3, "not written");
-  }
-  catch (const ComputationError &error)
-  {
+  } catch (const ComputationError &error) {
     return fail(error, 2, "failed");
   }
 }
 
-RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen)
-{
+RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen) {
   if (is_first_rank(communicator))
     describe_interruption("before the first level.");
   // Every rank has the same input and throws the same errors; agree() ensures the rest.
@@ -221,19 +187,16 @@ RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &scree
 
 // The runs of one scene for several values of its parameters.
 
-namespace
-{
+namespace {
 constexpr std::size_t max_runs = 1000;
 constexpr const char *table_name = "sweep.csv";
 
 /** Returns a value as the name of a directory: characters that a shell interprets become '_'. */
-std::string as_file_name(const std::string &value)
-{
+std::string as_file_name(const std::string &value) {
   constexpr std::size_t longest = 80;
   std::string name = value.substr(0, longest);
   std::replace_if(
-    name.begin(),
-    name.end(),
+    name.begin(), name.end(),
     [](const unsigned char c) {
       return std::isalnum(c) == 0 &&
              std::string(".-+=^*()").find(static_cast<char>(c)) == std::string::npos;
@@ -258,23 +221,18 @@ constexpr std::pair<const char *, const char *> sweep_columns[] = {
 using Table = std::vector<std::vector<std::string>>;
 
 /** Returns a row of titles, and a row for each run. */
-Table sweep_table(const std::vector<Sweep> &sweeps,
-                  const std::vector<SweepPoint> &points,
-                  const std::vector<RunSummary> &runs,
-                  const int precision)
-{
+Table sweep_table(const std::vector<Sweep> &sweeps, const std::vector<SweepPoint> &points,
+                  const std::vector<RunSummary> &runs, const int precision) {
   Table rows(1 + runs.size());
   for (const Sweep &sweep : sweeps)
     rows[0].push_back(sweep.parameter);
   for (const auto &column : sweep_columns)
     rows[0].emplace_back(column.first);
   rows[0].emplace_back("verdict");
-  for (std::size_t i = 0; i < runs.size(); ++i)
-  {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
     std::vector<std::string> &row = rows[1 + i];
     row = points[i].values;
-    for (const auto &column : sweep_columns)
-    {
+    for (const auto &column : sweep_columns) {
       std::ostringstream number;
       const auto x = runs[i].finest ? value(*runs[i].finest, column.second) : std::nullopt;
       if (x)
@@ -287,10 +245,8 @@ Table sweep_table(const std::vector<Sweep> &sweeps,
 }
 
 /** Writes fields separated by commas; one that contains a comma stands in quotation marks. */
-void write_csv(std::ostream &stream, Table rows)
-{
-  for (std::vector<std::string> &row : rows)
-  {
+void write_csv(std::ostream &stream, Table rows) {
+  for (std::vector<std::string> &row : rows) {
     for (std::string &field : row)
       if (field.find(',') != std::string::npos)
         field = '"' + field + '"';
@@ -299,18 +255,15 @@ void write_csv(std::ostream &stream, Table rows)
 }
 
 /** Prints aligned columns, @p n_left of them on the left. */
-void print_table(std::ostream &screen, Table rows, const std::size_t n_left)
-{
+void print_table(std::ostream &screen, Table rows, const std::size_t n_left) {
   std::vector<std::size_t> widths(rows[0].size());
   for (std::vector<std::string> &row : rows)
-    for (std::size_t k = 0; k < row.size(); ++k)
-    {
+    for (std::size_t k = 0; k < row.size(); ++k) {
       row[k] = row[k].empty() ? "-" : shorten(row[k]);
       widths[k] = std::max(widths[k], row[k].size());
     }
   screen << "\n";
-  for (const std::vector<std::string> &row : rows)
-  {
+  for (const std::vector<std::string> &row : rows) {
     for (std::size_t k = 0; k + 1 < row.size(); ++k)
       screen << (k < n_left ? std::left : std::right) << std::setw(static_cast<int>(widths[k]))
              << row[k] << "  ";
@@ -320,8 +273,8 @@ void print_table(std::ostream &screen, Table rows, const std::size_t n_left)
 }
 
 /** Returns the input of one run. */
-RunInput input_at(const RunInput &input, const std::vector<Sweep> &sweeps, const SweepPoint &point)
-{
+RunInput input_at(const RunInput &input, const std::vector<Sweep> &sweeps,
+                  const SweepPoint &point) {
   RunInput one = input;
   for (std::size_t k = 0; k < sweeps.size(); ++k)
     one.overrides.push_back(sweeps[k].parameter + "=" + point.values[k]);
@@ -330,8 +283,7 @@ RunInput input_at(const RunInput &input, const std::vector<Sweep> &sweeps, const
 }
 } // namespace
 
-Sweep read_sweep(const std::string &argument)
-{
+Sweep read_sweep(const std::string &argument) {
   const auto equals = argument.find('=');
   const std::string parameter = trim(argument.substr(0, equals));
   Sweep sweep = {parameter, {}};
@@ -339,32 +291,24 @@ Sweep read_sweep(const std::string &argument)
     sweep.values = split_list(argument.substr(equals + 1), ',');
   if (parameter.empty() || sweep.values.empty() ||
       std::count(sweep.values.begin(), sweep.values.end(), "") > 0)
-    throw input_error("--sweep: found ",
-                      quote(argument),
+    throw input_error("--sweep: found ", quote(argument),
                       ", but 'Subsection/Parameter=value, value, ...' is expected.");
   return sweep;
 }
 
-std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps)
-{
+std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps) {
   std::size_t n = 1;
-  for (const Sweep &sweep : sweeps)
-  {
+  for (const Sweep &sweep : sweeps) {
     n *= sweep.values.size();
     if (n > max_runs)
-      throw input_error("--sweep: found more than ",
-                        max_runs,
-                        " combinations of values, allowed: at most ",
-                        max_runs,
-                        ".");
+      throw input_error("--sweep: found more than ", max_runs,
+                        " combinations of values, allowed: at most ", max_runs, ".");
   }
   std::vector<SweepPoint> points = {{}};
-  for (const Sweep &sweep : sweeps)
-  {
+  for (const Sweep &sweep : sweeps) {
     std::vector<SweepPoint> longer;
     for (const SweepPoint &point : points)
-      for (const std::string &value : sweep.values)
-      {
+      for (const std::string &value : sweep.values) {
         longer.push_back(point);
         longer.back().values.push_back(value);
         longer.back().folder += (point.folder.empty() ? "" : "_") + as_file_name(value);
@@ -374,17 +318,13 @@ std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps)
   std::set<std::string> folders;
   for (const SweepPoint &point : points)
     if (!folders.insert(point.folder).second)
-      throw input_error("--sweep: two runs would write into the directory '",
-                        point.folder,
+      throw input_error("--sweep: two runs would write into the directory '", point.folder,
                         "', allowed: values that differ in their letters and digits.");
   return points;
 }
 
-RunSummary run_sweep(const RunInput &input,
-                     const std::vector<Sweep> &sweeps,
-                     MPI_Comm communicator,
-                     Screen &screen)
-{
+RunSummary run_sweep(const RunInput &input, const std::vector<Sweep> &sweeps, MPI_Comm communicator,
+                     Screen &screen) {
   const std::vector<SweepPoint> points = combine(sweeps);
   std::vector<std::filesystem::path> inputs = input.others;
   inputs.emplace_back(input.file_name);
@@ -394,13 +334,12 @@ RunSummary run_sweep(const RunInput &input,
   std::optional<ResultsDirectory> results;
   agree(communicator, [&]() {
     if (first_rank)
-      results.emplace(
-        input.directory, inputs, [](const std::string &name) { return name == table_name; });
+      results.emplace(input.directory, inputs,
+                      [](const std::string &name) { return name == table_name; });
   });
   RunSummary worst;
   std::vector<RunSummary> runs;
-  for (const SweepPoint &point : points)
-  {
+  for (const SweepPoint &point : points) {
     screen.out() << (runs.empty() ? "" : "\n");
     for (std::size_t k = 0; k < sweeps.size(); ++k)
       screen.out() << "Sweep     " << sweeps[k].parameter << " = " << point.values[k] << "\n";
@@ -408,8 +347,8 @@ RunSummary run_sweep(const RunInput &input,
     if (runs.size() == 1 || runs.back().exit_code > worst.exit_code)
       worst = runs.back();
     // The table is written after every run: that of an interrupted sweep has all finished runs.
-    const bool solved = std::any_of(
-      runs.begin(), runs.end(), [](const RunSummary &run) { return run.finest.has_value(); });
+    const bool solved = std::any_of(runs.begin(), runs.end(),
+                                    [](const RunSummary &run) { return run.finest.has_value(); });
     agree(communicator, [&]() {
       if (first_rank && solved)
         write_file(input.directory / table_name, [&](std::ostream &stream) {

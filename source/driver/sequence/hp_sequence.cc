@@ -12,13 +12,10 @@
 
 #include <cmath>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** A mesh with the solution on it. */
-struct HpStep
-{
+struct HpStep {
   std::shared_ptr<const Discretization<2>> discretization;
   Displacement U;
   Pressure P;
@@ -26,71 +23,57 @@ struct HpStep
 
 /** Returns the scene with quadrature rules that are not graded: the mesh itself is graded to the
  * places where data is singular. */
-Scene<2> without_graded_rules(Scene<2> scene)
-{
+Scene<2> without_graded_rules(Scene<2> scene) {
   scene.kinks = scene.kinks.without_ends();
   return scene;
 }
 
-void require_few(const DiscretizationParameters &given,
-                 const double n_unknowns,
-                 const std::string &text)
-{
+void require_few(const DiscretizationParameters &given, const double n_unknowns,
+                 const std::string &text) {
   const auto &max_unknowns = given.maximum_unknowns;
   if (n_unknowns > max_unknowns)
-    throw input_error(max_unknowns.where(),
-                      ": found '",
-                      max_unknowns.value,
-                      "', but the first mesh has ",
-                      text,
+    throw input_error(max_unknowns.where(), ": found '", max_unknowns.value,
+                      "', but the first mesh has ", text,
                       " unknowns, allowed: that many, or a smaller Coarsest level.");
 }
 
 /** Returns the plan of the first mesh. @throws InputError if the mesh has too many unknowns, which
  * is checked before it is made, or if the material changes between all points. */
-MeshPlan make_first_plan(const Scene<2> &scene, const DiscretizationParameters &given)
-{
+MeshPlan make_first_plan(const Scene<2> &scene, const DiscretizationParameters &given) {
   MeshPlan plan = first_plan(scene, given.coarsest_level, given.maximum_degree);
   // Every cell is of degree 2: by Euler's formula there are more than four nodes for each.
   const double fewest = 8. * scene.geometry.n_coarse_cells * std::pow(4., plan.base_level);
   require_few(given, fewest, "more than " + number_text(fewest));
   if (const std::optional<Point<2>> hidden = resolve_hidden_data(scene, plan))
     throw input_error(
-      given.strategy.where(),
-      ": the material changes within a layer at (",
-      *hidden,
+      given.strategy.where(), ": the material changes within a layer at (", *hidden,
       ") that is too thin for cells that are not aligned with it, allowed: lines of the "
       "mesh at both of its sides (Kinks at x, Kinks at y; in a polygon sides or a mesh "
       "file that follow it).");
   return plan;
 }
 
-class HpSequence final : public Sequence<2>
-{
+class HpSequence final : public Sequence<2> {
 public:
   explicit HpSequence(const StudyContext<2> &context)
     : context_(context)
     , scene_(without_graded_rules(context.scene))
     , examination_(scene_, context.judge.demands.target_error)
     , plan_(make_first_plan(scene_, context.parameters.discretization))
-    , next_(make_discretization())
-  {
+    , next_(make_discretization()) {
     const auto n_dofs = next_->space.dofs().n_dofs();
     require_few(context.parameters.discretization, n_dofs, std::to_string(n_dofs));
   }
 
-  std::string name_of_next() const override
-  {
+  std::string name_of_next() const override {
     return "step " + std::to_string(n_steps_);
   }
 
-  const Scene<2> &scene() const override
-  {
+  const Scene<2> &scene() const override {
     return scene_;
   }
 
-  LevelResult<2> solve_next(const Progress &progress) override
-  {
+  LevelResult<2> solve_next(const Progress &progress) override {
     const Parameters &parameters = context_.parameters;
     LevelResult<2> result;
     result.discretization = next_;
@@ -101,9 +84,7 @@ public:
         transfer_pressure(last_.discretization->multipliers, last_.P, discretization.multipliers);
     LevelSolution<2> &solution = result.solution;
     solution = solve_level<2>({parameters, scene_, choose_solvers(parameters, scene_, 0, 1)},
-                              discretization,
-                              start,
-                              progress);
+                              discretization, start, progress);
     LevelRecord &record = solution.record;
     record.sizes.level = n_steps_;
     progress("estimate");
@@ -120,25 +101,19 @@ public:
   }
 
 private:
-  std::shared_ptr<const Discretization<2>> make_discretization() const
-  {
+  std::shared_ptr<const Discretization<2>> make_discretization() const {
     return std::make_shared<const Discretization<2>>(context_.parameters, scene_, plan_);
   }
 
   /** Adds the estimate of the error to the record. */
-  StepFindings examine(const Discretization<2> &discretization, LevelSolution<2> &solution)
-  {
+  StepFindings examine(const Discretization<2> &discretization, LevelSolution<2> &solution) {
     const StageTimer timer(solution.record.times.postprocess);
     std::optional<StepField> before;
     if (last_.discretization != nullptr)
       before.emplace(StepField{last_.discretization->space, last_.U});
-    StepFindings findings = examination_.examine({discretization.space,
-                                                  discretization.multipliers,
-                                                  solution.U,
-                                                  solution.P,
-                                                  solution.algebraic_error},
-                                                 before,
-                                                 plan_.aim);
+    StepFindings findings = examination_.examine({discretization.space, discretization.multipliers,
+                                                  solution.U, solution.P, solution.algebraic_error},
+                                                 before, plan_.aim);
     if (findings.has_estimate())
       solution.record.estimate = ErrorEstimate{
         {}, findings.error, findings.error > 0. ? findings.error / findings.scale : 0., {}, {}};
@@ -146,8 +121,7 @@ private:
   }
 
   /** Makes the next mesh. @return whether it has few enough unknowns. */
-  bool plan_next(const StepFindings &findings)
-  {
+  bool plan_next(const StepFindings &findings) {
     const Discretization<2> &discretization = *last_.discretization;
     plan_ =
       next_plan(plan_, scene_, discretization.mesh, degrees_of(discretization.space), findings);
@@ -167,8 +141,7 @@ private:
 };
 } // namespace
 
-std::unique_ptr<Sequence<2>> make_hp_sequence(const StudyContext<2> &context)
-{
+std::unique_ptr<Sequence<2>> make_hp_sequence(const StudyContext<2> &context) {
   return std::make_unique<HpSequence>(context);
 }
 } // namespace Signorini

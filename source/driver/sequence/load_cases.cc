@@ -5,15 +5,10 @@
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/postprocessing/load_cases/case_solver.h>
 
-namespace Signorini
-{
-namespace
-{
-CaseData case_data(const Parameters &parameters,
-                   const Scene<2> &scene,
-                   const Discretization<2> &discretization,
-                   const ContactState<2> &contact)
-{
+namespace Signorini {
+namespace {
+CaseData case_data(const Parameters &parameters, const Scene<2> &scene,
+                   const Discretization<2> &discretization, const ContactState<2> &contact) {
   const SolverParameters &solver = parameters.solver;
   return {
     discretization.space,
@@ -31,12 +26,9 @@ CaseData case_data(const Parameters &parameters,
 }
 } // namespace
 
-std::vector<CaseResult> solve_load_cases(const Parameters &parameters,
-                                         const Scene<2> &scene,
-                                         LevelResult<2> &level,
-                                         const CaseFields &use_fields,
-                                         const Progress &progress)
-{
+std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Scene<2> &scene,
+                                         LevelResult<2> &level, const CaseFields &use_fields,
+                                         const Progress &progress) {
   double seconds = 0.;
   std::vector<CaseResult> results;
   {
@@ -44,14 +36,12 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters,
     progress("load cases");
     CaseSolver solver(case_data(parameters, scene, *level.discretization, level.solution));
     const std::size_t n = scene.load_cases.size(), every = std::max<std::size_t>(1, n / 20);
-    for (const LoadCase &load_case : scene.load_cases)
-    {
+    for (const LoadCase &load_case : scene.load_cases) {
       results.push_back(solver.solve(load_case));
       if (load_case.has_fields && results.back().escape.empty())
         use_fields(results.size(),
                    with_plates_moved(scene_of_case(scene, load_case), results.back().plates),
-                   solver.displacement(),
-                   solver.pressure());
+                   solver.displacement(), solver.pressure());
       if (results.size() % every == 0)
         progress("load cases: " + std::to_string(results.size()) + " of " + std::to_string(n));
     }

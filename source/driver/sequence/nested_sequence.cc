@@ -8,35 +8,28 @@
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 #include <signorini/solvers/methods/contact_method.h>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 template <int dim>
-class NestedSequence final : public Sequence<dim>
-{
+class NestedSequence final : public Sequence<dim> {
 public:
   explicit NestedSequence(const StudyContext<dim> &context)
     : context_(context)
     , memory_(context.parameters, context.scene, context.communicator)
-    , next_level_(context.parameters.discretization.coarsest_level)
-  {
+    , next_level_(context.parameters.discretization.coarsest_level) {
     if (context.parameters.output.errors && context.scene.has_exact_pressure())
       exact_pressure_ = std::make_unique<const ExactPressure<dim>>(context.scene);
   }
 
-  std::string name_of_next() const override
-  {
+  std::string name_of_next() const override {
     return "level " + std::to_string(next_level_);
   }
 
-  const Scene<dim> &scene() const override
-  {
+  const Scene<dim> &scene() const override {
     return context_.scene;
   }
 
-  LevelResult<dim> solve_next(const Progress &progress) override
-  {
+  LevelResult<dim> solve_next(const Progress &progress) override {
     const Parameters &parameters = context_.parameters;
     memory_.check(next_level_);
     progress("mesh");
@@ -60,24 +53,19 @@ public:
   }
 
 private:
-  SolverChoice solvers_of(const unsigned int level) const
-  {
+  SolverChoice solvers_of(const unsigned int level) const {
     const SolverParameters &solver = context_.parameters.solver;
     if (failure_of_cycles_)
       return {ContactSolver::active_set, solver.linear_solver};
-    return choose_solvers(context_.parameters,
-                          context_.scene,
-                          level,
+    return choose_solvers(context_.parameters, context_.scene, level,
                           Utilities::MPI::n_mpi_processes(context_.communicator));
   }
 
   /** Solves the level by V-cycles or by factors. Where V-cycles were chosen automatically and do
    * not converge, factors are used on this level and on all that follow, and their records state
    * the failure. */
-  LevelSolution<dim> solve(const Discretization<dim> &discretization,
-                           const ContactStart &start,
-                           const Progress &progress)
-  {
+  LevelSolution<dim> solve(const Discretization<dim> &discretization, const ContactStart &start,
+                           const Progress &progress) {
     LevelProblem<dim> problem = {context_.parameters, context_.scene, solvers_of(next_level_)};
     const auto solve_with_choice = [&]() {
       LevelSolution<dim> solution = solve_level(problem, discretization, start, progress);
@@ -87,16 +75,13 @@ private:
     if (context_.parameters.solver.contact_solver != ContactSolver::automatic ||
         !problem.solvers.is_by_cycles())
       return solve_with_choice();
-    try
-    {
+    try {
       LevelSolution<dim> solution = solve_with_choice();
       if (solution.record.dual.converged)
         return solution;
       failure_of_cycles_ = name_of_next() + " did not end within " +
                            std::to_string(solution.record.dual.iterations) + " V-cycles";
-    }
-    catch (const ComputationError &error)
-    {
+    } catch (const ComputationError &error) {
       // The linear systems of the estimate may fail to converge, too.
       failure_of_cycles_ = name_of_next() + ": " + error.what();
     }
@@ -105,8 +90,7 @@ private:
   }
 
   /** Returns the start from the solution on the level before. */
-  ContactStart start_for(const Discretization<dim> &discretization)
-  {
+  ContactStart start_for(const Discretization<dim> &discretization) {
     ContactStart start;
     if (!context_.parameters.solver.warm_start || pressure_.patches.empty())
       return start;
@@ -120,16 +104,14 @@ private:
     return start;
   }
 
-  void keep_for_next(const LevelResult<dim> &result)
-  {
+  void keep_for_next(const LevelResult<dim> &result) {
     const LevelSolution<dim> &solution = result.solution;
     pressure_ = result.pressure();
     scale_ = solution.cycles ? solution.cycles->scale : 0.;
     relative_error_ = {};
     if (solution.record.estimate)
       relative_error_ = solution.record.estimate->relative;
-    if (solvers_of(result.discretization->mesh.level() + 1).is_by_cycles())
-    {
+    if (solvers_of(result.discretization->mesh.level() + 1).is_by_cycles()) {
       coarse_ = result.discretization;
       coarse_U_ = solution.U;
     }
@@ -153,8 +135,7 @@ private:
 } // namespace
 
 template <int dim>
-std::unique_ptr<Sequence<dim>> make_nested_sequence(const StudyContext<dim> &context)
-{
+std::unique_ptr<Sequence<dim>> make_nested_sequence(const StudyContext<dim> &context) {
   return std::make_unique<NestedSequence<dim>>(context);
 }
 

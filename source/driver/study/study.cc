@@ -22,8 +22,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * Refuses settings that contradict the scene or the number of ranks: solvers that need a serial
  * run.
@@ -32,11 +31,9 @@ namespace Signorini
 template <int dim>
 void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator);
 
-namespace
-{
+namespace {
 /** Prints the tables after the last level, before the verdict. */
-void print_end(const std::vector<LevelRecord> &levels, const StudyReport &report)
-{
+void print_end(const std::vector<LevelRecord> &levels, const StudyReport &report) {
   if (levels.empty())
     return;
   const std::string errors = error_table(levels);
@@ -46,65 +43,45 @@ void print_end(const std::vector<LevelRecord> &levels, const StudyReport &report
 }
 
 /** Returns the target of refinement: Target error; with hp 1e-3 if none is given. */
-double target_error(const DiscretizationParameters &given)
-{
+double target_error(const DiscretizationParameters &given) {
   constexpr double usual = 1e-3;
   return given.strategy == Strategy::hp && given.target_error == 0. ? usual
                                                                     : given.target_error.value;
 }
 
 template <int dim>
-class Study
-{
+class Study {
 public:
-  Study(const Parameters &parameters,
-        const Scene<dim> &scene,
-        MPI_Comm communicator,
+  Study(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
         const StudyReport &report)
     : parameters_(parameters)
     , scene_(scene)
     , n_ranks_(Utilities::MPI::n_mpi_processes(communicator))
     , report_(report)
-    , judge_({parameters.solver.tolerance,
-              parameters.solver.tolerated_error,
-              target_error(parameters.discretization),
-              parameters.discretization.target_error > 0.,
-              dim == 2 && n_ranks_ == 1,
-              dim == 2})
+    , judge_({parameters.solver.tolerance, parameters.solver.tolerated_error,
+              target_error(parameters.discretization), parameters.discretization.target_error > 0.,
+              dim == 2 && n_ranks_ == 1, dim == 2})
     , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_}))
-    , writer_(parameters, judge_, scene.description, report.directory, communicator)
-  {
-  }
+    , writer_(parameters, judge_, scene.description, report.directory, communicator) {}
 
-  StudyResult<dim> run()
-  {
+  StudyResult<dim> run() {
     print_scene(
-      parameters_,
-      scene_,
+      parameters_, scene_,
       choose_solvers(parameters_, scene_, parameters_.discretization.finest_level, n_ranks_),
-      judge_,
-      report_.screen);
+      judge_, report_.screen);
     const bool graded = parameters_.discretization.strategy == Strategy::hp;
     report_.screen << screen_legend(graded) << "\n" << screen_header(graded) << std::endl;
-    try
-    {
-      while (!solve_next())
-      {
+    try {
+      while (!solve_next()) {
       }
-    }
-    catch (const WritingError &error)
-    {
+    } catch (const WritingError &error) {
       print_end(result_.levels, report_);
       writer_.write_failure(result_.levels, judge_.failed(result_.levels, error.what()));
       throw;
-    }
-    catch (const ComputationError &error)
-    {
+    } catch (const ComputationError &error) {
       result_.verdict = judge_.failed(result_.levels, error.what());
       writer_.write_failure(result_.levels, result_.verdict);
-    }
-    catch (const InputError &)
-    {
+    } catch (const InputError &) {
       writer_.abandon();
       throw;
     }
@@ -116,8 +93,7 @@ public:
 private:
   /** Solves one level and writes it. Its large objects are released at the end of this call.
    * @return whether it is the last. */
-  bool solve_next()
-  {
+  bool solve_next() {
     const Progress progress = [this, name = sequence_->name_of_next()](const std::string &stage) {
       report_.progress(name + ": " + stage);
     };
@@ -138,8 +114,7 @@ private:
     levels.push_back(record);
     result_.verdict = level.is_last ? judge_.verdict(levels) : judge_.unfinished(levels);
     writer_.write_tables(levels, result_.verdict);
-    if (level.is_last)
-    {
+    if (level.is_last) {
       writer_.write_answer(levels, result_.verdict);
       const std::string missing = writer_.write_pictures();
       if (!missing.empty())
@@ -149,17 +124,13 @@ private:
     return level.is_last;
   }
 
-  void solve_cases(LevelResult<dim> &level, const Progress &progress)
-  {
-    if constexpr (dim == 2)
-    {
+  void solve_cases(LevelResult<dim> &level, const Progress &progress) {
+    if constexpr (dim == 2) {
       const Scene<2> &scene = sequence_->scene();
       if (scene.load_cases.empty())
         return;
-      const auto write_fields = [&](const unsigned int number,
-                                    const Scene<2> &scene_of_case,
-                                    const Displacement &U,
-                                    const Pressure &P) {
+      const auto write_fields = [&](const unsigned int number, const Scene<2> &scene_of_case,
+                                    const Displacement &U, const Pressure &P) {
         writer_.write_case_fields(*level.discretization, scene_of_case, U, P, number);
       };
       writer_.write_cases(solve_load_cases(parameters_, scene, level, write_fields, progress));
@@ -178,11 +149,8 @@ private:
 } // namespace
 
 template <int dim>
-StudyResult<dim> run_study(const Parameters &parameters,
-                           const Scene<dim> &scene,
-                           MPI_Comm communicator,
-                           const StudyReport &report)
-{
+StudyResult<dim> run_study(const Parameters &parameters, const Scene<dim> &scene,
+                           MPI_Comm communicator, const StudyReport &report) {
   const LibraryThreads one_thread_in_libraries(1);
   check_settings(parameters, scene, communicator);
   return Study<dim>(parameters, scene, communicator, report).run();
@@ -192,49 +160,36 @@ INSTANTIATE_FUNCTION(run_study);
 
 // Contradictions between parameters, scene and number of ranks, found before the first level.
 
-namespace
-{
+namespace {
 /** @throws InputError which states the option that was found and the others that are allowed, if a
  * setting is @p wrong. */
 template <typename Option>
-void refuse_if(const bool wrong,
-               const Given<Option> &found,
-               const std::string &context,
-               const std::string &allowed)
-{
+void refuse_if(const bool wrong, const Given<Option> &found, const std::string &context,
+               const std::string &allowed) {
   if (wrong)
-    throw error_at(
-      found, "found '", to_text(found.value), "' ", context, ", allowed ", allowed, ".");
+    throw error_at(found, "found '", to_text(found.value), "' ", context, ", allowed ", allowed,
+                   ".");
 }
 
 /** Refuses multigrid for meshes that are not nested, for Q2, and where a matrix
  * is to be written. @throws InputError */
 template <typename Option>
-void check_multigrid(const Given<Option> &solver,
-                     const std::string &allowed,
-                     const Parameters &parameters)
-{
+void check_multigrid(const Given<Option> &solver, const std::string &allowed,
+                     const Parameters &parameters) {
   if (solver != Option::multigrid)
     return;
-  refuse_if(parameters.discretization.strategy == Strategy::hp,
-            solver,
-            "with Strategy 'hp'",
+  refuse_if(parameters.discretization.strategy == Strategy::hp, solver, "with Strategy 'hp'",
             "with it: " + allowed);
-  refuse_if(parameters.discretization.element == Element::q2,
-            solver,
-            "with Element 'Q2'",
+  refuse_if(parameters.discretization.element == Element::q2, solver, "with Element 'Q2'",
             "with it: " + allowed);
-  refuse_if(parameters.output.compliance,
-            solver,
-            "with Compliance = true, which writes a matrix",
+  refuse_if(parameters.output.compliance, solver, "with Compliance = true, which writes a matrix",
             "with it: " + allowed);
 }
 
 } // namespace
 
 template <int dim>
-void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator)
-{
+void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator) {
   const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
   const std::string on_several = "on " + std::to_string(n_ranks) + " processes";
   const Given<ContactSolver> &contact = parameters.solver.contact_solver;
@@ -242,29 +197,17 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
   check_multigrid(linear, "automatic, condensed", parameters);
   check_multigrid(contact, "automatic, psor, active set, mprgp", parameters);
   const bool by_cycles = contact == ContactSolver::multigrid;
-  refuse_if(n_ranks > 1 && by_cycles,
-            contact,
-            on_several,
+  refuse_if(n_ranks > 1 && by_cycles, contact, on_several,
             "on several: automatic, psor, active set, mprgp");
   refuse_if(n_ranks > 1 && (linear == LinearSolver::condensed || linear == LinearSolver::multigrid),
-            linear,
-            on_several,
-            "on several: automatic, amesos_mumps, amesos_klu");
+            linear, on_several, "on several: automatic, amesos_mumps, amesos_klu");
   refuse_if(n_ranks > 1 && parameters.discretization.strategy == Strategy::hp,
-            parameters.discretization.strategy,
-            on_several,
-            "on several: nested");
-  refuse_if(dim == 3 && linear == LinearSolver::amesos_klu,
-            linear,
-            "in 3-D",
+            parameters.discretization.strategy, on_several, "on several: nested");
+  refuse_if(dim == 3 && linear == LinearSolver::amesos_klu, linear, "in 3-D",
             "there: automatic, condensed, amesos_mumps, multigrid");
   refuse_if(by_cycles && linear != LinearSolver::multigrid && linear != LinearSolver::automatic,
-            linear,
-            "with Contact solver 'multigrid'",
-            "with it: automatic, multigrid");
-  refuse_if(by_cycles && !scene.load_cases.empty(),
-            contact,
-            "with load cases",
+            linear, "with Contact solver 'multigrid'", "with it: automatic, multigrid");
+  refuse_if(by_cycles && !scene.load_cases.empty(), contact, "with load cases",
             "with them: psor, active set");
 }
 

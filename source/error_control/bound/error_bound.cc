@@ -9,13 +9,10 @@
 #include <limits>
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns the name of the cell with the largest part, such as "the cell at (0.5, 0.25)". */
-std::string name_of_worst_cell(const StressBound &bound, const DisplacementSpace<2> &space)
-{
+std::string name_of_worst_cell(const StressBound &bound, const DisplacementSpace<2> &space) {
   std::size_t worst = 0;
   const auto part = [&](const std::size_t cell) {
     return bound.misfit[cell] + bound.oscillation[cell];
@@ -25,8 +22,7 @@ std::string name_of_worst_cell(const StressBound &bound, const DisplacementSpace
       worst = cell;
   std::size_t number = 0;
   for (const auto &cell : space.dofs().active_cell_iterators())
-    if (number++ == worst)
-    {
+    if (number++ == worst) {
       std::ostringstream name;
       name << "the cell at (" << cell->center()[0] << ", " << cell->center()[1] << ")";
       return name.str();
@@ -36,8 +32,7 @@ std::string name_of_worst_cell(const StressBound &bound, const DisplacementSpace
 
 /** Returns the roots of numbers that are not negative, up to rounding. */
 template <typename Numbers>
-std::vector<double> roots(const Numbers &squares)
-{
+std::vector<double> roots(const Numbers &squares) {
   std::vector<double> result;
   for (const double square : squares)
     result.push_back(std::sqrt(std::max(0., square)));
@@ -48,17 +43,14 @@ std::vector<double> roots(const Numbers &squares)
  * = 1/2 ‖τ‖² - ∫_{Γ_D} τ n.u_D - ∫_{Γ_c} τ_n g. With u_D - c and g - c_n in place
  * of u_D and g, c a translation, there remains c.(∫_{Γ_D} τ n + ∫_{Γ_c} τ_n n),
  * which is the loads' part. So rounding of large translations does not enter. */
-double work_of_contact(const StressBound &stress,
-                       const BoundData &data,
-                       const ContactTrace::TractionChange &change)
-{
+double work_of_contact(const StressBound &stress, const BoundData &data,
+                       const ContactTrace::TractionChange &change) {
   const MultiplierSpace<2> &multipliers = data.multipliers;
   const dealii::Vector<double> &P = data.P;
   dealii::Vector<double> gap(data.G);
   Tensor<1, 2> force = stress.support_force + change.force;
   for (const Piece<2> &piece : multipliers.surface().pieces())
-    for (std::size_t q = 0; q < piece.on_mesh.size(); ++q)
-    {
+    for (std::size_t q = 0; q < piece.on_mesh.size(); ++q) {
       const Tensor<1, 2> normal = piece.on_mesh.weights[q] * piece.on_mesh.normals[q];
       // Multipliers are constant on patches.
       gap[piece.patch] -= stress.translation * normal;
@@ -67,29 +59,24 @@ double work_of_contact(const StressBound &stress,
   return P * gap + change.work_of_gap + stress.translation * force;
 }
 
-double ratio(const double value, const double scale)
-{
+double ratio(const double value, const double scale) {
   if (value == 0.)
     return 0.;
   return scale > 0. ? value / scale : std::numeric_limits<double>::infinity();
 }
 
-double total(const double stress_square, const double lift, const ContactBound &contact)
-{
+double total(const double stress_square, const double lift, const ContactBound &contact) {
   return lift + std::sqrt(stress_square + std::max(0., contact.square()));
 }
 
 /** The bounds of the energy and of the stress that follow from the bounds of u_h and π^{2h} u_h.
  */
-struct Consequences
-{
+struct Consequences {
   Consequences(const Bracket &J_star, const double stress_square, const ContactBound &contact)
-    : J_star(J_star)
-  {
+    : J_star(J_star) {
     consider(stress_square, contact);
   }
-  void consider(const double stress_square, const ContactBound &contact)
-  {
+  void consider(const double stress_square, const ContactBound &contact) {
     const double eta = std::sqrt(stress_square), lift_norm = std::sqrt(contact.lift_energy);
     const Bracket found = energy_bracket(J_star, eta, lift_norm, contact.contact_term);
     energy = {found.lower, std::min(energy.upper, found.upper)};
@@ -111,12 +98,8 @@ struct Consequences
  * which uses neither J*(τ) nor the gap's work. The tolerance allows for the different quadrature
  * of loads.
  */
-bool contradicts(const Consequences &known,
-                 const StressBound &stress_data,
-                 const ContactLift &lift,
-                 const double energy,
-                 const double strain_energy)
-{
+bool contradicts(const Consequences &known, const StressBound &stress_data, const ContactLift &lift,
+                 const double energy, const double strain_energy) {
   constexpr double tolerance = 1e-4;
   const ContactBound &contact = *lift.bound;
   const double rest = energy - lift.trace.work_of_penetration();
@@ -132,24 +115,18 @@ bool contradicts(const Consequences &known,
  * and the bound of the contact force.
  * @return whether the bracket agrees with J(u_h).
  */
-bool add_guaranteed(const BoundData &data,
-                    const EquilibratedStress &stress,
-                    const StressBound &stress_data,
-                    const ContactLift &lift,
-                    const double scale,
-                    ErrorBound &result)
-{
+bool add_guaranteed(const BoundData &data, const EquilibratedStress &stress,
+                    const StressBound &stress_data, const ContactLift &lift, const double scale,
+                    ErrorBound &result) {
   const auto change = lift.trace.traction_change(stress_data.translation);
   const double work = work_of_contact(stress_data, data, change);
   const Bracket &complementary = stress_data.complementary_energy;
-  Consequences consequences(
-    {complementary.lower - work, complementary.upper - work}, stress_data.square, *lift.bound);
-  if (stress_data.interpolated_part)
-  {
+  Consequences consequences({complementary.lower - work, complementary.upper - work},
+                            stress_data.square, *lift.bound);
+  if (stress_data.interpolated_part) {
     const double square = stress_data.interpolated_part->square;
     const ContactLift interpolated_part(data, stress.face_fields(true));
-    if (interpolated_part.bound && std::isfinite(square + interpolated_part.bound->square()))
-    {
+    if (interpolated_part.bound && std::isfinite(square + interpolated_part.bound->square())) {
       result.post_absolute =
         total(square, stress_data.interpolated_part->lift, *interpolated_part.bound);
       result.post_relative = ratio(*result.post_absolute, scale);
@@ -170,8 +147,7 @@ bool add_guaranteed(const BoundData &data,
 
 } // namespace
 
-LocatedBound compute_located_bound(const BoundData &data)
-{
+LocatedBound compute_located_bound(const BoundData &data) {
   LocatedBound located;
   ErrorBound &result = located.bound;
   result.missing = EquilibratedStress::objection(data);
@@ -179,8 +155,7 @@ LocatedBound compute_located_bound(const BoundData &data)
     return located;
   const EquilibratedStress stress(data);
   const StressBound stress_data = stress.bound();
-  if (stress_data.lift_misfit > 0.02)
-  {
+  if (stress_data.lift_misfit > 0.02) {
     result.missing =
       "the prescribed displacements jump, or vary too fast within the edge of a cell";
     return located;
@@ -192,15 +167,14 @@ LocatedBound compute_located_bound(const BoundData &data)
   if (!lift.bound)
     return located;
   const ContactBound &contact = *lift.bound;
-  if (!std::isfinite(stress_data.square) || !std::isfinite(contact.square()))
-  {
+  if (!std::isfinite(stress_data.square) || !std::isfinite(contact.square())) {
     result.missing = "the sums of the bound are no finite numbers";
     return located;
   }
   result.oscillation = std::sqrt(stress_data.oscillation_square) + stress_data.lift;
-  result.mesh = std::max(0.,
-                         std::sqrt(stress_data.square) - std::sqrt(stress_data.oscillation_square) -
-                           std::sqrt(stress_data.geometry_square));
+  result.mesh =
+    std::max(0., std::sqrt(stress_data.square) - std::sqrt(stress_data.oscillation_square) -
+                   std::sqrt(stress_data.geometry_square));
   result.contact = std::sqrt(std::max(0., contact.square()));
   result.algebra = stress_data.algebra;
   // The inequality holds for u_h + z with the prescribed displacement itself; z is zero on contact.
@@ -212,8 +186,7 @@ LocatedBound compute_located_bound(const BoundData &data)
   result.geometry = std::sqrt(stress_data.geometry_square);
   result.relative_geometry = ratio(*result.geometry, scale);
   // A polygon does not determine the last digits of the energy, nor about the force on a curve.
-  if (result.guaranteed && !add_guaranteed(data, stress, stress_data, lift, scale, result))
-  {
+  if (result.guaranteed && !add_guaranteed(data, stress, stress_data, lift, scale, result)) {
     located.bound = {};
     located.bound.missing = "the bracket of the energy contradicts the energy of u_h, by rounding "
                             "or by data that vary between the points where they are sampled";
@@ -224,15 +197,12 @@ LocatedBound compute_located_bound(const BoundData &data)
   result.largest_cell = name_of_worst_cell(stress_data, data.space);
   if (!data.scene.contact_sides().empty())
     result.worst_face = name_of(contact.dominant_part, data.scene);
-  located.fields = {stress_data.misfit,
-                    stress_data.oscillation,
-                    roots(contact.cell_energies),
+  located.fields = {stress_data.misfit, stress_data.oscillation, roots(contact.cell_energies),
                     roots(contact.face_terms)};
   return located;
 }
 
-Columns<ErrorBound> ErrorBound::columns()
-{
+Columns<ErrorBound> ErrorBound::columns() {
   return {{"bound_energy", &ErrorBound::absolute},
           {"bound_relative", &ErrorBound::relative},
           {"bound_mesh", &ErrorBound::mesh},
@@ -248,8 +218,7 @@ Columns<ErrorBound> ErrorBound::columns()
           {"contact_force_error", &ErrorBound::force_error}};
 }
 
-ErrorBound::Part ErrorBound::dominant_part() const
-{
+ErrorBound::Part ErrorBound::dominant_part() const {
   const double largest =
     std::max({mesh.value_or(0.), oscillation.value_or(0.), contact.value_or(0.)});
   if (largest == contact.value_or(0.))

@@ -16,26 +16,21 @@
 #include <memory>
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns a part minus a function that is linear on it. */
-EdgeFunction::Part minus(EdgeFunction::Part part, const std::function<double(double)> &linear)
-{
+EdgeFunction::Part minus(EdgeFunction::Part part, const std::function<double(double)> &linear) {
   part.first -= linear(part.start);
   part.last -= linear(part.end);
   return part;
 }
 
 /** Returns the remainder r_F of a face with w_{h,n} on it. */
-EdgeFunction remainder(const PenetrationFace &face, const PenetrationFace::Polynomial &w_n)
-{
+EdgeFunction remainder(const PenetrationFace &face, const PenetrationFace::Polynomial &w_n) {
   const bool presses = face.presses_everywhere();
   const double first = face.d.value(0.), last = face.d.value(1.);
   std::vector<EdgeFunction::Part> parts;
-  for (const EdgeFunction::Part &q : face.d.parts())
-  {
+  for (const EdgeFunction::Part &q : face.d.parts()) {
     const EdgeFunction::Part lack = minus(q, [&](const double t) { return w_n.value(t); });
     const EdgeFunction::Part bow =
       minus(q, [&](const double t) { return (1. - t) * first + t * last; });
@@ -48,24 +43,21 @@ EdgeFunction remainder(const PenetrationFace &face, const PenetrationFace::Polyn
     // holds if 4 b ≤ (√A + √B)².
     if (!presses || bow.largest() > 0.)
       r.bulge = std::max(
-        0.,
-        q.bulge -
-          0.25 * std::pow(std::sqrt(r.first - lack.first) + std::sqrt(r.last - lack.last), 2));
+        0., q.bulge -
+              0.25 * std::pow(std::sqrt(r.first - lack.first) + std::sqrt(r.last - lack.last), 2));
   }
   // These are zero, up to rounding.
   parts.front().first = parts.back().last = 0.;
   return EdgeFunction(std::move(parts));
 }
 
-ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const LiftField &lift)
-{
+ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const LiftField &lift) {
   ContactBound bound;
   bound.cell_energies = lift.cell_energies();
   const MPI_Comm communicator = data.space.mesh().communicator();
   bound.lift_energy = Utilities::MPI::sum(bound.cell_energies.l1_norm(), communicator);
   double largest = 0.;
-  for (unsigned int i = 0; i < trace.faces().size(); ++i)
-  {
+  for (unsigned int i = 0; i < trace.faces().size(); ++i) {
     const PenetrationFace &face = trace.faces()[i];
     const PenetrationFace::Polynomial w_n = face.trace(lift.w_h(), face.normal);
     const EdgeFunction &r = lift.remainders()[i];
@@ -82,8 +74,7 @@ ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const Li
     const auto cell = trace.surface().faces()[i].cell;
     const double part =
       2. * term + Utilities::MPI::sum(bound.cell_energies[cell->active_cell_index()], communicator);
-    if (i == 0 || part > largest)
-    {
+    if (i == 0 || part > largest) {
       largest = part;
       bound.dominant_part = {face.side,
                              data.scene.geometry.sides[face.side].arc_length(face.point(0.5))};
@@ -94,10 +85,8 @@ ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const Li
 } // namespace
 
 ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fields)
-  : trace(data, fields)
-{
-  if (trace.obstacle())
-  {
+  : trace(data, fields) {
+  if (trace.obstacle()) {
     no_bound =
       "u_n - g > 0 where the contact side meets a side that holds the body: no displacement "
       "of finite energy removes the penetration, on " +
@@ -105,8 +94,7 @@ ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fi
     return;
   }
   std::optional<Displacement> w_h = nodal_lift(data, trace);
-  if (!w_h)
-  {
+  if (!w_h) {
     no_bound = "contact sides meet in a corner that is too sharp";
     return;
   }
@@ -118,8 +106,7 @@ ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fi
 
 // The lift in the body.
 
-double stretch_to_shear(const Scene<2> &scene, const PenetrationFace &face)
-{
+double stretch_to_shear(const Scene<2> &scene, const PenetrationFace &face) {
   const auto C = scene.material->hooke(face.point(0.5));
   const Tensor<1, 2> m = cross_product_2d(face.normal);
   const auto nn = symmetrize(outer_product(face.normal, face.normal));
@@ -127,18 +114,14 @@ double stretch_to_shear(const Scene<2> &scene, const PenetrationFace &face)
   return (nn * (C * nn)) / (nm * (C * nm));
 }
 
-LiftField::LiftField(const BoundData &data,
-                     const ContactTrace &trace,
-                     Displacement w_h,
+LiftField::LiftField(const BoundData &data, const ContactTrace &trace, Displacement w_h,
                      std::vector<EdgeFunction> remainders)
   : data_(data)
   , trace_(trace)
   , w_h_(std::move(w_h))
-  , remainders_(std::move(remainders))
-{
+  , remainders_(std::move(remainders)) {
   for (unsigned int i = 0; i < remainders_.size(); ++i)
-    if (const EdgeFunction &r = remainders_[i]; !r.is_zero())
-    {
+    if (const EdgeFunction &r = remainders_[i]; !r.is_zero()) {
       const auto &[cell, face_no, side] = trace.surface().faces()[i];
       const PenetrationFace &face = trace.faces()[i];
       const double height = cell->face(face_no)->center().distance(
@@ -149,10 +132,8 @@ LiftField::LiftField(const BoundData &data,
     }
 }
 
-std::vector<double> LiftField::cuts(const CellIterator &cell,
-                                    const unsigned int d,
-                                    const unsigned int n_equal) const
-{
+std::vector<double> LiftField::cuts(const CellIterator &cell, const unsigned int d,
+                                    const unsigned int n_equal) const {
   std::vector<double> cuts;
   for (unsigned int i = 0; i <= n_equal; ++i)
     cuts.push_back(static_cast<double>(i) / n_equal);
@@ -164,34 +145,29 @@ std::vector<double> LiftField::cuts(const CellIterator &cell,
       for (const EdgeFunction::Part &part : remainders_[face].parts())
         cuts.push_back(part.end);
   if (!data_.scene.material->is_constant())
-    for (const unsigned int edge : {0, 1})
-    {
+    for (const unsigned int edge : {0, 1}) {
       // Edges 2 and 3 run along x, edges 0 and 1 along y.
       const auto line = cell->face(2 * (1 - d) + edge);
       const auto crossings = data_.scene.kinks.cut(line->vertex(0), line->vertex(1));
       cuts.insert(cuts.end(), crossings.begin(), crossings.end());
     }
   std::sort(cuts.begin(), cuts.end());
-  cuts.erase(std::unique(cuts.begin(),
-                         cuts.end(),
+  cuts.erase(std::unique(cuts.begin(), cuts.end(),
                          [](const double a, const double b) { return b - a < 1e-13; }),
              cuts.end());
   return cuts;
 }
 
-double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) const
-{
+double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) const {
   const bool constant = data_.scene.material->is_constant();
   SymmetricTensor<4, 2> E = data_.scene.material->hooke(values.quadrature_point(0));
   std::vector<Tensor<2, 2>> gradients(values.n_quadrature_points);
   values[FEValuesExtractors::Vector(0)].get_function_gradients(w_h_.entries(), gradients);
   double energy = 0.;
   const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
-  for (const unsigned int q : values.quadrature_point_indices())
-  {
+  for (const unsigned int q : values.quadrature_point_indices()) {
     const Point<2> &x = values.get_quadrature().point(q);
-    for (auto entry = begin; entry != end; ++entry)
-    {
+    for (auto entry = begin; entry != end; ++entry) {
       const auto &[face, face_no, depth] = entry->second;
       const unsigned int across = face_no / 2;
       const bool from_above = face_no % 2 == 1;
@@ -212,8 +188,7 @@ double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) co
   return energy;
 }
 
-dealii::Vector<double> LiftField::cell_energies() const
-{
+dealii::Vector<double> LiftField::cell_energies() const {
   const bool constant = data_.scene.material->is_constant();
   const std::size_t n_cells = data_.space.mesh().triangulation().n_active_cells();
   const LawSampling sampling(*data_.scene.material, n_cells);
@@ -225,16 +200,13 @@ dealii::Vector<double> LiftField::cell_energies() const
   };
   const QGauss<1> gauss(constant ? 3 : 4);
   const auto make_values = [&](const Quadrature<2> &rule) {
-    return std::make_unique<FEValues<2>>(data_.space.mesh().mapping(),
-                                         data_.space.element(),
-                                         rule,
+    return std::make_unique<FEValues<2>>(data_.space.mesh().mapping(), data_.space.element(), rule,
                                          update_gradients | update_quadrature_points |
                                            update_inverse_jacobians | update_JxW_values);
   };
   const auto plain = make_values(QGauss<2>(constant ? 2 : 4));
   dealii::Vector<double> energies(n_cells), nodal(data_.space.element().n_dofs_per_cell());
-  for (const auto &cell : data_.space.dofs().active_cell_iterators())
-  {
+  for (const auto &cell : data_.space.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
     cell->get_dof_values(w_h_, nodal);

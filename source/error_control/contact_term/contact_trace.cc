@@ -14,10 +14,8 @@
 #include <map>
 #include <sstream>
 
-namespace Signorini
-{
-std::string name_of(const SidePlace &place, const Scene<2> &scene)
-{
+namespace Signorini {
+std::string name_of(const SidePlace &place, const Scene<2> &scene) {
   const Side<2> &side = scene.geometry.sides[place.side];
   const Point<2> x = side.point(place.arc_length);
   std::ostringstream name;
@@ -25,32 +23,27 @@ std::string name_of(const SidePlace &place, const Scene<2> &scene)
   return name.str();
 }
 
-double PenetrationFace::pressure(const double t) const
-{
+double PenetrationFace::pressure(const double t) const {
   for (const Pressed &part : pressures)
     if (t <= part.to)
       return part.p;
   return pressures.empty() ? 0. : pressures.back().p;
 }
 
-bool PenetrationFace::presses() const
-{
-  return std::any_of(
-    pressures.begin(), pressures.end(), [](const Pressed &part) { return part.presses; });
+bool PenetrationFace::presses() const {
+  return std::any_of(pressures.begin(), pressures.end(),
+                     [](const Pressed &part) { return part.presses; });
 }
 
-bool PenetrationFace::presses_everywhere() const
-{
-  return std::all_of(
-    pressures.begin(), pressures.end(), [](const Pressed &part) { return part.presses; });
+bool PenetrationFace::presses_everywhere() const {
+  return std::all_of(pressures.begin(), pressures.end(),
+                     [](const Pressed &part) { return part.presses; });
 }
 
 PenetrationFace::Polynomial PenetrationFace::trace(const Displacement &V,
-                                                   const Tensor<1, 2> &direction) const
-{
+                                                   const Tensor<1, 2> &direction) const {
   Polynomial sum(0);
-  for (std::size_t i = 0; i < dofs.size(); ++i)
-  {
+  for (std::size_t i = 0; i < dofs.size(); ++i) {
     Polynomial at_node = basis[i];
     at_node *= direction[0] * V[dofs[i][0]] + direction[1] * V[dofs[i][1]];
     sum += at_node;
@@ -59,12 +52,10 @@ PenetrationFace::Polynomial PenetrationFace::trace(const Displacement &V,
 }
 
 void PenetrationFace::for_each_point(const EdgeFunction &function,
-                                     const std::function<void(double, double)> &visit) const
-{
+                                     const std::function<void(double, double)> &visit) const {
   static const QGauss<1> gauss(4);
   for (const EdgeFunction::Part &part : function.parts())
-    for (unsigned int q = 0; q < gauss.size(); ++q)
-    {
+    for (unsigned int q = 0; q < gauss.size(); ++q) {
       const double share = part.end - part.start;
       visit(part.start + share * gauss.point(q)[0], length * share * gauss.weight(q));
     }
@@ -72,16 +63,15 @@ void PenetrationFace::for_each_point(const EdgeFunction &function,
 
 ContactTrace::ContactTrace(const BoundData &data, const std::vector<FaceField> &fields)
   : data_(data)
-  , size_of_U_(data.U.linfty_norm())
-{
+  , size_of_U_(data.U.linfty_norm()) {
   find_faces(fields);
   find_conditions();
   sample();
   require();
 }
 
-PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact, const FaceField &field) const
-{
+PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact,
+                                        const FaceField &field) const {
   PenetrationFace face = {};
   const auto cell = data_.space.dof_cell(contact.cell);
   const auto line = cell->face(contact.face_no);
@@ -89,8 +79,7 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact, const Fac
   face.start = line->vertex(0);
   face.end = line->vertex(1);
   face.length = face.start.distance(face.end);
-  if (data_.space.mesh().is_curved())
-  {
+  if (data_.space.mesh().is_curved()) {
     Point<2> middle(0.5, 0.5);
     middle[contact.face_no / 2] = contact.face_no % 2;
     face.bulge =
@@ -104,8 +93,7 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact, const Fac
   const std::vector<types::global_dof_index> dofs = data_.space.cell_dofs(contact.cell);
   const std::vector<Point<1>> &nodes = base.get_unit_face_support_points();
   face.basis = Polynomials::generate_complete_Lagrange_basis(nodes);
-  for (unsigned int i = 0; i < nodes.size(); ++i)
-  {
+  for (unsigned int i = 0; i < nodes.size(); ++i) {
     const unsigned int node = base.face_to_cell_index(i, contact.face_no);
     face.nodes.push_back(nodes[i][0]);
     face.dofs.push_back({{dofs[element.component_to_system_index(0, node)],
@@ -114,8 +102,7 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact, const Fac
   // Where π^{2h} u_h = u_h but for rounding, the contact term would be rounding, and the root of
   // rounding is not.
   const double bubble = std::abs(field.bubble) > 1e-14 * size_of_U_ ? field.bubble : 0.;
-  for (unsigned int d = 0; d < 2; ++d)
-  {
+  for (unsigned int d = 0; d < 2; ++d) {
     const double height = 4. * bubble * face.normal[d];
     face.u[d] = face.trace(data_.U, Point<2>::unit_vector(d));
     face.u[d] += PenetrationFace::Polynomial({0., height, -height});
@@ -124,37 +111,31 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact, const Fac
   return face;
 }
 
-void ContactTrace::find_faces(const std::vector<FaceField> &fields)
-{
+void ContactTrace::find_faces(const std::vector<FaceField> &fields) {
   const ContactSurface<2> &surface = data_.multipliers.surface();
   for (std::size_t i = 0; i < surface.faces().size(); ++i)
     faces_.push_back(make_face(surface.faces()[i], fields.empty() ? FaceField() : fields[i]));
   const double threshold = pressing_threshold(data_.P);
-  for (const Piece<2> &piece : surface.pieces())
-  {
+  for (const Piece<2> &piece : surface.pieces()) {
     const auto [from, to] = std::minmax(piece.lower_on_face[0], piece.upper_on_face[0]);
     const double p = data_.multipliers.value(data_.P, piece.patch, piece.lower);
     faces_[piece.face].pressures.push_back({from, to, p, p < threshold});
   }
   for (PenetrationFace &face : faces_)
-    std::sort(face.pressures.begin(), face.pressures.end(), [](const auto &a, const auto &b) {
-      return a.from < b.from;
-    });
+    std::sort(face.pressures.begin(), face.pressures.end(),
+              [](const auto &a, const auto &b) { return a.from < b.from; });
 }
 
-void ContactTrace::find_conditions()
-{
+void ContactTrace::find_conditions() {
   std::vector<Coupling::Column> columns;
   std::map<types::global_dof_index, std::vector<unsigned int>> conditions_at;
   for (PenetrationFace &face : faces_)
-    for (std::size_t i = 0; i < face.dofs.size(); ++i)
-    {
+    for (std::size_t i = 0; i < face.dofs.size(); ++i) {
       std::vector<unsigned int> &known = conditions_at[face.dofs[i][0]];
       auto found = std::find_if(known.begin(), known.end(), [&](const unsigned int k) {
         return (conditions_[k].normal - face.normal).norm() < 1e-10;
       });
-      if (found == known.end())
-      {
+      if (found == known.end()) {
         found = known.insert(found, conditions_.size());
         const Point<2> x = face.point(face.nodes[i]);
         const double s = data_.scene.geometry.sides[face.side].arc_length(x);
@@ -170,8 +151,7 @@ void ContactTrace::find_conditions()
     }
   const Coupling condensed =
     condense(Coupling(std::move(columns)), data_.space.constraints_without_pins());
-  for (std::size_t k = 0; k < conditions_.size(); ++k)
-  {
+  for (std::size_t k = 0; k < conditions_.size(); ++k) {
     double square = 0.;
     for (const auto &entry : condensed.column(k))
       square += entry.second * entry.second;
@@ -180,8 +160,7 @@ void ContactTrace::find_conditions()
   }
 }
 
-double ContactTrace::penetration(const PenetrationFace &face, const double t) const
-{
+double ContactTrace::penetration(const PenetrationFace &face, const double t) const {
   const Side<2> &side = data_.scene.geometry.sides[face.side];
   const Point<2> x = face.point(t);
   // At a corner of the side, the gap is that of this face.
@@ -193,13 +172,11 @@ double ContactTrace::penetration(const PenetrationFace &face, const double t) co
   return normal[0] * face.u[0].value(t) + normal[1] * face.u[1].value(t) - gap;
 }
 
-double ContactTrace::rounding(const PenetrationFace &face) const
-{
+double ContactTrace::rounding(const PenetrationFace &face) const {
   return 1e-14 * (2. * size_of_U_ + std::abs(penetration(face, 0.)));
 }
 
-ContactTrace::TractionChange ContactTrace::traction_change(const Tensor<1, 2> &c) const
-{
+ContactTrace::TractionChange ContactTrace::traction_change(const Tensor<1, 2> &c) const {
   TractionChange change;
   for (const PenetrationFace &face : faces_)
     if (face.free_traction)
@@ -213,8 +190,7 @@ ContactTrace::TractionChange ContactTrace::traction_change(const Tensor<1, 2> &c
   return change;
 }
 
-double ContactTrace::work_of_penetration() const
-{
+double ContactTrace::work_of_penetration() const {
   double work = 0.;
   for (const PenetrationFace &face : faces_)
     face.for_each_point(face.d, [&](const double t, const double weight) {
@@ -224,20 +200,17 @@ double ContactTrace::work_of_penetration() const
   return work;
 }
 
-void ContactTrace::sample()
-{
+void ContactTrace::sample() {
   // About 20000 points on all faces: a power of two per quarter of a face.
   unsigned int n_scanned = 4;
   while (n_scanned < 256 && 2 * n_scanned * 4 * faces_.size() <= 20000)
     n_scanned *= 2;
-  for (PenetrationFace &face : faces_)
-  {
+  for (PenetrationFace &face : faces_) {
     std::vector<double> breaks = data_.scene.kinks.cut(face.start, face.end);
     for (const auto &pressed : face.pressures)
       for (const double t : {pressed.from, pressed.to})
-        if (std::none_of(breaks.begin(), breaks.end(), [t](const double other) {
-              return std::abs(t - other) < 1e-9;
-            }))
+        if (std::none_of(breaks.begin(), breaks.end(),
+                         [t](const double other) { return std::abs(t - other) < 1e-9; }))
           breaks.push_back(t);
     std::sort(breaks.begin(), breaks.end());
     const Pinned pinned = {conditions_[face.conditions[0]].held(),
@@ -246,8 +219,7 @@ void ContactTrace::sample()
     const UpperInterpolant upper =
       interpolate_from_above(d, breaks, rounding(face), pinned, n_scanned);
     face.d = upper.function;
-    if (upper.largest > max_)
-    {
+    if (upper.largest > max_) {
       max_ = upper.largest;
       place_of_largest_ = {face.side,
                            data_.scene.geometry.sides[face.side].arc_length(face.point(upper.at))};
@@ -255,11 +227,9 @@ void ContactTrace::sample()
   }
 }
 
-void ContactTrace::require()
-{
+void ContactTrace::require() {
   for (const PenetrationFace &face : faces_)
-    for (std::size_t i = 0; i < face.conditions.size(); ++i)
-    {
+    for (std::size_t i = 0; i < face.conditions.size(); ++i) {
       double &required = conditions_[face.conditions[i]].required;
       required = std::max(required, face.d.value(face.nodes[i]));
     }
@@ -268,13 +238,11 @@ void ContactTrace::require()
   for (const NodeCondition &condition : conditions_)
     if (!obstacle_ && condition.held() && condition.required > tolerance)
       obstacle_ = condition.place;
-  for (const PenetrationFace &face : faces_)
-  {
+  for (const PenetrationFace &face : faces_) {
     const double largest = face.d.largest();
     const bool near_contact =
-      std::any_of(face.conditions.begin(), face.conditions.end(), [&](const unsigned int k) {
-        return conditions_[k].presses;
-      });
+      std::any_of(face.conditions.begin(), face.conditions.end(),
+                  [&](const unsigned int k) { return conditions_[k].presses; });
     if (!near_contact && largest > std::max({0., face.d.value(0.), face.d.value(1.)}))
       for (const unsigned int k : face.conditions)
         conditions_[k].required = std::max(conditions_[k].required, largest);

@@ -9,12 +9,9 @@
 #include <algorithm>
 #include <limits>
 
-namespace Signorini
-{
-namespace
-{
-double product(const std::vector<double> &a, const std::vector<double> &b)
-{
+namespace Signorini {
+namespace {
+double product(const std::vector<double> &a, const std::vector<double> &b) {
   double sum = 0.;
   for (std::size_t i = 0; i < a.size(); ++i)
     sum += a[i] * b[i];
@@ -22,8 +19,7 @@ double product(const std::vector<double> &a, const std::vector<double> &b)
 }
 
 /** Adds factor b to a. */
-void add(std::vector<double> &a, const double factor, const std::vector<double> &b)
-{
+void add(std::vector<double> &a, const double factor, const std::vector<double> &b) {
   for (std::size_t i = 0; i < a.size(); ++i)
     a[i] += factor * b[i];
 }
@@ -40,13 +36,10 @@ constexpr std::size_t max_cells_always_direct = 1024, max_cells_direct = 4096;
 constexpr double rounding = 1e-20;
 
 /** Returns τ_n at both ends of an edge, in the order of Edge::vertices (force/area). */
-std::array<double, 2> normal_tractions(const Edge &edge,
-                                       const unsigned int number,
-                                       const std::vector<double> &moments)
-{
+std::array<double, 2> normal_tractions(const Edge &edge, const unsigned int number,
+                                       const std::vector<double> &moments) {
   double a = 0., b = 0.;
-  for (unsigned int c = 0; c < 2; ++c)
-  {
+  for (unsigned int c = 0; c < 2; ++c) {
     a += moments[4 * number + c] * edge.normal[c];
     b += moments[4 * number + 2 + c] * edge.normal[c];
   }
@@ -54,13 +47,10 @@ std::array<double, 2> normal_tractions(const Edge &edge,
 }
 
 /** Returns those of the edges at an end of which τ_n pulls. */
-std::vector<unsigned int> pulling(const EdgeMesh &mesh,
-                                  const std::vector<unsigned int> &edges,
-                                  const std::vector<double> &moments)
-{
+std::vector<unsigned int> pulling(const EdgeMesh &mesh, const std::vector<unsigned int> &edges,
+                                  const std::vector<double> &moments) {
   std::vector<unsigned int> result;
-  for (const unsigned int edge : edges)
-  {
+  for (const unsigned int edge : edges) {
     const auto [first, last] = normal_tractions(mesh.edges()[edge], edge, moments);
     if (first > 0. || last > 0.)
       result.push_back(edge);
@@ -71,9 +61,7 @@ std::vector<unsigned int> pulling(const EdgeMesh &mesh,
 /** Returns the contact edges on which p_H presses everywhere: all pieces face ∩ patch are below
  * pressing_threshold(). */
 std::vector<unsigned int> pressing_edges(const EdgeMesh &mesh,
-                                         const MultiplierSpace<2> &multipliers,
-                                         const Pressure &P)
-{
+                                         const MultiplierSpace<2> &multipliers, const Pressure &P) {
   const ContactSurface<2> &surface = multipliers.surface();
   const double threshold = pressing_threshold(P);
   std::vector<bool> presses(surface.faces().size(), true);
@@ -88,12 +76,10 @@ std::vector<unsigned int> pressing_edges(const EdgeMesh &mesh,
 }
 } // namespace
 
-EquilibratedStress::Residual EquilibratedStress::residual() const
-{
+EquilibratedStress::Residual EquilibratedStress::residual() const {
   Residual result;
   result.r.assign(moments_.size(), 0.);
-  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
-  {
+  for (unsigned int c = 0; c < mesh_.cells().size(); ++c) {
     const CellIntegrals &cell = integrals_[c];
     result.square += cell.misfit.value;
     result.interpolated_square += cell.interpolated_part.value;
@@ -108,14 +94,12 @@ EquilibratedStress::Residual EquilibratedStress::residual() const
   return result;
 }
 
-std::vector<double> EquilibratedStress::improve(const CellEnergies &energies)
-{
+std::vector<double> EquilibratedStress::improve(const CellEnergies &energies) {
   Residual at_start = residual();
   std::vector<unsigned int> free;
   if (bubbles_)
     free = pressing_edges(mesh_, data_.multipliers, data_.P);
-  for (const unsigned int edge : free)
-  {
+  for (const unsigned int edge : free) {
     mesh_.set_freedom(edge, EdgeFreedom::normal);
     // ∫_e b.δ τ n with δ τ n from its moments: what the residual of π^{2h} u_h has
     // more than that of u_h, for stresses without loads.
@@ -123,17 +107,14 @@ std::vector<double> EquilibratedStress::improve(const CellEnergies &energies)
       at_start.r[4 * edge + i] += 2. / 3. * bubbles_->edges[edge][i % 2];
   }
   const std::vector<double> start = moments_;
-  if (at_start.square > rounding * at_start.energy)
-  {
+  if (at_start.square > rounding * at_start.energy) {
     StarSolver solver(mesh_, energies, n_threads());
-    for (;;)
-    {
+    for (;;) {
       const auto edges = iterate(at_start, solver, energies, free);
       if (edges.empty())
         break;
       moments_ = start;
-      for (const unsigned int edge : edges)
-      {
+      for (const unsigned int edge : edges) {
         free.erase(std::find(free.begin(), free.end(), edge));
         mesh_.set_freedom(edge, EdgeFreedom::none);
       }
@@ -149,11 +130,9 @@ std::vector<double> EquilibratedStress::improve(const CellEnergies &energies)
   return change;
 }
 
-std::vector<unsigned int> EquilibratedStress::iterate(Residual left,
-                                                      const StarSolver &solver,
+std::vector<unsigned int> EquilibratedStress::iterate(Residual left, const StarSolver &solver,
                                                       const CellEnergies &energies,
-                                                      const std::vector<unsigned int> &free)
-{
+                                                      const std::vector<unsigned int> &free) {
   const Steps steps = improve_step_by_step(left, solver, free);
   const std::size_t n_cells = mesh_.cells().size();
   // Where a force drives a plate, the stress carries that force. Changes around single vertices do
@@ -172,18 +151,14 @@ std::vector<unsigned int> EquilibratedStress::iterate(Residual left,
   return pulling(mesh_, free, moments_);
 }
 
-EquilibratedStress::Steps
-EquilibratedStress::improve_step_by_step(Residual &left,
-                                         const StarSolver &solver,
-                                         const std::vector<unsigned int> &free)
-{
+EquilibratedStress::Steps EquilibratedStress::improve_step_by_step(
+  Residual &left, const StarSolver &solver, const std::vector<unsigned int> &free) {
   std::vector<double> z(left.r.size(), 0.), q(left.r.size(), 0.);
   solver.apply(left.r, z);
   std::vector<double> p = z;
   double rz = product(left.r, z);
   unsigned int step = 0;
-  while (rz > 0. && left.square > rounding * left.energy && step++ < max_steps)
-  {
+  while (rz > 0. && left.square > rounding * left.energy && step++ < max_steps) {
     solver.multiply(p, q);
     const double alpha = rz / product(p, q), decrease = alpha * rz;
     if (!(decrease > 0.))
@@ -208,11 +183,9 @@ EquilibratedStress::improve_step_by_step(Residual &left,
   return {};
 }
 
-std::vector<FaceField> EquilibratedStress::face_fields(const bool interpolated) const
-{
+std::vector<FaceField> EquilibratedStress::face_fields(const bool interpolated) const {
   std::vector<FaceField> fields;
-  for (const ContactFace<2> &face : data_.multipliers.surface().faces())
-  {
+  for (const ContactFace<2> &face : data_.multipliers.surface().faces()) {
     FaceField &field = fields.emplace_back();
     const auto line = face.cell->face(face.face_no);
     const unsigned int number = mesh_.edge_of_line(line->index());

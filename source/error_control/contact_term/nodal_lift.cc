@@ -17,49 +17,39 @@
 #include <cmath>
 #include <memory>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using Vector = dealii::Vector<double>;
 
 /** The number of contact nodes up to which columns of C are solved for where A⁻¹ iterates. */
 constexpr unsigned int max_solved_nodes = 200;
 
 /** Returns whether C is used, and not a layer. */
-bool is_cheap(const StiffnessInverse &inverse, const ContactTrace &trace)
-{
+bool is_cheap(const StiffnessInverse &inverse, const ContactTrace &trace) {
   return inverse.has_factors() || trace.conditions().size() <= max_solved_nodes;
 }
 
 /** The columns E of those conditions at contact nodes that A⁻¹ lets move, and C = Eᵀ A⁻¹ E. */
-class NodalCompliance
-{
+class NodalCompliance {
 public:
   NodalCompliance(const BoundData &data, const ContactTrace &trace)
     : E_(select(data.space, trace))
-    , C_(numbers_.empty() ? nullptr : make_compliance(data.inverse, E_, seconds_))
-  {
-  }
+    , C_(numbers_.empty() ? nullptr : make_compliance(data.inverse, E_, seconds_)) {}
   NodalCompliance(const NodalCompliance &) = delete;
 
   /** Returns the numbers of the columns of E among ContactTrace::conditions(). */
-  const std::vector<unsigned int> &numbers() const
-  {
+  const std::vector<unsigned int> &numbers() const {
     return numbers_;
   }
-  const Coupling &E() const
-  {
+  const Coupling &E() const {
     return E_;
   }
-  const std::shared_ptr<const ComplianceOperator> &C() const
-  {
+  const std::shared_ptr<const ComplianceOperator> &C() const {
     return C_;
   }
 
 private:
-  Coupling select(const DisplacementSpace<2> &space, const ContactTrace &trace)
-  {
+  Coupling select(const DisplacementSpace<2> &space, const ContactTrace &trace) {
     // Pins hold the body while A is solved: what is left of two normals of a pinned node is
     // dependent.
     const auto is_pinned = [&](const Coupling::Column::value_type &entry) {
@@ -68,8 +58,7 @@ private:
     std::vector<Coupling::Column> columns;
     for (unsigned int k = 0; k < trace.conditions().size(); ++k)
       if (const Coupling::Column &column = trace.conditions()[k].column;
-          !column.empty() && std::none_of(column.begin(), column.end(), is_pinned))
-      {
+          !column.empty() && std::none_of(column.begin(), column.end(), is_pinned)) {
         numbers_.push_back(k);
         columns.push_back(column);
       }
@@ -85,21 +74,15 @@ private:
 /** Moves w at contact nodes until w_n are the targets, or with @p only_raise not below them: along
  * one normal after the other, which takes several rounds where two of them meet in a corner.
  * @return whether the rounds were enough. */
-bool impose(const ContactTrace &trace,
-            const Vector &targets,
-            const bool only_raise,
-            Displacement &w)
-{
+bool impose(const ContactTrace &trace, const Vector &targets, const bool only_raise,
+            Displacement &w) {
   constexpr unsigned int max_rounds = 10000;
   const double tolerance = 1e-14 * targets.linfty_norm();
-  for (unsigned int round = 0; round < max_rounds; ++round)
-  {
+  for (unsigned int round = 0; round < max_rounds; ++round) {
     double largest = 0.;
-    for (unsigned int k = 0; k < targets.size(); ++k)
-    {
+    for (unsigned int k = 0; k < targets.size(); ++k) {
       double lacking = targets[k], square = 0.;
-      for (const auto &[row, factor] : trace.conditions()[k].column)
-      {
+      for (const auto &[row, factor] : trace.conditions()[k].column) {
         lacking -= factor * w[row];
         square += factor * factor;
       }
@@ -117,20 +100,16 @@ bool impose(const ContactTrace &trace,
 
 /** The sum over the contact sides of ω (1 - y/D)_+ n, with ω and n of the nearest contact node of
  * the side at the distance y. */
-class Layers
-{
+class Layers {
 public:
   Layers(const Scene<2> &scene, const ContactTrace &trace, const Vector &omega)
     : trace_(trace)
-    , omega_(omega)
-  {
-    for (const unsigned int side : scene.contact_sides())
-    {
+    , omega_(omega) {
+    for (const unsigned int side : scene.contact_sides()) {
       double squares = 0., slopes = 0.;
       std::vector<Node> nodes;
       for (const PenetrationFace &face : trace.faces())
-        if (face.side == side)
-        {
+        if (face.side == side) {
           const double a = omega[face.conditions[0]], b = omega[face.conditions[1]];
           squares += stretch_to_shear(scene, face) * face.length * (a * a + a * b + b * b);
           slopes += (b - a) * (b - a) / face.length;
@@ -151,14 +130,12 @@ public:
   }
 
   /** Returns the function at the nodes. */
-  Displacement interpolate(const DisplacementSpace<2> &space) const
-  {
+  Displacement interpolate(const DisplacementSpace<2> &space) const {
     Displacement w = space.zero();
     std::vector<bool> is_done(space.mesh().triangulation().n_vertices(), false);
     for (const auto &cell : space.dofs().active_cell_iterators())
       for (const unsigned int v : cell->vertex_indices())
-        if (!is_done[cell->vertex_index(v)])
-        {
+        if (!is_done[cell->vertex_index(v)]) {
           is_done[cell->vertex_index(v)] = true;
           const Tensor<1, 2> value = at(cell->vertex(v));
           for (unsigned int d = 0; d < 2; ++d)
@@ -169,16 +146,14 @@ public:
 
 private:
   using Node = std::pair<Point<2>, unsigned int>;
-  struct Layer
-  {
+  struct Layer {
     double depth;
     RTree<Node> nodes;
     /** The function vanishes outside of it. */
     BoundingBox<2> box;
   };
 
-  Tensor<1, 2> at(const Point<2> &x) const
-  {
+  Tensor<1, 2> at(const Point<2> &x) const {
     namespace index = boost::geometry::index;
     Tensor<1, 2> value;
     for (const Layer &layer : layers_)
@@ -195,19 +170,16 @@ private:
 };
 
 /** Returns the solution of the dual problem of nodal_lift(). */
-Displacement pressed_displacement(const BoundData &data, const ContactTrace &trace)
-{
+Displacement pressed_displacement(const BoundData &data, const ContactTrace &trace) {
   DistributedVector forces = data.space.make_vector();
   data.condensed_D.add_product(data.P, forces);
   const NodalCompliance nodal(data, trace);
-  if (!nodal.numbers().empty())
-  {
+  if (!nodal.numbers().empty()) {
     DistributedVector pressure_forces = forces;
     Vector F =
       nodal.E().transpose_product(solve_homogeneous(data.inverse, data.space, pressure_forces));
     Vector start(F.size());
-    for (unsigned int i = 0; i < F.size(); ++i)
-    {
+    for (unsigned int i = 0; i < F.size(); ++i) {
       const NodeCondition &condition = trace.conditions()[nodal.numbers()[i]];
       F[i] -= condition.required;
       if (condition.presses)
@@ -221,8 +193,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
 }
 
 /** Returns A⁻¹ E Q with Eᵀ A⁻¹ E Q = 1. Where columns of C cost solves, its products cost fewer. */
-Displacement pushed_displacement(const BoundData &data, const NodalCompliance &nodal)
-{
+Displacement pushed_displacement(const BoundData &data, const NodalCompliance &nodal) {
   const SolvedCompliance solved(data.inverse, nodal.E(), {});
   LinearOperator<Vector> C;
   C.vmult = [&](Vector &y, const Vector &x) {
@@ -239,12 +210,10 @@ Displacement pushed_displacement(const BoundData &data, const NodalCompliance &n
 }
 } // namespace
 
-std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace &trace)
-{
+std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace &trace) {
   const std::vector<NodeCondition> &conditions = trace.conditions();
   Vector required(conditions.size()), omega(conditions.size());
-  for (unsigned int k = 0; k < omega.size(); ++k)
-  {
+  for (unsigned int k = 0; k < omega.size(); ++k) {
     required[k] = conditions[k].required;
     if (!conditions[k].held())
       omega[k] = conditions[k].presses ? required[k] : std::max(0., required[k]);
@@ -259,8 +228,7 @@ std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace
   return w;
 }
 
-std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrace &trace)
-{
+std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrace &trace) {
   const auto &conditions = trace.conditions();
   if (conditions.empty() ||
       std::any_of(conditions.begin(), conditions.end(), [](const auto &c) { return c.held(); }))

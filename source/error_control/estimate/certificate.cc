@@ -17,30 +17,24 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
-namespace
-{
-double relative(const double value, const double scale)
-{
+namespace Signorini {
+namespace {
+double relative(const double value, const double scale) {
   return scale > 0. ? std::abs(value) / scale : std::abs(value);
 }
 
 /** Returns the degrees of freedom that hold the body: number, position, component. */
 template <int dim>
 std::map<types::global_dof_index, std::pair<Point<dim>, unsigned int>>
-support_points(const DisplacementSpace<dim> &space)
-{
+support_points(const DisplacementSpace<dim> &space) {
   NodePositions<dim> positions(space);
   std::map<types::global_dof_index, std::pair<Point<dim>, unsigned int>> points;
   for (const auto &cell : space.dofs().active_cell_iterators())
-    if (!cell->is_artificial() && cell->at_boundary())
-    {
+    if (!cell->is_artificial() && cell->at_boundary()) {
       const std::vector<Point<dim>> &nodes = positions(cell);
       const std::vector<types::global_dof_index> dofs = space.cell_dofs(cell);
       for (unsigned int i = 0; i < dofs.size(); ++i)
-        if (space.supports().is_element(dofs[i]))
-        {
+        if (space.supports().is_element(dofs[i])) {
           const auto [component, node] = cell->get_fe().system_to_component_index(i);
           points[dofs[i]] = {nodes[node], component};
         }
@@ -50,21 +44,15 @@ support_points(const DisplacementSpace<dim> &space)
 
 /** Computes the balance of forces and moments between reactions, loads and contact. */
 template <int dim>
-void balance(const DisplacementSpace<dim> &space,
-             const Scene<dim> &scene,
-             const Resultant<dim> &applied,
-             const Resultant<dim> &contact,
-             const double size_of_contact,
-             const NodalForces &forces,
-             Certificate &certificate)
-{
+void balance(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+             const Resultant<dim> &applied, const Resultant<dim> &contact,
+             const double size_of_contact, const NodalForces &forces, Certificate &certificate) {
   Resultant<dim> sum = applied;
   sum += contact;
   double sum_of_sizes = 0.;
   Resultant<dim> reactions;
   for (const auto &[dof, place] : support_points(space))
-    if (forces.residual.in_local_range(dof))
-    {
+    if (forces.residual.in_local_range(dof)) {
       Tensor<1, dim> reaction;
       reaction[place.second] = forces.residual(dof);
       sum_of_sizes += reaction.norm();
@@ -84,14 +72,11 @@ void balance(const DisplacementSpace<dim> &space,
 
 /** Returns the largest error of U at the vertices of sides that hold the body. */
 template <int dim>
-double support_error(const DisplacementSpace<dim> &space,
-                     const Scene<dim> &scene,
-                     const Displacement &U)
-{
+double support_error(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                     const Displacement &U) {
   double scale = U.linfty_norm();
   // A vertex between two sides takes the displacement of one; on rollers alone, it obeys both.
-  struct Errors
-  {
+  struct Errors {
     std::optional<double> displacement;
     double rollers = 0.;
   };
@@ -99,8 +84,7 @@ double support_error(const DisplacementSpace<dim> &space,
   dealii::Vector<double> prescribed(dim);
   // A vertex of this rank may lie on cells of others.
   for (const auto &cell : space.dofs().active_cell_iterators())
-    for (const unsigned int f : cell->face_indices())
-    {
+    for (const unsigned int f : cell->face_indices()) {
       const auto face = cell->face(f);
       if (cell->is_artificial() || !face->at_boundary())
         continue;
@@ -111,8 +95,7 @@ double support_error(const DisplacementSpace<dim> &space,
       if (rolls ? space.mesh().is_curved()
                 : condition.role != Role::clamped && condition.role != Role::displacement)
         continue;
-      for (const unsigned int v : face->vertex_indices())
-      {
+      for (const unsigned int v : face->vertex_indices()) {
         prescribed = 0.;
         if (condition.role == Role::displacement)
           condition.data->vector_value(face->vertex(v), prescribed);
@@ -139,8 +122,7 @@ double support_error(const DisplacementSpace<dim> &space,
 }
 
 /** The displacement V = U without the translation of the whole body, and the size of that. */
-struct Deformation
-{
+struct Deformation {
   Displacement V;
   /** Certificate::translation. */
   double translation = 1.;
@@ -148,17 +130,14 @@ struct Deformation
 
 /** Computes U without the translation, which is the middle of the range of each component. */
 template <int dim>
-Deformation deformation(const DisplacementSpace<dim> &space, const Displacement &U)
-{
+Deformation deformation(const DisplacementSpace<dim> &space, const Displacement &U) {
   Deformation result = {U};
   double range = 0.;
-  for (unsigned int d = 0; d < dim; ++d)
-  {
+  for (unsigned int d = 0; d < dim; ++d) {
     const IndexSet rows = DoFTools::extract_dofs(
       space.dofs(), space.elements()[0].component_mask(FEValuesExtractors::Scalar(d)));
     double low = std::numeric_limits<double>::max(), high = -low;
-    for (const auto i : rows)
-    {
+    for (const auto i : rows) {
       low = std::min(low, U(i));
       high = std::max(high, U(i));
     }
@@ -181,12 +160,9 @@ constexpr double min_share_of_free_state = 1e-6;
 
 /** Checks signs, penetration and complementarity of P and W = Dᵀ U - G. */
 template <int dim>
-void check_contact(const MultiplierSpace<dim> &multipliers,
-                   const SolvedContact<dim> &solved,
-                   const dealii::Vector<double> &W,
-                   const double energy_scale,
-                   Certificate &certificate)
-{
+void check_contact(const MultiplierSpace<dim> &multipliers, const SolvedContact<dim> &solved,
+                   const dealii::Vector<double> &W, const double energy_scale,
+                   Certificate &certificate) {
   const ContactState<dim> &solution = solved.contact;
   const unsigned int m = W.size();
   const dealii::Vector<double> measures = multipliers.integrals();
@@ -196,8 +172,7 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
   if (solution.dual)
     length_scale =
       std::max(length_scale, min_share_of_free_state * solution.dual->free.U.linfty_norm());
-  for (unsigned int tau = 0; tau < m; ++tau)
-  {
+  for (unsigned int tau = 0; tau < m; ++tau) {
     deepest = std::max(deepest, W[tau] / measures[tau]);
     length_scale = std::max(length_scale, std::abs(solved.G[tau]) / measures[tau]);
     // How far P lies outside of the admissible set.
@@ -206,8 +181,7 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
   certificate.penetration = relative(deepest, length_scale);
   certificate.sign = relative(outside, solution.P.linfty_norm());
   certificate.complementarity = relative(solution.P * W, energy_scale);
-  for (unsigned int tau = 0; tau < m; ++tau)
-  {
+  for (unsigned int tau = 0; tau < m; ++tau) {
     // Measured as lengths, so that they are small where all pressures vanish.
     const double pressed = solution.diagonal_P.size() == m ? solution.diagonal_P[tau] : 0.;
     const double small = 1e-6 * length_scale * measures[tau];
@@ -222,11 +196,8 @@ void check_contact(const MultiplierSpace<dim> &multipliers,
  * dual one is Pᵀ F - Pᵀ C P/2.
  */
 template <int dim>
-double duality_gap(const ContactState<dim> &contact,
-                   const DualData &data,
-                   const NodalForces &forces,
-                   const double energy_scale)
-{
+double duality_gap(const ContactState<dim> &contact, const DualData &data,
+                   const NodalForces &forces, const double energy_scale) {
   Displacement V = contact.U;
   V -= data.free.U;
   const double primal = 0.5 * (V * forces.internal - V * forces.loads);
@@ -237,30 +208,23 @@ double duality_gap(const ContactState<dim> &contact,
 /** Returns the relative duality gap where the body without contact is not computed: with r = f + D
  * P - A U it is Pᵀ W + ½ rᵀ A⁻¹ r. */
 template <int dim>
-double duality_gap(const SolvedContact<dim> &solved,
-                   const CycleData &cycles,
-                   const dealii::Vector<double> &W)
-{
+double duality_gap(const SolvedContact<dim> &solved, const CycleData &cycles,
+                   const dealii::Vector<double> &W) {
   const ContactState<dim> &contact = solved.contact;
   const double scale = std::max({0.5 * std::abs(contact.U * solved.forces.internal),
                                  std::abs(contact.U * solved.forces.loads),
-                                 std::abs(contact.P * solved.G),
-                                 solved.forces.rigid_energy()});
+                                 std::abs(contact.P * solved.G), solved.forces.rigid_energy()});
   return relative(contact.P * W + cycles.energy_of_residual, scale);
 }
 } // namespace
 
-Columns<Certificate> Certificate::columns()
-{
+Columns<Certificate> Certificate::columns() {
   return {{"energy", &Certificate::energy}};
 }
 
 template <int dim>
-Certificate certify(const DisplacementSpace<dim> &space,
-                    const Scene<dim> &scene,
-                    const MultiplierSpace<dim> &multipliers,
-                    const SolvedContact<dim> &solved)
-{
+Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                    const MultiplierSpace<dim> &multipliers, const SolvedContact<dim> &solved) {
   const auto &[solution, D, G, forces] = solved;
   Certificate certificate;
   certificate.moments_are_exact = !space.mesh().is_curved();
@@ -272,8 +236,7 @@ Certificate certify(const DisplacementSpace<dim> &space,
   Resultant<dim> contact;
   // Pressures all around a hole have no resultant.
   double size_of_contact = 0.;
-  for (const Piece<dim> &piece : multipliers.surface().pieces())
-  {
+  for (const Piece<dim> &piece : multipliers.surface().pieces()) {
     const Resultant<dim> piece_resultant = contact_resultant(multipliers, solution.P, piece);
     contact += piece_resultant;
     size_of_contact += piece_resultant.force.norm();
@@ -311,13 +274,11 @@ INSTANTIATE_FUNCTION(certify);
 
 // The locking number of bilinear elements in nearly incompressible bodies.
 
-namespace
-{
+namespace {
 /** Returns K/μ of Hooke's tensor: the smallest d:E:d of deviators d of norm one is an eigenvalue.
  */
 template <int dim>
-double bulk_to_shear(const SymmetricTensor<4, dim> &E)
-{
+double bulk_to_shear(const SymmetricTensor<4, dim> &E) {
   const auto unit = unit_symmetric_tensor<dim>();
   const auto deviatoric = deviator_tensor<dim>();
   // With it the unit tensor, which is no deviator, belongs to a large eigenvalue.
@@ -336,13 +297,11 @@ double bulk_to_shear(const SymmetricTensor<4, dim> &E)
 /** Returns the largest K/μ at one point of each cell of the level, or of a coarser one that is
  * fine enough to show how E varies. */
 template <int dim>
-double max_bulk_to_shear(const Mesh<dim> &mesh, const Material<dim> &material)
-{
+double max_bulk_to_shear(const Mesh<dim> &mesh, const Material<dim> &material) {
   constexpr unsigned int fine_enough = dim == 2 ? 6 : 4;
   double largest = 0.;
   for (const auto &cell :
-       mesh.triangulation().cell_iterators_on_level(std::min(mesh.level(), fine_enough)))
-  {
+       mesh.triangulation().cell_iterators_on_level(std::min(mesh.level(), fine_enough))) {
     // Data may have no value where the corners of finer cells are.
     const Point<dim> x = cell->center() + 0.21 * (cell->vertex(0) - cell->center());
     largest = std::max(largest, bulk_to_shear(material.relative_hooke(x)));
@@ -354,8 +313,7 @@ double max_bulk_to_shear(const Mesh<dim> &mesh, const Material<dim> &material)
 } // namespace
 
 template <int dim>
-double locking_number(const Mesh<dim> &mesh, const Material<dim> &material)
-{
+double locking_number(const Mesh<dim> &mesh, const Material<dim> &material) {
   constexpr double nearly_incompressible = 10.;
   const double ratio = max_bulk_to_shear(mesh, material);
   return ratio > nearly_incompressible ? ratio * std::pow(mesh.longest_edge() / mesh.size(), 2)

@@ -19,15 +19,12 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The number of faces per patch of the partition that pressures are recovered from. */
 constexpr unsigned int recovery_ratio = 2;
 
-bool presses_nowhere(const dealii::Vector<double> &P)
-{
+bool presses_nowhere(const dealii::Vector<double> &P) {
   return std::none_of(P.begin(), P.end(), [](const double p) { return p < 0.; });
 }
 
@@ -35,8 +32,7 @@ bool presses_nowhere(const dealii::Vector<double> &P)
  * where the solver fails. */
 template <int dim>
 std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multipliers,
-                                               const PressureData<dim> &data)
-{
+                                               const PressureData<dim> &data) {
   const Coupling D = assemble_coupling(data.space, multipliers);
   const Coupling condensed_D = condense(D, data.space.constraints());
   for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
@@ -47,9 +43,7 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multi
   free.F -= D.transpose_product(data.U_free);
   if (free.nothing_touches())
     return dealii::Vector<double>(multipliers.n_multipliers());
-  return data.solve_dual(D,
-                         condensed_D,
-                         free.F,
+  return data.solve_dual(D, condensed_D, free.F,
                          transfer_pressure<dim>({data.multipliers.surface().patches(), data.P},
                                                 multipliers.surface().patches()));
 }
@@ -59,17 +53,14 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multi
  * middles of patches do not, and whole patches act on the body far more than what varies on them.
  */
 template <int dim>
-class ShiftedPressure
-{
+class ShiftedPressure {
 public:
   ShiftedPressure(const MultiplierSpace<dim> &multipliers, const Pressure &P)
     : recovered_(multipliers, P)
-    , shifts_(P)
-  {
+    , shifts_(P) {
     dealii::Vector<double> integrals(P.size()), lengths(P.size());
     for (const Piece<dim> &piece : multipliers.surface().pieces())
-      for (std::size_t q = 0; q < piece.on_mesh.size(); ++q)
-      {
+      for (std::size_t q = 0; q < piece.on_mesh.size(); ++q) {
         const double weight = piece.on_mesh.weights[q];
         lengths[piece.patch] += weight;
         integrals[piece.patch] += recovered_(piece.patch, piece.on_mesh.on_side[q]) * weight;
@@ -78,8 +69,7 @@ public:
       shifts_[k] -= integrals[k] / lengths[k];
   }
   /** Returns the values at the points of a rule. */
-  std::vector<double> operator()(const Piece<dim> &piece, const SurfaceRule<dim> &rule) const
-  {
+  std::vector<double> operator()(const Piece<dim> &piece, const SurfaceRule<dim> &rule) const {
     std::vector<double> p;
     for (const Point<dim - 1> &s : rule.on_side)
       p.push_back(std::min(0., recovered_(piece.patch, s) + shifts_[piece.patch]));
@@ -93,8 +83,7 @@ private:
 
 /** Returns z_h for a load. */
 template <int dim>
-PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &data)
-{
+PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &data) {
   dealii::Vector<double> minus_P(data.P);
   minus_P *= -1.;
   DistributedVector forces = data.space.make_vector();
@@ -111,9 +100,7 @@ PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &dat
 
 template <int dim>
 Coupling recovered_load(const DisplacementSpace<dim> &space,
-                        const MultiplierSpace<dim> &multipliers,
-                        const Pressure &P)
-{
+                        const MultiplierSpace<dim> &multipliers, const Pressure &P) {
   const auto rule_on = [](const Piece<dim> &piece) -> const SurfaceRule<dim> & {
     return piece.on_mesh;
   };
@@ -123,8 +110,7 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-PressureCorrection correct_pressure(const PressureData<dim> &data)
-{
+PressureCorrection correct_pressure(const PressureData<dim> &data) {
   const ContactSurface<dim> &surface = data.multipliers.surface();
   const ContactSurface<dim> finer(data.space.mesh(), data.scene, Partition{recovery_ratio, 0});
   if (surface.has_unstable_patch())
@@ -146,8 +132,7 @@ INSTANTIATE_FUNCTION(correct_pressure);
 // Distances between interpolations of the nodal values; (24) and (31) make the first an estimate of
 // the error of the mesh.
 
-namespace
-{
+namespace {
 /** The squares of norms of v - w, of a cell or of the body: of the values, the gradients, and the
  * energy. */
 using Squares = Tensor<1, 3>;
@@ -155,45 +140,37 @@ using Squares = Tensor<1, 3>;
 /** Integrates v - w, where v is the patch interpolation over @p fine generations and w that over
  * one less. Every chunk of cells has its own object. */
 template <int dim>
-class Distance
-{
+class Distance {
 public:
   using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
 
   // Products of functions of degree two or four per direction: three or five points are exact on
   // parallelograms.
-  Distance(const DisplacementSpace<dim> &space,
-           const Material<dim> *const material,
-           const Displacement &U,
-           const unsigned int fine)
+  Distance(const DisplacementSpace<dim> &space, const Material<dim> *const material,
+           const Displacement &U, const unsigned int fine)
     : material_(material)
     , U_(U)
-    , values_(space.mesh().mapping(),
-              space.element(),
+    , values_(space.mesh().mapping(), space.element(),
               QGauss<dim>((space.element().degree << fine) + 1),
               update_values | update_gradients | update_inverse_jacobians | update_JxW_values |
                 update_quadrature_points)
     , v_(space, values_.get_quadrature(), fine)
-    , w_(space, values_.get_quadrature(), fine - 1)
-  {
+    , w_(space, values_.get_quadrature(), fine - 1) {
     if (material != nullptr && material->is_constant())
       hooke_ = material->hooke(Point<dim>());
   }
-  Squares integrate(const CellIterator &cell)
-  {
+  Squares integrate(const CellIterator &cell) {
     values_.reinit(cell);
     const FieldValues<dim> &v = v_.evaluate(U_, cell, values_);
     const FieldValues<dim> &w = w_.evaluate(U_, cell, values_);
     Squares sum;
-    for (const unsigned int q : values_.quadrature_point_indices())
-    {
+    for (const unsigned int q : values_.quadrature_point_indices()) {
       const Tensor<2, dim> gradient = v.gradients[q] - w.gradients[q];
       const SymmetricTensor<2, dim> strain = symmetrize(gradient);
       if (material_ != nullptr && !material_->is_constant())
         hooke_ = material_->hooke(values_.quadrature_point(q));
       sum += values_.JxW(q) * Squares({(v.values[q] - w.values[q]).norm_square(),
-                                       gradient.norm_square(),
-                                       (hooke_ * strain) * strain});
+                                       gradient.norm_square(), (hooke_ * strain) * strain});
     }
     return sum;
   }
@@ -209,11 +186,8 @@ private:
 
 /** Returns the sums over all ranks; the parts of the threads are added up in the order of cells. */
 template <int dim>
-Squares integrate(const DisplacementSpace<dim> &space,
-                  const Material<dim> *const material,
-                  const Displacement &U,
-                  const unsigned int fine)
-{
+Squares integrate(const DisplacementSpace<dim> &space, const Material<dim> *const material,
+                  const Displacement &U, const unsigned int fine) {
   Squares sum;
   integrate_by_chunks<Squares, dim>(
     space,
@@ -229,24 +203,19 @@ Squares integrate(const DisplacementSpace<dim> &space,
 }
 
 /** Returns ‖.‖_1 with lengths in the given unit, up to that unit's own power. */
-double norm_1(const Squares &squares, const double unit_of_length)
-{
+double norm_1(const Squares &squares, const double unit_of_length) {
   return std::sqrt(squares[0] / (unit_of_length * unit_of_length) + squares[1]);
 }
 } // namespace
 
 template <int dim>
-ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
-                             const Scene<dim> &scene,
-                             const Displacement &U,
-                             const PressureCorrection &correction,
-                             const OtherErrors &others)
-{
+ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                             const Displacement &U, const PressureCorrection &correction,
+                             const OtherErrors &others) {
   const Material<dim> *const material = scene.material.get();
   const Squares u_h_squares = integrate(space, material, U, 1);
   double mesh_square = u_h_squares[2];
-  if (correction.z.size() > 0)
-  {
+  if (correction.z.size() > 0) {
     Displacement corrected(U);
     corrected += correction.z;
     mesh_square = integrate(space, material, corrected, 1)[2];
@@ -260,15 +229,13 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
   estimate.energy = std::hypot(std::sqrt(mesh_square), correction.energy_norm);
   estimate.energy = std::hypot(estimate.energy, others.algebra, others.contact);
   if (estimate.energy > 0.)
-    estimate.relative =
-      estimate.energy /
-      energy_scale(energy_norm(space, scene, U), estimate.energy, space, scene, U);
+    estimate.relative = estimate.energy / energy_scale(energy_norm(space, scene, U),
+                                                       estimate.energy, space, scene, U);
   return estimate;
 }
 
 template <int dim>
-unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Displacement &U)
-{
+unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Displacement &U) {
   if (space.mesh().n_nested_ancestors() < 2)
     return space.mesh().n_nested_ancestors();
   const auto change = [&](const unsigned int fine) {
@@ -277,8 +244,7 @@ unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Displ
   return change(2) < 2. / 3. * change(1) ? 2 : 1;
 }
 
-Columns<ErrorEstimate> ErrorEstimate::columns()
-{
+Columns<ErrorEstimate> ErrorEstimate::columns() {
   return {{"estimated_h1", &ErrorEstimate::h1},
           {"estimated_energy", &ErrorEstimate::energy},
           {"estimated_relative", &ErrorEstimate::relative},
@@ -293,11 +259,9 @@ INSTANTIATE_FUNCTION(best_interpolation);
 
 // Penetration where nothing presses.
 
-namespace
-{
+namespace {
 /** Returns whether the closures of two patches meet. */
-bool touch(const Patch<3> &a, const Patch<3> &b)
-{
+bool touch(const Patch<3> &a, const Patch<3> &b) {
   const double tolerance = 1e-6 * a.diameter();
   if (a.side != b.side)
     return false;
@@ -308,10 +272,8 @@ bool touch(const Patch<3> &a, const Patch<3> &b)
 }
 
 /** Returns whether a patch presses or touches one that does. */
-bool is_near_contact(const MultiplierSpace<3> &multipliers,
-                     const Pressure &P,
-                     const Patch<3> &patch)
-{
+bool is_near_contact(const MultiplierSpace<3> &multipliers, const Pressure &P,
+                     const Patch<3> &patch) {
   const double threshold = pressing_threshold(P);
   for (unsigned int k = 0; k < P.size(); ++k)
     if (P[k] < threshold && touch(multipliers.surface().patches()[multipliers.patch_of(k)], patch))
@@ -320,8 +282,7 @@ bool is_near_contact(const MultiplierSpace<3> &multipliers,
 }
 
 /** Returns the modulus of the softer one of pressing and shearing. */
-double modulus_at(const Scene<3> &scene, const Point<3> &x)
-{
+double modulus_at(const Scene<3> &scene, const Point<3> &x) {
   const SymmetricTensor<4, 3> E = scene.material->hooke(x);
   return std::min(std::max({E[0][0][0][0], E[1][1][1][1], E[2][2][2][2]}),
                   4. * std::max({E[0][1][0][1], E[0][2][0][2], E[1][2][1][2]}));
@@ -329,19 +290,15 @@ double modulus_at(const Scene<3> &scene, const Point<3> &x)
 } // namespace
 
 double energy_of_missed_contact(const DisplacementSpace<3> &space,
-                                const MultiplierSpace<3> &multipliers,
-                                const Scene<3> &scene,
-                                const Displacement &U,
-                                const Pressure &P)
-{
+                                const MultiplierSpace<3> &multipliers, const Scene<3> &scene,
+                                const Displacement &U, const Pressure &P) {
   const ContactSurface<3> &surface = multipliers.surface();
   // Coarse meshes, which miss contact, are sampled densely.
   const double per_piece = 20000. / std::max<std::size_t>(1, surface.pieces().size());
   const auto n_points = static_cast<unsigned int>(std::clamp(std::sqrt(per_piece), 3., 32.));
   TraceValues<3> traces(space);
   std::vector<double> on_patch(surface.patches().size(), 0.);
-  for (const Piece<3> &piece : surface.pieces())
-  {
+  for (const Piece<3> &piece : surface.pieces()) {
     const SurfaceRule<3> rule = surface.rule(piece, n_points);
     const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
     double square = 0.;

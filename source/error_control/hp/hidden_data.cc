@@ -11,10 +11,8 @@
 #include <cmath>
 #include <set>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The limits of splitting. A material whose layers need more splits is refused; hidden data of
  * sides are accepted. */
 constexpr unsigned int max_splits_in_body = 16, max_splits_on_sides = 24, max_split_cells = 2000;
@@ -27,8 +25,7 @@ constexpr unsigned int n_points_at_ends = 20;
 using Values = std::vector<double>;
 
 /** Returns positions between 0 and 1: @p n at equal distances, then those near the ends. */
-std::vector<double> sample_positions(const unsigned int n)
-{
+std::vector<double> sample_positions(const unsigned int n) {
   std::vector<double> positions;
   for (unsigned int i = 0; i < n; ++i)
     positions.push_back((i + 0.5) / n);
@@ -38,36 +35,30 @@ std::vector<double> sample_positions(const unsigned int n)
 }
 
 /** Returns a point of a cell, bilinear in its reference coordinates. */
-Point<2> point_of(const Triangulation<2>::active_cell_iterator &cell,
-                  const double s,
-                  const double t)
-{
+Point<2> point_of(const Triangulation<2>::active_cell_iterator &cell, const double s,
+                  const double t) {
   return Point<2>((1. - s) * (1. - t) * cell->vertex(0) + s * (1. - t) * cell->vertex(1) +
                   (1. - s) * t * cell->vertex(2) + s * t * cell->vertex(3));
 }
 
 /** Returns the logarithms of the moduli. */
-Values log_moduli(const Material<2> &material, const Point<2> &x)
-{
+Values log_moduli(const Material<2> &material, const Point<2> &x) {
   const SymmetricTensor<4, 2> E = material.relative_hooke(x);
   return {std::log(E[0][0][0][0]), std::log(E[1][1][1][1]), std::log(E[0][1][0][1])};
 }
 
 /** Returns the largest E_a/E_h - 1, with the arithmetic and the harmonic mean of each modulus on a
  * cell, where the moduli jump; zero where they do not. */
-double jump_share(const Material<2> &material, const Triangulation<2>::active_cell_iterator &cell)
-{
+double jump_share(const Material<2> &material, const Triangulation<2>::active_cell_iterator &cell) {
   constexpr unsigned int n = 16;
   const double min_jump = std::log(1.5);
   std::array<std::array<Values, n>, n> at;
   std::array<double, 3> sum = {}, sum_of_inverses = {};
   bool jumps = false;
   for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int j = 0; j < n; ++j)
-    {
+    for (unsigned int j = 0; j < n; ++j) {
       at[i][j] = log_moduli(material, point_of(cell, (i + 0.5) / n, (j + 0.5) / n));
-      for (unsigned int c = 0; c < sum.size(); ++c)
-      {
+      for (unsigned int c = 0; c < sum.size(); ++c) {
         const double here = at[i][j][c];
         sum[c] += std::exp(here);
         sum_of_inverses[c] += std::exp(-here);
@@ -83,30 +74,24 @@ double jump_share(const Material<2> &material, const Triangulation<2>::active_ce
 
 /** The range of the values at the points of a rule; is_far() returns whether another value is far
  * from all of them. */
-class SampledRange
-{
+class SampledRange {
 public:
-  void add(const Values &values)
-  {
+  void add(const Values &values) {
     if (low_.empty())
       low_ = high_ = values;
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
+    for (std::size_t i = 0; i < values.size(); ++i) {
       low_[i] = std::min(low_[i], values[i]);
       high_[i] = std::max(high_[i], values[i]);
     }
   }
-  double width() const
-  {
+  double width() const {
     double largest = 0.;
     for (std::size_t i = 0; i < low_.size(); ++i)
       largest = std::max(largest, high_[i] - low_[i]);
     return largest;
   }
-  bool is_far(const Values &values, const double tolerance) const
-  {
-    for (std::size_t i = 0; i < std::min(values.size(), low_.size()); ++i)
-    {
+  bool is_far(const Values &values, const double tolerance) const {
+    for (std::size_t i = 0; i < std::min(values.size(), low_.size()); ++i) {
       const double slack = 0.5 * (high_[i] - low_[i]) + tolerance;
       if (values[i] < low_[i] - slack || values[i] > high_[i] + slack)
         return true;
@@ -119,23 +104,19 @@ private:
 };
 
 /** Decides about splits of cells while a mesh is made. */
-class DataProbe
-{
+class DataProbe {
 public:
   using Cell = Triangulation<2>::active_cell_iterator;
 
   DataProbe(const Scene<2> &scene, MeshPlan &plan)
     : scene_(scene)
-    , plan_(plan)
-  {
+    , plan_(plan) {
     const auto positions = sample_positions(max_points);
-    for (std::size_t i = 0; i < scene.boundary.size(); ++i)
-    {
+    for (std::size_t i = 0; i < scene.boundary.size(); ++i) {
       const double length = scene.geometry.sides[i].length();
       double largest = 0., sum = 0.;
       for (const double t : positions)
-        for (const double value : on_side(i, t * length))
-        {
+        for (const double value : on_side(i, t * length)) {
           largest = std::max(largest, std::abs(value));
           sum += std::abs(value);
         }
@@ -144,8 +125,7 @@ public:
     }
   }
 
-  bool must_split(const Cell &cell, const unsigned int n_splits)
-  {
+  bool must_split(const Cell &cell, const unsigned int n_splits) {
     if (plan_.must_split(scene_, cell, n_splits))
       return true;
     if (!checked_cells_.insert(cell->id()).second)
@@ -156,8 +136,7 @@ public:
     if (!place && !hides_on_side(cell, n))
       return false;
     if (n_splits >= (place ? max_splits_in_body : max_splits_on_sides) ||
-        n_split_ >= max_split_cells)
-    {
+        n_split_ >= max_split_cells) {
       hidden_ = place;
       return false;
     }
@@ -166,8 +145,7 @@ public:
     return true;
   }
   /** Returns the place where the material hides after all splits. */
-  const std::optional<Point<2>> &hidden() const
-  {
+  const std::optional<Point<2>> &hidden() const {
     return hidden_;
   }
 
@@ -175,26 +153,21 @@ private:
   static constexpr unsigned int max_points = 1000;
 
   /** Returns the data of a side; empty where there is none, or no value. */
-  Values on_side(const unsigned int side, const double s) const
-  {
+  Values on_side(const unsigned int side, const double s) const {
     const FunctionPointer<2> &data = scene_.boundary[side].data;
     if (data == nullptr)
       return {};
     Values values;
-    try
-    {
+    try {
       for (unsigned int c = 0; c < data->n_components; ++c)
         values.push_back(data->value(scene_.geometry.sides[side].point(s), c));
-    }
-    catch (const InputError &)
-    {
+    } catch (const InputError &) {
       values.clear();
     }
     return values;
   }
 
-  std::optional<Point<2>> hidden_in(const Cell &cell, const unsigned int n) const
-  {
+  std::optional<Point<2>> hidden_in(const Cell &cell, const unsigned int n) const {
     if (scene_.material->is_constant())
       return {};
     const auto moduli = [this](const Point<2> &x) { return log_moduli(*scene_.material, x); };
@@ -213,10 +186,8 @@ private:
 
   /** Returns whether the data of a side hides on a face, or a rule misses the force of a traction:
    * it would act as another load in each step. */
-  bool hides_on_side(const Cell &cell, const unsigned int n) const
-  {
-    for (const auto &face : cell->face_iterators())
-    {
+  bool hides_on_side(const Cell &cell, const unsigned int n) const {
+    for (const auto &face : cell->face_iterators()) {
       if (!face->at_boundary())
         continue;
       const unsigned int number = face->boundary_id();
@@ -231,11 +202,8 @@ private:
     return false;
   }
 
-  bool hides_between(const unsigned int side,
-                     const double first,
-                     const double length,
-                     const unsigned int n) const
-  {
+  bool hides_between(const unsigned int side, const double first, const double length,
+                     const unsigned int n) const {
     constexpr double tolerance = 1e-4;
     const auto at = [&](const double t) { return on_side(side, first + t * length); };
     SampledRange seen;
@@ -246,8 +214,7 @@ private:
     SampledRange all;
     Values before;
     double jump = 0.;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-    {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
       const Values values = at(positions[i]);
       if (seen.is_far(values, tolerance * max_on_side_[side]))
         return true;
@@ -275,13 +242,10 @@ private:
 };
 } // namespace
 
-std::optional<Point<2>> resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan)
-{
+std::optional<Point<2>> resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan) {
   DataProbe probe(scene, plan);
   const Mesh<2> mesh(
-    scene.geometry,
-    plan.base_level,
-    plan.lines,
+    scene.geometry, plan.base_level, plan.lines,
     [&probe](const DataProbe::Cell &cell, const unsigned int n_splits) {
       return probe.must_split(cell, n_splits);
     },
@@ -289,18 +253,14 @@ std::optional<Point<2>> resolve_hidden_data(const Scene<2> &scene, MeshPlan &pla
   return probe.hidden();
 }
 
-void add_jump_misfit(const DisplacementSpace<2> &space,
-                     const Scene<2> &scene,
-                     const Displacement &U,
-                     std::vector<CellIndicator> &indicators)
-{
+void add_jump_misfit(const DisplacementSpace<2> &space, const Scene<2> &scene,
+                     const Displacement &U, std::vector<CellIndicator> &indicators) {
   if (scene.material->is_constant())
     return;
   CellStiffness<2> stiffness(space, scene);
   const double unit = stiffness_unit(space, *scene.material);
   dealii::Vector<double> on_cell;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-  {
+  for (const auto &cell : space.dofs().active_cell_iterators()) {
     const double share = jump_share(*scene.material, cell);
     if (share == 0.)
       continue;

@@ -16,10 +16,8 @@
 #include <cmath>
 #include <map>
 
-namespace Signorini
-{
-LineTable make_line_table(const unsigned int degree, const std::vector<double> &points)
-{
+namespace Signorini {
+LineTable make_line_table(const unsigned int degree, const std::vector<double> &points) {
   using Basis = std::vector<Polynomials::Polynomial<double>>;
   // Newton's method finds the nodes in long double: once for every degree.
   thread_local std::map<unsigned int, Basis> known;
@@ -31,15 +29,13 @@ LineTable make_line_table(const unsigned int degree, const std::vector<double> &
 }
 
 CellField::CellField(const DoFHandler<2>::active_cell_iterator &cell, const Displacement &U)
-  : degree_(cell->get_fe().degree)
-{
+  : degree_(cell->get_fe().degree) {
   const FiniteElement<2> &element = cell->get_fe();
   dealii::Vector<double> nodal(element.n_dofs_per_cell());
   cell->get_dof_values(U, nodal);
   values_.resize(nodal.size() / 2);
   const auto numbers = FETools::hierarchic_to_lexicographic_numbering<2>(degree_);
-  for (unsigned int i = 0; i < nodal.size(); ++i)
-  {
+  for (unsigned int i = 0; i < nodal.size(); ++i) {
     const auto [component, node] = element.system_to_component_index(i);
     values_[numbers[node]][component] = nodal[i];
   }
@@ -47,16 +43,13 @@ CellField::CellField(const DoFHandler<2>::active_cell_iterator &cell, const Disp
 
 // The decay of Legendre coefficients, cell by cell.
 
-namespace
-{
+namespace {
 /** The matrix that takes values at the nodes of an edge to the orthonormal Legendre coefficients 0,
  * ..., p - 1 of the derivative, and the weights of Gauss and Lobatto at the nodes. */
-struct Analysis
-{
+struct Analysis {
   explicit Analysis(const unsigned int degree)
     : coefficients(degree, degree + 1)
-    , weights(QGaussLobatto<1>(degree + 1).get_weights())
-  {
+    , weights(QGaussLobatto<1>(degree + 1).get_weights()) {
     const QGauss<1> gauss(degree + 1);
     std::vector<double> points;
     for (const Point<1> &x : gauss.get_points())
@@ -74,14 +67,13 @@ struct Analysis
 };
 
 /** Returns ‖s_i‖ of the reference cell along coordinate d. */
-std::vector<double> parts_along(const unsigned int d, const CellField &u, const Analysis &analysis)
-{
+std::vector<double> parts_along(const unsigned int d, const CellField &u,
+                                const Analysis &analysis) {
   const unsigned int p = u.degree();
   std::vector<double> squares(p, 0.);
   for (unsigned int c = 0; c < 2; ++c)
     for (unsigned int across = 0; across <= p; ++across)
-      for (unsigned int i = 0; i < p; ++i)
-      {
+      for (unsigned int i = 0; i < p; ++i) {
         double coefficient = 0.;
         for (unsigned int k = 0; k <= p; ++k)
           coefficient += analysis.coefficients(i, k) * (d == 0 ? u(c, k, across) : u(c, across, k));
@@ -93,8 +85,7 @@ std::vector<double> parts_along(const unsigned int d, const CellField &u, const 
 }
 
 /** Returns the missing parts, from a line through the logarithms of the last ones. */
-CellIndicator extrapolate(const std::vector<double> &parts)
-{
+CellIndicator extrapolate(const std::vector<double> &parts) {
   constexpr unsigned int max_parts = 4;
   constexpr double slowest = 0.9, fastest = 0.02;
   const unsigned int p = parts.size();
@@ -102,8 +93,7 @@ CellIndicator extrapolate(const std::vector<double> &parts)
   // Parts that are rounding against the largest one do not enter the slope.
   const double negligible = 1e-13 * *std::max_element(parts.begin(), parts.end());
   std::vector<double> degrees, logarithms;
-  for (unsigned int i = first; i < p; ++i)
-  {
+  for (unsigned int i = first; i < p; ++i) {
     degrees.push_back(i);
     logarithms.push_back(std::log(std::max(parts[i], negligible + 1e-300)));
   }
@@ -118,28 +108,23 @@ CellIndicator extrapolate(const std::vector<double> &parts)
 
 /** Returns the area of the quadrilateral of the vertices. It is computed from differences only:
  * cells may be 1e-9 of their distance from the origin. */
-double area_of(const Triangulation<2>::active_cell_iterator &cell)
-{
+double area_of(const Triangulation<2>::active_cell_iterator &cell) {
   const Tensor<1, 2> first = cell->vertex(3) - cell->vertex(0);
   const Tensor<1, 2> second = cell->vertex(2) - cell->vertex(1);
   return 0.5 * std::abs(first * cross_product_2d(second));
 }
 } // namespace
 
-double indicator_modulus(const Scene<2> &scene, const Point<2> &x)
-{
+double indicator_modulus(const Scene<2> &scene, const Point<2> &x) {
   const SymmetricTensor<4, 2> E = scene.material->hooke(x);
   return std::min(std::max(E[0][0][0][0], E[1][1][1][1]), 4. * E[0][1][0][1]);
 }
 
-std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
-                                    const Scene<2> &scene,
-                                    const Displacement &U)
-{
+std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space, const Scene<2> &scene,
+                                    const Displacement &U) {
   std::map<unsigned int, Analysis> analyses;
   std::vector<CellIndicator> indicators;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-  {
+  for (const auto &cell : space.dofs().active_cell_iterators()) {
     const CellField u(cell, U);
     const Analysis &analysis = analyses.try_emplace(u.degree(), u.degree()).first->second;
     const double lengths[] = {0.5 * (cell->face(2)->diameter() + cell->face(3)->diameter()),
@@ -147,8 +132,7 @@ std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
     const double modulus = indicator_modulus(scene, cell->center());
     CellIndicator indicator;
     double square = 0.;
-    for (unsigned int d = 0; d < 2; ++d)
-    {
+    for (unsigned int d = 0; d < 2; ++d) {
       const CellIndicator along = extrapolate(parts_along(d, u, analysis));
       const double size = modulus * area_of(cell) / (lengths[d] * lengths[d]);
       square += size * along.error * along.error;
@@ -162,8 +146,7 @@ std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
   return indicators;
 }
 
-double total(const std::vector<CellIndicator> &indicators)
-{
+double total(const std::vector<CellIndicator> &indicators) {
   double square = 0.;
   for (const CellIndicator &indicator : indicators)
     square += indicator.error * indicator.error;
@@ -172,22 +155,16 @@ double total(const std::vector<CellIndicator> &indicators)
 
 // The misfit u_n - g where the body presses.
 
-void add_contact_misfit(const DisplacementSpace<2> &space,
-                        const MultiplierSpace<2> &multipliers,
-                        const Scene<2> &scene,
-                        const Displacement &U,
-                        const Pressure &P,
-                        std::vector<CellIndicator> &indicators)
-{
+void add_contact_misfit(const DisplacementSpace<2> &space, const MultiplierSpace<2> &multipliers,
+                        const Scene<2> &scene, const Displacement &U, const Pressure &P,
+                        std::vector<CellIndicator> &indicators) {
   const ContactSurface<2> &surface = multipliers.surface();
   TraceValues<2> traces(space);
   const double threshold = pressing_threshold(P);
-  for (const Piece<2> &piece : surface.pieces())
-  {
+  for (const Piece<2> &piece : surface.pieces()) {
     const auto P_of_patch = P.begin() + multipliers.first_of(piece.patch);
-    if (std::any_of(P_of_patch, P_of_patch + multipliers.n_of(piece.patch), [&](const double P_k) {
-          return P_k >= threshold;
-        }))
+    if (std::any_of(P_of_patch, P_of_patch + multipliers.n_of(piece.patch),
+                    [&](const double P_k) { return P_k >= threshold; }))
       continue;
     const ContactFace<2> &face = surface.faces()[piece.face];
     const unsigned int p = space.element(face.cell).degree;
@@ -205,11 +182,9 @@ void add_contact_misfit(const DisplacementSpace<2> &space,
 
 // Penetration between the nodes of the multipliers.
 
-namespace
-{
+namespace {
 /** The extreme values of u_n - g on a patch, and whether a multiplier presses. */
-struct PatchState
-{
+struct PatchState {
   unsigned int cell = 0;
   double deepest = 0., largest = 0.;
   bool presses = false;
@@ -217,16 +192,11 @@ struct PatchState
 
 /** Adds samples of u_n - g on a piece to the state of its patch. Around the deepest point the next
  * samples are closer to each other: a tip may touch between those of the whole face. */
-void add_samples(const ContactSurface<2> &surface,
-                 const Piece<2> &piece,
-                 const Displacement &U,
-                 TraceValues<2> &traces,
-                 PatchState &state)
-{
+void add_samples(const ContactSurface<2> &surface, const Piece<2> &piece, const Displacement &U,
+                 TraceValues<2> &traces, PatchState &state) {
   constexpr unsigned int n_zooms = 3, n_intervals = 32;
   double from = 0., to = 1.;
-  for (unsigned int zoom = 0; zoom < n_zooms; ++zoom)
-  {
+  for (unsigned int zoom = 0; zoom < n_zooms; ++zoom) {
     std::vector<Point<1>> positions;
     for (unsigned int i = 0; i <= n_intervals; ++i)
       positions.emplace_back(from + (to - from) * i / n_intervals);
@@ -243,15 +213,12 @@ void add_samples(const ContactSurface<2> &surface,
 }
 
 std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
-                                     const MultiplierSpace<2> &multipliers,
-                                     const Displacement &U,
-                                     const Pressure &P)
-{
+                                     const MultiplierSpace<2> &multipliers, const Displacement &U,
+                                     const Pressure &P) {
   const ContactSurface<2> &surface = multipliers.surface();
   std::vector<PatchState> states(surface.patches().size());
   TraceValues<2> traces(space);
-  for (const Piece<2> &piece : surface.pieces())
-  {
+  for (const Piece<2> &piece : surface.pieces()) {
     PatchState &state = states[piece.patch];
     state.cell = surface.faces()[piece.face].cell->active_cell_index();
     add_samples(surface, piece, U, traces, state);
@@ -266,22 +233,18 @@ std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
 
 std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
-                                               const Displacement &U,
-                                               const Pressure &P)
-{
+                                               const Displacement &U, const Pressure &P) {
   constexpr double rounding = 1e-10, noticeable = 1e-3;
   const std::vector<PatchState> states = patch_states(space, multipliers, U, P);
   double largest = 0.;
   bool touches = false;
-  for (const PatchState &state : states)
-  {
+  for (const PatchState &state : states) {
     largest = std::max(largest, state.largest);
     touches = touches || state.presses;
   }
   const double tolerance = largest * (touches ? noticeable : rounding);
   std::vector<unsigned int> cells;
-  for (std::size_t patch = 0; patch < states.size(); ++patch)
-  {
+  for (std::size_t patch = 0; patch < states.size(); ++patch) {
     const auto presses = [&](const std::size_t other) {
       return other < states.size() && states[other].presses;
     };
@@ -294,15 +257,12 @@ std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space
 
 // A pressure at the nodes of another mesh.
 
-Pressure transfer_pressure(const MultiplierSpace<2> &from,
-                           const Pressure &P,
-                           const MultiplierSpace<2> &to)
-{
+Pressure transfer_pressure(const MultiplierSpace<2> &from, const Pressure &P,
+                           const MultiplierSpace<2> &to) {
   const std::vector<Patch<2>> &known = from.surface().patches();
   Pressure transferred(to.n_multipliers());
   std::size_t patch = 0;
-  for (unsigned int k = 0; k < transferred.size(); ++k)
-  {
+  for (unsigned int k = 0; k < transferred.size(); ++k) {
     const unsigned int side = to.surface().patches()[to.patch_of(k)].side;
     const Point<1> s = to.node(k);
     // Patches and nodes are sorted by side and arc length.

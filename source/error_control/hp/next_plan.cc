@@ -7,10 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The factor by which the error should fall in a full step. */
 constexpr double reduction = 12.;
 
@@ -28,17 +26,14 @@ constexpr double rise_per_step = 1.5;
 constexpr double slow_decay = 0.4;
 
 /** Returns the share of a full step that leads to the goal. */
-double step_length(const double error, const double goal)
-{
+double step_length(const double error, const double goal) {
   return std::min(1., std::max(1. / 3., std::log(error / goal) / std::log(reduction)));
 }
 
 /** Returns the indicators of the cells at a singularity. */
-std::vector<CellIndicator> indicators_at(const Singularity &singularity,
-                                         const Scene<2> &scene,
+std::vector<CellIndicator> indicators_at(const Singularity &singularity, const Scene<2> &scene,
                                          const Mesh<2> &mesh,
-                                         const std::vector<CellIndicator> &indicators)
-{
+                                         const std::vector<CellIndicator> &indicators) {
   std::vector<CellIndicator> found;
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     if (singularity.touches(scene, cell))
@@ -46,10 +41,8 @@ std::vector<CellIndicator> indicators_at(const Singularity &singularity,
   return found;
 }
 
-Singularity end_of_contact(const ContactBracket &bracket,
-                           const Scene<2> &scene,
-                           const double layers)
-{
+Singularity end_of_contact(const ContactBracket &bracket, const Scene<2> &scene,
+                           const double layers) {
   return {Singularity::Kind::end_of_contact,
           scene.geometry.sides[bracket.side].point(0.5 * (bracket.from + bracket.to)),
           exponent_at_ends,
@@ -60,8 +53,7 @@ Singularity end_of_contact(const ContactBracket &bracket,
 }
 
 /** The goals of the next step, in units of the indicators. */
-struct Goal
-{
+struct Goal {
   /** The error of all cells together. */
   double error;
   /** The error of one cell. */
@@ -71,8 +63,7 @@ struct Goal
 };
 
 /** Returns λ as observed from the error at the place, which falls by 2^{-λ} per layer. */
-double observed_exponent(const Singularity &known, const double error)
-{
+double observed_exponent(const Singularity &known, const double error) {
   const double more_layers = known.layers - known.last_layers;
   if (known.last_error <= 0. || more_layers < 1. || error <= 0.)
     return known.exponent;
@@ -81,15 +72,11 @@ double observed_exponent(const Singularity &known, const double error)
 }
 
 /** Returns corners and kinks with the layers of the next mesh. */
-std::vector<Singularity> grade_places(const MeshPlan &plan,
-                                      const Scene<2> &scene,
-                                      const Mesh<2> &mesh,
-                                      const StepFindings &findings,
-                                      const Goal &goal)
-{
+std::vector<Singularity> grade_places(const MeshPlan &plan, const Scene<2> &scene,
+                                      const Mesh<2> &mesh, const StepFindings &findings,
+                                      const Goal &goal) {
   std::vector<Singularity> places;
-  for (const Singularity &known : plan.singularities)
-  {
+  for (const Singularity &known : plan.singularities) {
     if (known.kind == Singularity::Kind::end_of_contact)
       continue;
     Singularity place = known;
@@ -102,8 +89,7 @@ std::vector<Singularity> grade_places(const MeshPlan &plan,
       known.is_certain ||
       (plan.rise > 0. && std::any_of(indicators.begin(), indicators.end(), is_rough));
     if (known.layers > 0. ? error > 0.25 * goal.error
-                          : needs_first_layers && error > 0.1 * goal.error)
-    {
+                          : needs_first_layers && error > 0.1 * goal.error) {
       place.last_error = error;
       place.last_layers = known.layers;
       place.layers += goal.length * layers_per_step * exponent_at_ends / place.exponent;
@@ -114,8 +100,7 @@ std::vector<Singularity> grade_places(const MeshPlan &plan,
 }
 
 /** Returns the kink at which contact ends, if there is one in the bracket or next to it. */
-Singularity *kink_in(const ContactBracket &bracket, std::vector<Singularity> &places)
-{
+Singularity *kink_in(const ContactBracket &bracket, std::vector<Singularity> &places) {
   const double width = bracket.to - bracket.from;
   for (Singularity &place : places)
     if (place.kind == Singularity::Kind::kink && place.side == bracket.side &&
@@ -125,8 +110,7 @@ Singularity *kink_in(const ContactBracket &bracket, std::vector<Singularity> &pl
 }
 
 /** Returns the end of contact of the mesh before that is nearest on the same side. */
-const Singularity *end_before(const Singularity &end, const MeshPlan &plan)
-{
+const Singularity *end_before(const Singularity &end, const MeshPlan &plan) {
   const Singularity *found = nullptr;
   for (const Singularity &known : plan.singularities)
     if (known.kind == Singularity::Kind::end_of_contact && known.side == end.side &&
@@ -136,19 +120,13 @@ const Singularity *end_before(const Singularity &end, const MeshPlan &plan)
 }
 
 /** Sets the singular places of the next mesh with their layers. */
-void grade(const MeshPlan &plan,
-           const Scene<2> &scene,
-           const Mesh<2> &mesh,
-           const StepFindings &findings,
-           const Goal &goal,
-           MeshPlan &next)
-{
+void grade(const MeshPlan &plan, const Scene<2> &scene, const Mesh<2> &mesh,
+           const StepFindings &findings, const Goal &goal, MeshPlan &next) {
   next.singularities = grade_places(plan, scene, mesh, findings, goal);
   // An end that moves takes its layers along; a new one has as many as an old one of this age.
   const double usual = layers_per_step * plan.rise / rise_per_step;
   std::vector<Singularity> ends;
-  for (const ContactBracket &bracket : findings.brackets)
-  {
+  for (const ContactBracket &bracket : findings.brackets) {
     Singularity end = end_of_contact(bracket, scene, usual);
     if (const Singularity *const before = end_before(end, plan))
       end.layers = before->layers;
@@ -164,16 +142,10 @@ void grade(const MeshPlan &plan,
 }
 
 /** Splits or raises the degree of cells whose error the rest of the plan leaves too large. */
-void demand(const Scene<2> &scene,
-            const Mesh<2> &mesh,
-            const std::vector<unsigned int> &degrees,
-            const StepFindings &findings,
-            const Goal &goal,
-            MeshPlan &next)
-{
+void demand(const Scene<2> &scene, const Mesh<2> &mesh, const std::vector<unsigned int> &degrees,
+            const StepFindings &findings, const Goal &goal, MeshPlan &next) {
   constexpr double margin = 2.;
-  for (const auto &cell : mesh.triangulation().active_cell_iterators())
-  {
+  for (const auto &cell : mesh.triangulation().active_cell_iterators()) {
     const CellIndicator &indicator = findings.indicators[cell->active_cell_index()];
     if (next.must_split(scene, cell, mesh.splits(cell)))
       continue;
@@ -187,8 +159,7 @@ void demand(const Scene<2> &scene,
     CellDemand &demand = next.demands[cell->id()];
     if (indicator.decay < slow_decay && planned + missing <= next.max_element_degree)
       demand.degree = std::max(demand.degree, planned + static_cast<unsigned int>(missing));
-    else
-    {
+    else {
       demand.split = true;
       demand.degree = std::max(demand.degree, degree);
     }
@@ -196,8 +167,7 @@ void demand(const Scene<2> &scene,
 }
 
 /** Adds a corner at which u may be singular. */
-void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan)
-{
+void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan) {
   constexpr double logarithm_exponent = 1.;
   const auto is_homogeneous = [&](const unsigned int side) {
     const Role role = scene.boundary[side].role;
@@ -217,8 +187,7 @@ void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan)
 
 /** Adds the points of a side at which data has a kink: an end of contact, or the end of an
  * interface. */
-void add_kinks(const unsigned int side, const Scene<2> &scene, MeshPlan &plan)
-{
+void add_kinks(const unsigned int side, const Scene<2> &scene, MeshPlan &plan) {
   const Side<2> &curve = scene.geometry.sides[side];
   const std::vector<double> cuts = scene.kinks.cut(curve, 0., curve.length());
   for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
@@ -227,10 +196,8 @@ void add_kinks(const unsigned int side, const Scene<2> &scene, MeshPlan &plan)
 }
 } // namespace
 
-MeshPlan first_plan(const Scene<2> &scene,
-                    const unsigned int base_level,
-                    const unsigned int max_element_degree)
-{
+MeshPlan first_plan(const Scene<2> &scene, const unsigned int base_level,
+                    const unsigned int max_element_degree) {
   MeshPlan plan;
   plan.base_level = base_level;
   plan.max_element_degree = max_element_degree;
@@ -249,19 +216,13 @@ MeshPlan first_plan(const Scene<2> &scene,
   return plan;
 }
 
-MeshPlan next_plan(const MeshPlan &plan,
-                   const Scene<2> &scene,
-                   const Mesh<2> &mesh,
-                   const std::vector<unsigned int> &degrees,
-                   const StepFindings &findings)
-{
+MeshPlan next_plan(const MeshPlan &plan, const Scene<2> &scene, const Mesh<2> &mesh,
+                   const std::vector<unsigned int> &degrees, const StepFindings &findings) {
   MeshPlan next = plan;
   const std::size_t n_cells = mesh.triangulation().n_active_cells();
-  if (!findings.missed_contact_cells.empty())
-  {
+  if (!findings.missed_contact_cells.empty()) {
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      if (std::find(findings.missed_contact_cells.begin(),
-                    findings.missed_contact_cells.end(),
+      if (std::find(findings.missed_contact_cells.begin(), findings.missed_contact_cells.end(),
                     cell->active_cell_index()) != findings.missed_contact_cells.end())
         next.demands[cell->id()].split = true;
     return next;

@@ -16,16 +16,12 @@
 #include <map>
 #include <memory>
 
-namespace Signorini
-{
-double ErrorHistory::add(const double indicator,
-                         const std::optional<double> &difference,
-                         const double planned)
-{
+namespace Signorini {
+double ErrorHistory::add(const double indicator, const std::optional<double> &difference,
+                         const double planned) {
   constexpr double safety = 4. / 3.;
   double estimate = indicator;
-  if (difference && last_indicator_)
-  {
+  if (difference && last_indicator_) {
     const double indicator_ratio = *last_indicator_ > 0. ? indicator / *last_indicator_ : 1.;
     double ratio = std::max(indicator_ratio, planned);
     if (last_difference_ && *last_difference_ > 0.)
@@ -38,8 +34,7 @@ double ErrorHistory::add(const double indicator,
   return estimates_.back();
 }
 
-bool ErrorHistory::stagnates() const
-{
+bool ErrorHistory::stagnates() const {
   if (!estimates_.empty() && !std::isfinite(estimates_.back()))
     return true;
   // The first steps see more and more of what the scene holds.
@@ -50,19 +45,16 @@ bool ErrorHistory::stagnates() const
 
 // The distance between the solutions of two steps.
 
-namespace
-{
+namespace {
 using MeshCell = Triangulation<2>::cell_iterator;
 
 /** A part of a cell's reference square: the square with this corner and edge. */
-struct Window
-{
+struct Window {
   std::array<double, 2> corner = {{0., 0.}};
   double edge = 1.;
 
   /** Returns the quarter of this part that is the given child. */
-  Window quarter(const unsigned int child) const
-  {
+  Window quarter(const unsigned int child) const {
     return {
       {{corner[0] + 0.5 * edge * (child & 1U), corner[1] + 0.5 * edge * ((child >> 1U) & 1U)}},
       0.5 * edge};
@@ -71,20 +63,13 @@ struct Window
 
 /** Integrates over cells on which one function is given on the cell and the other on a cell that
  * contains it. */
-class DistanceIntegrals
-{
+class DistanceIntegrals {
 public:
   explicit DistanceIntegrals(const Scene<2> &scene)
-    : scene_(scene)
-  {
-  }
+    : scene_(scene) {}
 
-  double integrate(const Mesh<2> &mesh,
-                   const Triangulation<2>::active_cell_iterator &cell,
-                   const CellField &on_cell,
-                   const CellField &on_ancestor,
-                   const Window &window)
-  {
+  double integrate(const Mesh<2> &mesh, const Triangulation<2>::active_cell_iterator &cell,
+                   const CellField &on_cell, const CellField &on_ancestor, const Window &window) {
     const unsigned int n = std::max(on_cell.degree(), on_ancestor.degree()) + 1;
     const FEValues<2> &values = values_on(mesh, n, cell);
     const LineTable &table = table_on_cell(on_cell.degree(), n);
@@ -94,8 +79,7 @@ public:
     };
     const std::vector<Tensor<2, 2>> coarse = on_ancestor.gradients(part(0), part(1));
     double square = 0.;
-    for (const unsigned int q : values.quadrature_point_indices())
-    {
+    for (const unsigned int q : values.quadrature_point_indices()) {
       const Tensor<2, 2> reference = fine[q] - window.edge * coarse[q];
       const SymmetricTensor<2, 2> strain =
         symmetrize(reference * Tensor<2, 2>(values.inverse_jacobian(q)));
@@ -106,8 +90,7 @@ public:
   }
 
 private:
-  static std::vector<double> points_of(const unsigned int n, const double from, const double edge)
-  {
+  static std::vector<double> points_of(const unsigned int n, const double from, const double edge) {
     // Newton's method finds the points in long double: once for every n.
     thread_local std::map<unsigned int, QGauss<1>> rules;
     std::vector<double> points;
@@ -115,22 +98,17 @@ private:
       points.push_back(from + edge * x[0]);
     return points;
   }
-  const LineTable &table_on_cell(const unsigned int degree, const unsigned int n)
-  {
+  const LineTable &table_on_cell(const unsigned int degree, const unsigned int n) {
     LineTable &table = tables_[{degree, n}];
     if (table.values.empty())
       table = make_line_table(degree, points_of(n, 0., 1.));
     return table;
   }
-  const FEValues<2> &values_on(const Mesh<2> &mesh,
-                               const unsigned int n,
-                               const Triangulation<2>::active_cell_iterator &cell)
-  {
+  const FEValues<2> &values_on(const Mesh<2> &mesh, const unsigned int n,
+                               const Triangulation<2>::active_cell_iterator &cell) {
     auto &values = values_[{&mesh, n}];
     if (values == nullptr)
-      values = std::make_unique<FEValues<2>>(mesh.mapping(),
-                                             no_functions_,
-                                             QGauss<2>(n),
+      values = std::make_unique<FEValues<2>>(mesh.mapping(), no_functions_, QGauss<2>(n),
                                              update_inverse_jacobians | update_quadrature_points |
                                                update_JxW_values);
     values->reinit(cell);
@@ -146,10 +124,8 @@ private:
 
 /** Visits all active descendants of a cell with their windows in it. */
 template <typename Visitor>
-void for_each_part(const MeshCell &cell, const Window &window, const Visitor &visit)
-{
-  if (cell->is_active())
-  {
+void for_each_part(const MeshCell &cell, const Window &window, const Visitor &visit) {
+  if (cell->is_active()) {
     visit(Triangulation<2>::active_cell_iterator(cell), window);
     return;
   }
@@ -158,8 +134,7 @@ void for_each_part(const MeshCell &cell, const Window &window, const Visitor &vi
 }
 } // namespace
 
-double energy_distance(const StepField &u, const StepField &v, const Scene<2> &scene)
-{
+double energy_distance(const StepField &u, const StepField &v, const Scene<2> &scene) {
   DistanceIntegrals integrals(scene);
   double square = 0.;
   const auto integrate = [&](const StepField &fine, const MeshCell &cell, const StepField &coarse) {
@@ -182,14 +157,11 @@ double energy_distance(const StepField &u, const StepField &v, const Scene<2> &s
 
 StepExamination::StepExamination(const Scene<2> &scene, const double target)
   : scene_(scene)
-  , target_(target)
-{
-}
+  , target_(target) {}
 
 StepFindings StepExamination::examine(const SolvedStep &step,
                                       const std::optional<StepField> &before,
-                                      const double planned)
-{
+                                      const double planned) {
   const auto &[space, multipliers, U, P, algebraic_error] = step;
   StepFindings findings;
   findings.indicators = indicate(space, scene_, U);
@@ -201,8 +173,7 @@ StepFindings StepExamination::examine(const SolvedStep &step,
   const double norm = energy_norm(space, scene_, U);
   findings.scale = energy_scale(norm, indicator, space, scene_, U);
   findings.target = target_ * findings.scale;
-  if (!findings.missed_contact_cells.empty())
-  {
+  if (!findings.missed_contact_cells.empty()) {
     // The next mesh sees another problem.
     history_ = ErrorHistory();
     return findings;

@@ -12,18 +12,14 @@
 #include <cmath>
 #include <limits>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using numbers::PI;
 
 /** Returns ρ/R for the discs about a point of the cell. */
-double roundness(const CellShape &shape, const Point<2> &x)
-{
+double roundness(const CellShape &shape, const Point<2> &x) {
   double rho = std::numeric_limits<double>::max(), R = 0.;
-  for (unsigned int k = 0; k < 4; ++k)
-  {
+  for (unsigned int k = 0; k < 4; ++k) {
     const Tensor<1, 2> edge = shape.corners[(k + 1) % 4] - shape.corners[k];
     rho = std::min(rho, cross(edge, x - shape.corners[k]) / edge.norm());
     R = std::max(R, x.distance(shape.corners[k]));
@@ -32,8 +28,7 @@ double roundness(const CellShape &shape, const Point<2> &x)
 }
 
 /** Returns Korn's constant, with the better of two centres. */
-double korn_constant(const CellShape &shape)
-{
+double korn_constant(const CellShape &shape) {
   const double tau = std::max(roundness(shape, shape.centre()), roundness(shape, shape.crossing));
   const double beta = tau / std::sqrt(2. * (1. + std::sqrt(std::max(0., 1. - tau * tau))));
   return std::sqrt(1. + 2. / (beta * beta));
@@ -41,8 +36,7 @@ double korn_constant(const CellShape &shape)
 
 /** Returns the constant in ‖v‖_e ≤ constant ‖grad v‖_T on the triangle of an edge from a to b and
  * a point P. */
-double trace_constant(const Point<2> &a, const Point<2> &b, const Point<2> &P)
-{
+double trace_constant(const Point<2> &a, const Point<2> &b, const Point<2> &P) {
   const double length = a.distance(b), area = 0.5 * std::abs(cross(b - a, P - a));
   const double to_P = std::max(a.distance(P), b.distance(P));
   const double poincare = std::max(to_P, length) / PI;
@@ -51,8 +45,7 @@ double trace_constant(const Point<2> &a, const Point<2> &b, const Point<2> &P)
 
 /** Returns the depth of the largest rectangle on edge k that lies in the cell; 0 if there is none.
  */
-double depth(const CellShape &shape, const unsigned int k)
-{
+double depth(const CellShape &shape, const unsigned int k) {
   const auto &a = shape.corners[k], &b = shape.corners[(k + 1) % 4];
   const Tensor<1, 2> along = (b - a) / a.distance(b);
   const Tensor<1, 2> left = shape.corners[(k + 3) % 4] - a, right = shape.corners[(k + 2) % 4] - b;
@@ -63,27 +56,23 @@ double depth(const CellShape &shape, const unsigned int k)
 }
 
 /** Returns the constant of Airy's function on a rectangle. */
-double beam_constant(const double L, const double max_depth)
-{
+double beam_constant(const double L, const double max_depth) {
   const double d = std::min(max_depth, 0.73 * L);
   return std::sqrt(13. / 35. * d + 12. / (5. * d) * L * L / (4. * PI * PI) +
                    12. / std::pow(d, 3) * std::pow(L, 4) / 500.56);
 }
 } // namespace
 
-double turning_constant(const double L, const double max_depth)
-{
+double turning_constant(const double L, const double max_depth) {
   const double d = std::min(L, max_depth);
   return std::sqrt(4. * L * L * L / (30. * d) + 4. * L * d / 45. + 4. * d * d * d / (105. * L));
 }
 
 OscillationConstants::OscillationConstants(const CellShape &shape)
   : korn(korn_constant(shape))
-  , body(korn * shape.diameter() / PI)
-{
+  , body(korn * shape.diameter() / PI) {
   const auto &x = shape.corners;
-  for (unsigned int k = 0; k < 4; ++k)
-  {
+  for (unsigned int k = 0; k < 4; ++k) {
     const auto &a = x[k], &b = x[(k + 1) % 4];
     edge[k] =
       korn * std::min(trace_constant(a, b, x[(k + 2) % 4]), trace_constant(a, b, x[(k + 3) % 4]));
@@ -94,11 +83,9 @@ OscillationConstants::OscillationConstants(const CellShape &shape)
 
 // Body forces, cell by cell.
 
-namespace
-{
+namespace {
 /** Returns ∫ (x - c)(x - c)ᵀ over triangle k with its centre c. */
-Tensor<2, 2> second_moments(const CellShape &shape, const unsigned int k)
-{
+Tensor<2, 2> second_moments(const CellShape &shape, const unsigned int k) {
   Tensor<2, 2> sum;
   for (const Point<2> &v : shape.triangle(k))
     sum += shape.areas[k] / 12. * outer_product(v - shape.centre(k), v - shape.centre(k));
@@ -106,27 +93,18 @@ Tensor<2, 2> second_moments(const CellShape &shape, const unsigned int k)
 }
 
 /** A rule on cells, with f at its points. */
-struct LoadRule
-{
+struct LoadRule {
   LoadRule(const BoundData &data, const unsigned int n_points)
-    : values(data.space.mesh().mapping(),
-             data.space,
-             data.scene.kinks,
-             n_points,
-             update_values | update_quadrature_points | update_JxW_values)
-  {
-  }
+    : values(data.space.mesh().mapping(), data.space, data.scene.kinks, n_points,
+             update_values | update_quadrature_points | update_JxW_values) {}
 
   CellValues<2> values;
   std::vector<dealii::Vector<double>> f;
 };
 
 /** Returns the load of a cell by a rule. */
-CellLoad make_load(const CellShape &shape,
-                   const Triangulation<2>::active_cell_iterator &cell,
-                   const Function<2> &force,
-                   LoadRule &rule)
-{
+CellLoad make_load(const CellShape &shape, const Triangulation<2>::active_cell_iterator &cell,
+                   const Function<2> &force, LoadRule &rule) {
   const FEValues<2> &values = rule.values.reinit(cell);
   const auto &points = values.get_quadrature_points();
   auto &f = rule.f;
@@ -144,8 +122,7 @@ CellLoad make_load(const CellShape &shape,
   const Point<2> centre = shape.centre();
   Tensor<1, 2> mean;
   Tensor<2, 2> first_moments, inertia;
-  for (unsigned int k = 0; k < 4; ++k)
-  {
+  for (unsigned int k = 0; k < 4; ++k) {
     mean += load.nodal[k] / shape.area();
     first_moments += outer_product(load.nodal[k], shape.corners[k] - centre);
     const Tensor<1, 2> arm = shape.centre(k) - centre;
@@ -159,15 +136,13 @@ CellLoad make_load(const CellShape &shape,
       values.JxW(i);
   load.rest = std::sqrt(square);
   load.constant.fill(mean);
-  if (shape.affine)
-  {
+  if (shape.affine) {
     const Tensor<2, 2> A = shape.half_edges();
     load.slope = invert(A) * gradient * A;
     return load;
   }
   double moment = first_moments[1][0] - first_moments[0][1], rest = 0.;
-  for (unsigned int k = 0; k < 4; ++k)
-  {
+  for (unsigned int k = 0; k < 4; ++k) {
     const Tensor<1, 2> arm = shape.centre(k) - centre;
     load.constant[k] += gradient * arm;
     moment -= shape.areas[k] * cross(arm, gradient * arm);
@@ -178,8 +153,7 @@ CellLoad make_load(const CellShape &shape,
 }
 } // namespace
 
-Components CellLoad::stress(const CellShape &shape, const Point<2> &at) const
-{
+Components CellLoad::stress(const CellShape &shape, const Point<2> &at) const {
   const double xi = 2. * at[0] - 1., eta = 2. * at[1] - 1.;
   Tensor<2, 2> s;
   s[0][0] = -0.5 * slope[0][0] * (xi * xi - 1.) - slope[0][1] * xi * eta;
@@ -188,15 +162,13 @@ Components CellLoad::stress(const CellShape &shape, const Point<2> &at) const
   return Components({t[0][0], t[1][1], t[0][1]});
 }
 
-CellMoments CellLoad::moments(const CellShape &shape) const
-{
+CellMoments CellLoad::moments(const CellShape &shape) const {
   // The traction times |e| on edge 0 is -2 J slope[1][0] ξ g_2, on edge 1 -2 J slope[0][1] η g_1,
   // with the opposite sign of ξ and η along the opposite edges, and g_i the columns of A.
   const Tensor<2, 2> A = shape.half_edges();
   CellMoments result;
   for (unsigned int k = 0; k < 4; ++k)
-    for (unsigned int c = 0; c < 2; ++c)
-    {
+    for (unsigned int c = 0; c < 2; ++c) {
       const unsigned int across = 1 - k % 2;
       const double at_first_end =
         (k < 2 ? 1. : -1.) * determinant(A) / 3. * slope[across][1 - across] * A[c][across];
@@ -206,8 +178,7 @@ CellMoments CellLoad::moments(const CellShape &shape) const
   return result;
 }
 
-double CellLoad::add_couple(const CellShape &shape, const double moment)
-{
+double CellLoad::add_couple(const CellShape &shape, const double moment) {
   double inertia = 0.;
   for (unsigned int k = 0; k < 4; ++k)
     inertia += shape.areas[k] * (shape.centre(k) - shape.centre()).norm_square();
@@ -217,16 +188,14 @@ double CellLoad::add_couple(const CellShape &shape, const double moment)
 }
 
 std::vector<Triangulation<2>::active_cell_iterator>
-cells_in_order(const DisplacementSpace<2> &space)
-{
+cells_in_order(const DisplacementSpace<2> &space) {
   std::vector<Triangulation<2>::active_cell_iterator> cells;
   for (const auto &cell : space.mesh().triangulation().active_cell_iterators())
     cells.push_back(cell);
   return cells;
 }
 
-std::vector<CellLoad> make_loads(const BoundData &data, const EdgeMesh &mesh)
-{
+std::vector<CellLoad> make_loads(const BoundData &data, const EdgeMesh &mesh) {
   if (data.scene.body_force == nullptr)
     return {};
   const Function<2> &force = *data.scene.body_force;
@@ -240,8 +209,7 @@ std::vector<CellLoad> make_loads(const BoundData &data, const EdgeMesh &mesh)
   const auto work = [&](const std::size_t begin, const std::size_t end) {
     LoadRule rule(data, data.n_points), finer(data, n_fine),
       finer_on_parts(data, std::min(n_fine, max_points_on_parts));
-    for (std::size_t i = begin; i < end; ++i)
-    {
+    for (std::size_t i = begin; i < end; ++i) {
       const CellShape shape(mesh.cells()[i].corners);
       loads[i] = make_load(shape, cells[i], force, rule);
       if (!check)

@@ -6,21 +6,17 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
-CellFunctions::CellFunctions(const Point<2> &at)
-{
+namespace Signorini {
+CellFunctions::CellFunctions(const Point<2> &at) {
   // The factors along an axis: those of its two ends, and the bubble.
   std::array<std::array<double, 3>, 2> f, slope;
-  for (unsigned int d = 0; d < 2; ++d)
-  {
+  for (unsigned int d = 0; d < 2; ++d) {
     f[d] = {{1. - at[d], at[d], 4. * at[d] * (1. - at[d])}};
     slope[d] = {{-1., 1., 4. - 8. * at[d]}};
   }
   constexpr std::array<std::array<unsigned int, 2>, n_functions> factors = {
     {{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}, {{2, 0}}, {{1, 2}}, {{2, 1}}, {{0, 2}}, {{2, 2}}}};
-  for (unsigned int i = 0; i < n_functions; ++i)
-  {
+  for (unsigned int i = 0; i < n_functions; ++i) {
     const auto [a, b] = factors[i];
     values[i] = f[0][a] * f[1][b];
     gradients[i] = Tensor<1, 2>({slope[0][a] * f[1][b], f[0][a] * slope[1][b]});
@@ -30,10 +26,8 @@ CellFunctions::CellFunctions(const Point<2> &at)
 CellShape::CellShape(const std::array<Point<2>, 4> &corners, const Bulges &bulges)
   : corners(corners)
   , bulges(bulges)
-  , is_curved(std::any_of(bulges.begin(), bulges.end(), [](const Tensor<1, 2> &bulge) {
-    return bulge.norm_square() > 0.;
-  }))
-{
+  , is_curved(std::any_of(bulges.begin(), bulges.end(),
+                          [](const Tensor<1, 2> &bulge) { return bulge.norm_square() > 0.; })) {
   const Tensor<1, 2> first = corners[2] - corners[0], second = corners[3] - corners[1];
   crossing = corners[0] + cross(corners[1] - corners[0], second) / cross(first, second) * first;
   for (unsigned int k = 0; k < 4; ++k)
@@ -42,8 +36,7 @@ CellShape::CellShape(const std::array<Point<2>, 4> &corners, const Bulges &bulge
   affine = !is_curved && difference.norm() < 1e-12 * first.norm();
 }
 
-double CellShape::diameter() const
-{
+double CellShape::diameter() const {
   double largest = 0.;
   for (const auto &a : corners)
     for (const auto &b : corners)
@@ -51,22 +44,19 @@ double CellShape::diameter() const
   return largest;
 }
 
-Point<2> CellShape::centre() const
-{
+Point<2> CellShape::centre() const {
   Tensor<1, 2> sum;
   for (unsigned int k = 0; k < 4; ++k)
     sum += areas[k] / area() * (centre(k) - crossing);
   return crossing + sum;
 }
 
-Tensor<2, 2> CellShape::half_edges() const
-{
+Tensor<2, 2> CellShape::half_edges() const {
   const Tensor<1, 2> a = 0.5 * (corners[1] - corners[0]), b = 0.5 * (corners[3] - corners[0]);
   return Tensor<2, 2>({{a[0], b[0]}, {a[1], b[1]}});
 }
 
-Tensor<1, 2> CellShape::offset(const CellFunctions &functions, const bool with_bulges) const
-{
+Tensor<1, 2> CellShape::offset(const CellFunctions &functions, const bool with_bulges) const {
   Tensor<1, 2> sum;
   for (unsigned int c = 1; c < CellFunctions::n_corners; ++c)
     sum += functions.values[c] * (corners[c] - corners[0]);
@@ -75,8 +65,7 @@ Tensor<1, 2> CellShape::offset(const CellFunctions &functions, const bool with_b
   return sum;
 }
 
-Tensor<2, 2> CellShape::jacobian(const CellFunctions &functions, const bool with_bulges) const
-{
+Tensor<2, 2> CellShape::jacobian(const CellFunctions &functions, const bool with_bulges) const {
   Tensor<2, 2> sum;
   for (unsigned int c = 1; c < CellFunctions::n_corners; ++c)
     sum += outer_product(corners[c] - corners[0], functions.gradients[c]);
@@ -85,13 +74,11 @@ Tensor<2, 2> CellShape::jacobian(const CellFunctions &functions, const bool with
   return sum;
 }
 
-Point<2> CellShape::reference(const Tensor<1, 2> &offset) const
-{
+Point<2> CellShape::reference(const Tensor<1, 2> &offset) const {
   const Tensor<1, 2> a = corners[1] - corners[0], b = corners[3] - corners[0],
                      g = (corners[2] - corners[1]) - b;
   Point<2> at(0.5, 0.5);
-  for (unsigned int step = 0; step < 20; ++step)
-  {
+  for (unsigned int step = 0; step < 20; ++step) {
     const Tensor<1, 2> rest = offset - (at[0] * a + at[1] * b + at[0] * at[1] * g);
     const Tensor<1, 2> d_s = a + at[1] * g, d_t = b + at[0] * g;
     const Tensor<1, 2> change =
@@ -103,11 +90,10 @@ Point<2> CellShape::reference(const Tensor<1, 2> &offset) const
   return at;
 }
 
-namespace
-{
+namespace {
 /** The position of component @p c of the moment that edge k has at its first or second end. */
-constexpr unsigned int moment_at(const unsigned int k, const unsigned int end, const unsigned int c)
-{
+constexpr unsigned int moment_at(const unsigned int k, const unsigned int end,
+                                 const unsigned int c) {
   return 4 * k + 2 * end + c;
 }
 
@@ -127,27 +113,23 @@ constexpr unsigned int moment_at(const unsigned int k, const unsigned int end, c
  * Distorted meshes have as many shapes as cells: this takes 2 µs, a dense system of the same
  * equations 50 µs.
  */
-class ReferenceStress
-{
+class ReferenceStress {
 public:
   using Data = std::array<double, CompositeCell::n_data>;
   /** The stress (11, 22, 12) on triangle k at its corners k and k + 1 and at the crossing. */
   using Stress = std::array<std::array<Components, 3>, 4>;
 
   ReferenceStress(const double p, const double q)
-    : at_({{1., 1., -p, -q}})
-  {
+    : at_({{1., 1., -p, -q}}) {
     std::array<Tensor<1, 2>, 4> corners;
     for (unsigned int k = 0; k < 4; ++k)
       corners[k][k % 2] = at_[k];
-    for (unsigned int k = 0; k < 4; ++k)
-    {
+    for (unsigned int k = 0; k < 4; ++k) {
       const Tensor<1, 2> edge = corners[(k + 1) % 4] - corners[k];
       normals_[k] = Tensor<1, 2>({edge[1], -edge[0]});
     }
   }
-  Stress operator()(const Data &data) const
-  {
+  Stress operator()(const Data &data) const {
     Stress values;
     for (unsigned int k = 0; k < 4; ++k)
       solve_corner(k, data, values[(k + 3) % 4][1], values[k][0]);
@@ -161,17 +143,15 @@ public:
 
 private:
   /** Returns the traction times the length of edge k at its first or second end. */
-  static Tensor<1, 2> traction(const Data &data, const unsigned int k, const unsigned int end)
-  {
+  static Tensor<1, 2> traction(const Data &data, const unsigned int k, const unsigned int end) {
     Tensor<1, 2> t;
     for (unsigned int c = 0; c < 2; ++c)
       t[c] = 4. * data[moment_at(k, end, c)] - 2. * data[moment_at(k, 1 - end, c)];
     return t;
   }
   /** Does step 1 for corner k, on the triangles before and after it. */
-  void
-  solve_corner(const unsigned int k, const Data &data, Components &before, Components &after) const
-  {
+  void solve_corner(const unsigned int k, const Data &data, Components &before,
+                    Components &after) const {
     const unsigned int a = k % 2, b = 1 - a;
     const Tensor<1, 2> &mu = normals_[(k + 3) % 4], &nu = normals_[k];
     const Tensor<1, 2> s = traction(data, (k + 3) % 4, 1), t = traction(data, k, 0);
@@ -185,11 +165,8 @@ private:
    * Does step 2 for half-axis j, on the triangles before and after it.
    * @return τ_12 at the crossing.
    */
-  double solve_half_axis(const unsigned int j,
-                         const Data &data,
-                         std::array<Components, 3> &before,
-                         std::array<Components, 3> &after) const
-  {
+  double solve_half_axis(const unsigned int j, const Data &data, std::array<Components, 3> &before,
+                         std::array<Components, 3> &after) const {
     const unsigned int b = 1 - j % 2, k = (j + 3) % 4;
     const double to_before = 1. / at_[k], to_after = 1. / at_[(j + 1) % 4];
     const double d_before = data[CompositeCell::n_moments + 2 * k + b];
@@ -207,8 +184,7 @@ private:
 };
 } // namespace
 
-CompositeCell::CompositeCell(const CellShape &shape)
-{
+CompositeCell::CompositeCell(const CellShape &shape) {
   const auto &x = shape.corners;
   const Tensor<1, 2> a1 = x[0] - shape.crossing, a2 = x[1] - shape.crossing;
   const ReferenceStress reference(x[2].distance(shape.crossing) / a1.norm(),
@@ -218,8 +194,7 @@ CompositeCell::CompositeCell(const CellShape &shape)
   const Tensor<2, 3> push_forward({{a1[0] * a1[0], a2[0] * a2[0], 2. * a1[0] * a2[0]},
                                    {a1[1] * a1[1], a2[1] * a2[1], 2. * a1[1] * a2[1]},
                                    {a1[0] * a1[1], a2[0] * a2[1], a1[0] * a2[1] + a1[1] * a2[0]}});
-  for (unsigned int j = 0; j < n_data; ++j)
-  {
+  for (unsigned int j = 0; j < n_data; ++j) {
     // b' = F⁻¹ b / det F and d' = F⁻¹ d.
     const double scale = j < n_moments ? 1. / determinant(F) : 1.;
     ReferenceStress::Data data{};
@@ -227,8 +202,7 @@ CompositeCell::CompositeCell(const CellShape &shape)
       data[j - j % 2 + c] = scale * inverse[c][j % 2];
     const ReferenceStress::Stress values = reference(data);
     for (unsigned int k = 0; k < 4; ++k)
-      for (unsigned int m = 0; m < 3; ++m)
-      {
+      for (unsigned int m = 0; m < 3; ++m) {
         const Components s = push_forward * values[k][m];
         for (unsigned int c = 0; c < 3; ++c)
           matrix_[9 * k + 3 * m + c][j] = s[c];

@@ -6,22 +6,18 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
-double EdgeFunction::Part::value(const double t) const
-{
+namespace Signorini {
+double EdgeFunction::Part::value(const double t) const {
   const double tau = (t - start) / (end - start);
   return (1. - tau) * first + tau * last + 4. * bulge * tau * (1. - tau);
 }
 
-double EdgeFunction::Part::slope(const double t) const
-{
+double EdgeFunction::Part::slope(const double t) const {
   const double tau = (t - start) / (end - start);
   return (last - first + 4. * bulge * (1. - 2. * tau)) / (end - start);
 }
 
-double EdgeFunction::Part::largest() const
-{
+double EdgeFunction::Part::largest() const {
   // The derivative last - first + 4 bulge (1 - 2 τ) vanishes in the middle of a part if
   // |last - first| < 4 bulge.
   if (std::abs(last - first) >= 4. * bulge)
@@ -30,43 +26,36 @@ double EdgeFunction::Part::largest() const
   return value(start + tau * (end - start));
 }
 
-double EdgeFunction::largest() const
-{
+double EdgeFunction::largest() const {
   double largest = parts_.empty() ? 0. : parts_.front().first;
   for (const Part &part : parts_)
     largest = std::max(largest, part.largest());
   return largest;
 }
 
-const EdgeFunction::Part &EdgeFunction::part_at(const double t) const
-{
+const EdgeFunction::Part &EdgeFunction::part_at(const double t) const {
   const auto after = std::upper_bound(
     parts_.begin(), parts_.end(), t, [](const double x, const Part &part) { return x < part.end; });
   return after == parts_.end() ? parts_.back() : *after;
 }
 
-double EdgeFunction::value(const double t) const
-{
+double EdgeFunction::value(const double t) const {
   return parts_.empty() ? 0. : part_at(t).value(t);
 }
 
-double EdgeFunction::slope(const double t) const
-{
+double EdgeFunction::slope(const double t) const {
   return parts_.empty() ? 0. : part_at(t).slope(t);
 }
 
-bool EdgeFunction::is_zero() const
-{
+bool EdgeFunction::is_zero() const {
   return std::all_of(parts_.begin(), parts_.end(), [](const Part &part) {
     return part.first == 0. && part.last == 0. && part.bulge == 0.;
   });
 }
 
-double EdgeFunction::square_integral() const
-{
+double EdgeFunction::square_integral() const {
   double sum = 0.;
-  for (const Part &part : parts_)
-  {
+  for (const Part &part : parts_) {
     const double a = part.first, b = part.last, c = part.bulge;
     sum += (part.end - part.start) *
            ((a * a + a * b + b * b) / 3. + 2. / 3. * c * (a + b) + 8. / 15. * c * c);
@@ -74,46 +63,38 @@ double EdgeFunction::square_integral() const
   return sum;
 }
 
-double EdgeFunction::slope_integral() const
-{
+double EdgeFunction::slope_integral() const {
   double sum = 0.;
-  for (const Part &part : parts_)
-  {
+  for (const Part &part : parts_) {
     const double rise = part.last - part.first;
     sum += (rise * rise + 16. / 3. * part.bulge * part.bulge) / (part.end - part.start);
   }
   return sum;
 }
 
-namespace
-{
+namespace {
 /** An interval with the values of f at equally spaced points, the ends and the quarters among them.
  */
-struct SampledInterval
-{
+struct SampledInterval {
   double start, end;
   std::vector<double> f;
   /** Whether f is far from any parabola. */
   bool rough = false;
 
-  std::size_t n() const
-  {
+  std::size_t n() const {
     return f.size() - 1;
   }
-  double bulge() const
-  {
+  double bulge() const {
     return f[n() / 2] - 0.5 * (f.front() + f.back());
   }
   /** Returns f minus the parabola through both ends and the middle. */
-  double excess(const std::size_t i) const
-  {
+  double excess(const std::size_t i) const {
     const double tau = static_cast<double>(i) / n();
     return f[i] - ((1. - tau) * f.front() + tau * f.back() + 4. * bulge() * tau * (1. - tau));
   }
   /** Returns the largest of sign × excess at the quarters; or at all points, if these show more. A
    * cubic exceeds the parabola at most by 1.03 of the excess at the quarters. */
-  double max_excess(const bool absolute) const
-  {
+  double max_excess(const bool absolute) const {
     const auto size = [&](const std::size_t i) {
       return absolute ? std::abs(excess(i)) : std::max(0., excess(i));
     };
@@ -125,8 +106,7 @@ struct SampledInterval
   }
   /** Returns the rise of the parabola, or of the chord where f is rough, at the end with the value
    * @p value. */
-  double lift(const double value) const
-  {
+  double lift(const double value) const {
     return rough ? *std::max_element(f.begin(), f.end()) - value : 1.25 * max_excess(false);
   }
 };
@@ -134,11 +114,8 @@ struct SampledInterval
 /** The number of intervals between two breaks, before any is halved. */
 constexpr unsigned int n_intervals = 4;
 
-SampledInterval sample(const std::function<double(double)> &f,
-                       const double start,
-                       const double end,
-                       const unsigned int n_scanned)
-{
+SampledInterval sample(const std::function<double(double)> &f, const double start, const double end,
+                       const unsigned int n_scanned) {
   SampledInterval interval = {start, end, {}};
   const unsigned int n = n_scanned + 4;
   for (unsigned int i = 0; i <= n; ++i)
@@ -149,42 +126,32 @@ SampledInterval sample(const std::function<double(double)> &f,
 /** Replaces f at t by the limit from inside, at the distance @p inwards, if f jumps there. At a
  * jump the limit is the same at both distances; where f is only steep, like the root of the
  * distance, it is not. */
-void take_limit(const std::function<double(double)> &f,
-                const double t,
-                const double inwards,
-                const double rounding,
-                double &value)
-{
+void take_limit(const std::function<double(double)> &f, const double t, const double inwards,
+                const double rounding, double &value) {
   const double limit = f(t + 1e-10 * inwards), change = std::abs(limit - value);
   if (change > rounding && change > 0.5 * std::abs(f(t + 1e-6 * inwards) - value))
     value = limit;
 }
 
 /** Halves intervals where f is far from a parabola, and marks those where it stays so. */
-void refine(const std::function<double(double)> &f,
-            const double allowed,
-            unsigned int n_scanned,
-            std::vector<SampledInterval> &intervals)
-{
+void refine(const std::function<double(double)> &f, const double allowed, unsigned int n_scanned,
+            std::vector<SampledInterval> &intervals) {
   const auto is_rough = [allowed](const SampledInterval &interval) {
     return interval.max_excess(true) > allowed;
   };
-  for (unsigned int pass = 0; pass < 6; ++pass)
-  {
+  for (unsigned int pass = 0; pass < 6; ++pass) {
     // The halves have the points of the whole, and not less than four each.
     n_scanned = n_scanned == 0 ? 0 : std::max(4U, n_scanned / 2);
     std::vector<SampledInterval> finer;
     for (const SampledInterval &whole : intervals)
-      if (is_rough(whole))
-      {
+      if (is_rough(whole)) {
         const double middle = 0.5 * (whole.start + whole.end);
         finer.push_back(sample(f, whole.start, middle, n_scanned));
         finer.push_back(sample(f, middle, whole.end, n_scanned));
         // The limits at breaks stay.
         finer[finer.size() - 2].f.front() = whole.f.front();
         finer.back().f.back() = whole.f.back();
-      }
-      else
+      } else
         finer.push_back(whole);
     intervals = std::move(finer);
   }
@@ -193,12 +160,10 @@ void refine(const std::function<double(double)> &f,
 }
 
 /** Returns parabolas with what raises them above f. */
-EdgeFunction raised(const std::vector<SampledInterval> &intervals, const Pinned &pinned)
-{
+EdgeFunction raised(const std::vector<SampledInterval> &intervals, const Pinned &pinned) {
   const std::size_t n = intervals.size();
   std::vector<double> values(n + 1), lifts(n + 1);
-  for (std::size_t i = 0; i < n; ++i)
-  {
+  for (std::size_t i = 0; i < n; ++i) {
     const SampledInterval &interval = intervals[i];
     const double first = interval.f.front(), last = interval.f.back();
     // A linear function that vanishes at one end is a quarter of its value at the quarter.
@@ -212,31 +177,22 @@ EdgeFunction raised(const std::vector<SampledInterval> &intervals, const Pinned 
   }
   std::vector<EdgeFunction::Part> parts;
   for (std::size_t i = 0; i < n; ++i)
-    parts.push_back({intervals[i].start,
-                     intervals[i].end,
-                     values[i] + lifts[i],
-                     values[i + 1] + lifts[i + 1],
-                     intervals[i].rough ? 0. : intervals[i].bulge()});
+    parts.push_back({intervals[i].start, intervals[i].end, values[i] + lifts[i],
+                     values[i + 1] + lifts[i + 1], intervals[i].rough ? 0. : intervals[i].bulge()});
   return EdgeFunction(std::move(parts));
 }
 } // namespace
 
 UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
-                                        const std::vector<double> &breaks,
-                                        const double rounding,
-                                        const Pinned &pinned,
-                                        const unsigned int n_scanned)
-{
+                                        const std::vector<double> &breaks, const double rounding,
+                                        const Pinned &pinned, const unsigned int n_scanned) {
   std::vector<SampledInterval> intervals;
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
-  {
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const double length = (breaks[k + 1] - breaks[k]) / n_intervals;
     for (unsigned int i = 0; i < n_intervals; ++i)
       intervals.push_back(
-        sample(f,
-               breaks[k] + length * i,
-               i + 1 == n_intervals ? breaks[k + 1] : breaks[k] + length * (i + 1),
-               n_scanned));
+        sample(f, breaks[k] + length * i,
+               i + 1 == n_intervals ? breaks[k + 1] : breaks[k] + length * (i + 1), n_scanned));
     take_limit(f, breaks[k], length, rounding, intervals[intervals.size() - n_intervals].f.front());
     take_limit(f, breaks[k + 1], -length, rounding, intervals.back().f.back());
   }
@@ -244,25 +200,20 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
   const auto chord = [&](const double t) { return (1. - t) * first + t * last; };
   // The largest distances from the chord and from parabolas.
   double range = 0., misfit = 0.;
-  for (const SampledInterval &interval : intervals)
-  {
+  for (const SampledInterval &interval : intervals) {
     for (std::size_t i = 0; i <= interval.n(); ++i)
-      range =
-        std::max(range,
-                 std::abs(interval.f[i] - chord(interval.start + (interval.end - interval.start) *
-                                                                   i / interval.n())));
+      range = std::max(
+        range, std::abs(interval.f[i] - chord(interval.start +
+                                              (interval.end - interval.start) * i / interval.n())));
     misfit = std::max(misfit, interval.max_excess(true));
   }
   UpperInterpolant upper;
-  if (range <= rounding && misfit <= rounding)
-  {
+  if (range <= rounding && misfit <= rounding) {
     std::vector<EdgeFunction::Part> parts;
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
       parts.push_back({breaks[k], breaks[k + 1], chord(breaks[k]), chord(breaks[k + 1]), 0.});
     upper.function = EdgeFunction(std::move(parts));
-  }
-  else
-  {
+  } else {
     refine(f, std::max(0.01 * range, rounding), n_scanned, intervals);
     upper.function = raised(intervals, pinned);
   }
@@ -270,8 +221,7 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
   upper.at = 0.;
   for (const SampledInterval &interval : intervals)
     for (std::size_t i = 0; i <= interval.n(); ++i)
-      if (interval.f[i] > upper.largest)
-      {
+      if (interval.f[i] > upper.largest) {
         upper.largest = interval.f[i];
         upper.at = interval.start + (interval.end - interval.start) * i / interval.n();
       }

@@ -6,51 +6,37 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
+namespace Signorini {
 LawSampling::LawSampling(const Material<2> &material, const std::size_t n_cells)
   : material_(material)
-  , intervals_(std::clamp<unsigned int>(std::sqrt(5e5 / n_cells), 6, 96))
-{
-}
+  , intervals_(std::clamp<unsigned int>(std::sqrt(5e5 / n_cells), 6, 96)) {}
 
-LawSampling::Sample LawSampling::sample(const Point<2> &x) const
-{
+LawSampling::Sample LawSampling::sample(const Point<2> &x) const {
   const SymmetricTensor<4, 2> C = material_.relative_hooke(x);
   const Tensor<2, 3> matrix({{C[0][0][0][0], C[0][0][1][1], C[0][0][0][1]},
                              {C[1][1][0][0], C[1][1][1][1], C[1][1][0][1]},
                              {C[0][1][0][0], C[0][1][1][1], C[0][1][0][1]}});
   const Tensor<2, 3> shares = matrix / matrix.norm();
   return {x,
-          {{matrix.norm(),
-            invert(matrix).norm(),
-            shares[0][0],
-            shares[1][1],
-            shares[2][2],
-            shares[0][1],
-            shares[0][2],
-            shares[1][2]}}};
+          {{matrix.norm(), invert(matrix).norm(), shares[0][0], shares[1][1], shares[2][2],
+            shares[0][1], shares[0][2], shares[1][2]}}};
 }
 
-LawSampling::Samples LawSampling::scan(const std::array<Point<2>, 4> &corners) const
-{
+LawSampling::Samples LawSampling::scan(const std::array<Point<2>, 4> &corners) const {
   const CellShape shape(corners);
   Samples samples;
   samples.reserve(intervals_ * intervals_);
   for (unsigned int i = 0; i < intervals_; ++i)
-    for (unsigned int j = 0; j < intervals_; ++j)
-    {
+    for (unsigned int j = 0; j < intervals_; ++j) {
       const Point<2> at((i + 0.5) / intervals_, (j + 0.5) / intervals_);
       samples.push_back(sample(corners[0] + shape.offset(CellFunctions(at), false)));
     }
   return samples;
 }
 
-bool LawSampling::varies(const Samples &samples)
-{
+bool LawSampling::varies(const Samples &samples) {
   constexpr double max_ratio = 1.5, max_difference = 0.4;
-  for (unsigned int i = 0; i < samples.front().features.size(); ++i)
-  {
+  for (unsigned int i = 0; i < samples.front().features.size(); ++i) {
     const auto [low, high] =
       std::minmax_element(samples.begin(), samples.end(), [i](const Sample &a, const Sample &b) {
         return a.features[i] < b.features[i];
@@ -62,11 +48,8 @@ bool LawSampling::varies(const Samples &samples)
   return false;
 }
 
-void LawSampling::divide(const Triangle &x,
-                         const Samples &samples,
-                         const double least,
-                         std::vector<TrianglePart> &parts) const
-{
+void LawSampling::divide(const Triangle &x, const Samples &samples, const double least,
+                         std::vector<TrianglePart> &parts) const {
   const auto at = [&x](const double first, const double second) {
     return x[0] + first * (x[1] - x[0]) + second * (x[2] - x[0]);
   };
@@ -91,8 +74,7 @@ void LawSampling::divide(const Triangle &x,
     if (x[k].distance(x[(k + 1) % 3]) > (1. + 1e-10) * x[longest].distance(x[(longest + 1) % 3]))
       longest = k;
   const Point<2> &start = x[longest], &end = x[(longest + 1) % 3], &tip = x[(longest + 2) % 3];
-  if (is_resolved || start.distance(end) < least)
-  {
+  if (is_resolved || start.distance(end) < least) {
     parts.push_back({x, is_resolved});
     return;
   }

@@ -9,26 +9,21 @@
 
 #include <algorithm>
 
-namespace Signorini
-{
-namespace
-{
-const std::vector<Point<1>> &nodes()
-{
+namespace Signorini {
+namespace {
+const std::vector<Point<1>> &nodes() {
   static const std::vector<Point<1>> points = QGaussLobattoChebyshev<1>(9).get_points();
   return points;
 }
 } // namespace
 
-Tensor<1, 2> PrescribedLift::EdgeRest::evaluate(const double s, const bool derivative) const
-{
+Tensor<1, 2> PrescribedLift::EdgeRest::evaluate(const double s, const bool derivative) const {
   static const auto basis = Polynomials::generate_complete_Lagrange_basis(nodes());
   const double position = s * pieces.size();
   const unsigned int piece = std::clamp<int>(position, 0, pieces.size() - 1);
   Tensor<1, 2> sum;
   std::vector<double> value_and_slope(2);
-  for (unsigned int i = 0; i < basis.size(); ++i)
-  {
+  for (unsigned int i = 0; i < basis.size(); ++i) {
     basis[i].value(position - piece, value_and_slope);
     sum +=
       (derivative ? pieces.size() * value_and_slope[1] : value_and_slope[0]) * pieces[piece][i];
@@ -37,8 +32,7 @@ Tensor<1, 2> PrescribedLift::EdgeRest::evaluate(const double s, const bool deriv
 }
 
 PrescribedLift::PrescribedLift(const BoundData &data, const EdgeMesh &mesh)
-  : cells_(mesh.cells().size(), false)
-{
+  : cells_(mesh.cells().size(), false) {
   constexpr double allowed = 1e-3;
   constexpr unsigned int max_pieces = 32;
   const double scale = data.U.linfty_norm();
@@ -48,8 +42,7 @@ PrescribedLift::PrescribedLift(const BoundData &data, const EdgeMesh &mesh)
   const std::size_t n_edges =
     std::count_if(mesh.edges().begin(), mesh.edges().end(), is_prescribed);
   for (unsigned int c = 0; c < mesh.cells().size(); ++c)
-    for (unsigned int k = 0; k < 4; ++k)
-    {
+    for (unsigned int k = 0; k < 4; ++k) {
       const EdgeCell &cell = mesh.cells()[c];
       const Edge &edge = mesh.edges()[cell.edges[k]];
       if (!is_prescribed(edge))
@@ -69,18 +62,15 @@ PrescribedLift::PrescribedLift(const BoundData &data, const EdgeMesh &mesh)
         is_constant(prescribed) ? 0 : std::min<std::size_t>(256, 20000 / n_edges);
       EdgeRest rest = {k, {}};
       double size = 0., misfit = 0.;
-      for (unsigned int n_pieces = 1; n_pieces <= max_pieces; n_pieces *= 2)
-      {
+      for (unsigned int n_pieces = 1; n_pieces <= max_pieces; n_pieces *= 2) {
         rest.pieces.assign(n_pieces, {});
         for (unsigned int piece = 0; piece < n_pieces; ++piece)
-          for (const Point<1> &node : nodes())
-          {
+          for (const Point<1> &node : nodes()) {
             rest.pieces[piece].push_back(r((piece + node[0]) / n_pieces));
             size = std::max(size, rest.pieces[piece].back().norm());
           }
         misfit = 0.;
-        for (unsigned int i = 0; i < n_scanned; ++i)
-        {
+        for (unsigned int i = 0; i < n_scanned; ++i) {
           const double s = (i + 0.5) / n_scanned;
           const Tensor<1, 2> value = r(s);
           size = std::max(size, value.norm());
@@ -92,21 +82,19 @@ PrescribedLift::PrescribedLift(const BoundData &data, const EdgeMesh &mesh)
       // A smaller rest is rounding.
       if (size > 1e-10 * scale)
         max_misfit_ = std::max(max_misfit_, misfit / size);
-      if (size > 1e-13 * scale)
-      {
+      if (size > 1e-13 * scale) {
         cells_[c] = true;
         rests_[c].push_back(std::move(rest));
       }
     }
 }
 
-std::vector<KinkLine<2>> PrescribedLift::lines(const unsigned int cell, const EdgeCell &place) const
-{
+std::vector<KinkLine<2>> PrescribedLift::lines(const unsigned int cell,
+                                               const EdgeCell &place) const {
   std::vector<KinkLine<2>> lines;
   const auto &x = place.corners;
   for (const EdgeRest &rest : rests_.at(cell))
-    for (unsigned int piece = 1; piece < rest.pieces.size(); ++piece)
-    {
+    for (unsigned int piece = 1; piece < rest.pieces.size(); ++piece) {
       const double s = static_cast<double>(piece) / rest.pieces.size();
       const unsigned int a = rest.k, b = (a + 1) % 4, c = (a + 2) % 4, d = (a + 3) % 4;
       // Lines of bilinear coordinates are straight.
@@ -117,14 +105,11 @@ std::vector<KinkLine<2>> PrescribedLift::lines(const unsigned int cell, const Ed
   return lines;
 }
 
-Components PrescribedLift::strain(const unsigned int cell,
-                                  const CellShape &shape,
-                                  const Point<2> &at) const
-{
+Components PrescribedLift::strain(const unsigned int cell, const CellShape &shape,
+                                  const Point<2> &at) const {
   const Tensor<2, 2> inverse = invert(shape.jacobian(CellFunctions(at), false));
   Components e;
-  for (const EdgeRest &rest : rests_.at(cell))
-  {
+  for (const EdgeRest &rest : rests_.at(cell)) {
     // The axes along edge k and behind it, with their directions.
     const unsigned int along = rest.k % 2, behind = 1 - along;
     const bool forward = rest.k < 2, inward = rest.k % 3 == 0;
@@ -138,16 +123,14 @@ Components PrescribedLift::strain(const unsigned int cell,
   return e;
 }
 
-double PrescribedLift::work(const unsigned int cell, const CellMoments &moments) const
-{
+double PrescribedLift::work(const unsigned int cell, const CellMoments &moments) const {
   if (!cells_[cell])
     return 0.;
   const QGauss<1> rule(6);
   double sum = 0.;
   for (const EdgeRest &rest : rests_.at(cell))
     for (unsigned int piece = 0; piece < rest.pieces.size(); ++piece)
-      for (unsigned int i = 0; i < rule.size(); ++i)
-      {
+      for (unsigned int i = 0; i < rule.size(); ++i) {
         const double s = (piece + rule.point(i)[0]) / rest.pieces.size();
         sum += rule.weight(i) / rest.pieces.size() *
                (rest.evaluate(s, false) * linear_traction(&moments[4 * rest.k], s));

@@ -12,16 +12,13 @@
 #include <cmath>
 #include <numeric>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The corners of a cell in [0,1]². */
 const std::array<Point<2>, 4> unit_corners = {{{0., 0.}, {1., 0.}, {1., 1.}, {0., 1.}}};
 } // namespace
 
-std::string EquilibratedStress::objection(const BoundData &data)
-{
+std::string EquilibratedStress::objection(const BoundData &data) {
   if (data.space.max_element_degree() > 1)
     return "the displacement has a degree above one, and the bound is for bilinear elements";
   if (data.space.mesh().triangulation().has_hanging_nodes())
@@ -35,14 +32,12 @@ EquilibratedStress::EquilibratedStress(const BoundData &data)
   , lift_(data, mesh_)
   , table_(mesh_, data.scene, lift_)
   , loads_(make_loads(data, mesh_))
-  , given_(given_tractions(data, mesh_))
-{
+  , given_(given_tractions(data, mesh_)) {
   if (data.space.mesh().has_parents() && !mesh_.is_curved())
     find_bubbles();
   const auto R = residuals();
   const std::vector<double> guess = mean_tractions();
-  if (mesh_.is_curved())
-  {
+  if (mesh_.is_curved()) {
     balance_couples(R);
     give_to_contact(mesh_, data.scene, solve_stars(mesh_, R, given_.moments, guess).rest, given_);
   }
@@ -63,12 +58,10 @@ EquilibratedStress::EquilibratedStress(const BoundData &data)
   for_each_cell([&](const std::size_t cell) { update(energies, cell, change); });
 }
 
-void EquilibratedStress::balance_couples(const std::vector<CornerForces> &R)
-{
+void EquilibratedStress::balance_couples(const std::vector<CornerForces> &R) {
   loads_.resize(mesh_.cells().size());
   couples_.assign(mesh_.cells().size(), 0.);
-  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
-  {
+  for (unsigned int c = 0; c < mesh_.cells().size(); ++c) {
     const EdgeCell &cell = mesh_.cells()[c];
     if (!cell.is_curved)
       continue;
@@ -79,15 +72,13 @@ void EquilibratedStress::balance_couples(const std::vector<CornerForces> &R)
   }
 }
 
-double EquilibratedStress::geometry(const unsigned int cell, const double min_eigenvalue) const
-{
+double EquilibratedStress::geometry(const unsigned int cell, const double min_eigenvalue) const {
   const EdgeCell &here = mesh_.cells()[cell];
   if (!here.is_curved)
     return 0.;
   const CornerValues u = displacement(here);
   double sum = table_.constants(cell).body * couples_[cell];
-  for (unsigned int k = 0; k < 4; ++k)
-  {
+  for (unsigned int k = 0; k < 4; ++k) {
     const Edge &edge = mesh_.edges()[here.edges[k]];
     if (!edge.is_boundary() || edge.is_held())
       continue;
@@ -100,13 +91,11 @@ double EquilibratedStress::geometry(const unsigned int cell, const double min_ei
   return sum / std::sqrt(min_eigenvalue);
 }
 
-unsigned int EquilibratedStress::n_threads() const
-{
+unsigned int EquilibratedStress::n_threads() const {
   return n_available_threads(data_.space.mesh().communicator());
 }
 
-EquilibratedStress::CornerValues EquilibratedStress::displacement(const EdgeCell &cell) const
-{
+EquilibratedStress::CornerValues EquilibratedStress::displacement(const EdgeCell &cell) const {
   CornerValues values;
   for (unsigned int a = 0; a < 4; ++a)
     for (unsigned int c = 0; c < 2; ++c)
@@ -114,18 +103,15 @@ EquilibratedStress::CornerValues EquilibratedStress::displacement(const EdgeCell
   return values;
 }
 
-EquilibratedStress::CornerValues EquilibratedStress::deformation(const EdgeCell &cell) const
-{
+EquilibratedStress::CornerValues EquilibratedStress::deformation(const EdgeCell &cell) const {
   CornerValues values = displacement(cell);
   for (unsigned int a = 4; a-- > 0;)
     values[a] -= values[0];
   return values;
 }
 
-Tensor<2, 2> EquilibratedStress::stress_of_u(const EdgeCell &cell,
-                                             const CornerValues &u,
-                                             const Point<2> &at) const
-{
+Tensor<2, 2> EquilibratedStress::stress_of_u(const EdgeCell &cell, const CornerValues &u,
+                                             const Point<2> &at) const {
   const CellShape shape(cell.corners);
   const CellFunctions functions(at);
   const Tensor<2, 2> inverse = invert(shape.jacobian(functions, false));
@@ -137,8 +123,7 @@ Tensor<2, 2> EquilibratedStress::stress_of_u(const EdgeCell &cell,
   return Tensor<2, 2>({{s[0], s[2]}, {s[2], s[1]}});
 }
 
-std::vector<CornerForces> EquilibratedStress::residuals()
-{
+std::vector<CornerForces> EquilibratedStress::residuals() {
   constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}};
   const double unit = stiffness_unit(data_.space, *data_.scene.material);
   const auto cells = cells_in_order(data_.space);
@@ -146,13 +131,11 @@ std::vector<CornerForces> EquilibratedStress::residuals()
   std::vector<double> energies(cells.size(), 0.);
   work_on_ranges(n_threads(), cells.size(), [&](const std::size_t begin, const std::size_t end) {
     CellStiffness<2> stiffness(data_.space, data_.scene);
-    for (std::size_t i = begin; i < end; ++i)
-    {
+    for (std::size_t i = begin; i < end; ++i) {
       const FullMatrix<double> &K = stiffness(cells[i]);
       const CornerValues u = deformation(mesh_.cells()[i]);
       for (unsigned int a = 0; a < 4; ++a)
-        for (unsigned int c = 0; c < 2; ++c)
-        {
+        for (unsigned int c = 0; c < 2; ++c) {
           double sum = 0.;
           for (unsigned int b = 0; b < 4; ++b)
             for (unsigned int d = 0; d < 2; ++d)
@@ -166,25 +149,21 @@ std::vector<CornerForces> EquilibratedStress::residuals()
   return R;
 }
 
-std::vector<double> EquilibratedStress::mean_tractions() const
-{
+std::vector<double> EquilibratedStress::mean_tractions() const {
   std::vector<double> moments(mesh_.n_moments(), 0.);
-  for (const EdgeCell &cell : mesh_.cells())
-  {
+  for (const EdgeCell &cell : mesh_.cells()) {
     const CornerValues u = deformation(cell);
     CellMoments here;
     std::array<Tensor<2, 2>, 4> s;
     // Laws may jump on edges.
     for (unsigned int a = 0; a < 4; ++a)
       s[a] = stress_of_u(cell, u, unit_corners[a] + 0.01 * (Point<2>(0.5, 0.5) - unit_corners[a]));
-    for (unsigned int k = 0; k < 4; ++k)
-    {
+    for (unsigned int k = 0; k < 4; ++k) {
       const Tensor<1, 2> normal = cross_product_2d(cell.edge_vector(k));
       const Tensor<1, 2> first = s[k] * normal, last = s[(k + 1) % 4] * normal;
       // At the boundary there is no other side.
       const double share = mesh_.edges()[cell.edges[k]].is_boundary() ? 1. : 0.5;
-      for (unsigned int c = 0; c < 2; ++c)
-      {
+      for (unsigned int c = 0; c < 2; ++c) {
         here[4 * k + c] = share * (2. * first[c] + last[c]) / 6.;
         here[4 * k + 2 + c] = share * (first[c] + 2. * last[c]) / 6.;
       }
@@ -194,22 +173,19 @@ std::vector<double> EquilibratedStress::mean_tractions() const
   return moments;
 }
 
-void EquilibratedStress::find_bubbles()
-{
+void EquilibratedStress::find_bubbles() {
   bubbles_.emplace();
   bubbles_->edges.resize(mesh_.edges().size());
   const std::vector<Point<2>> middles = {{0.5, 0.}, {1., 0.5}, {0.5, 1.}, {0., 0.5}, {0.5, 0.5}};
   PatchInterpolation<2> interpolation(data_.space, Quadrature<2>(middles));
   const double rounding = 1e-13 * data_.U.linfty_norm();
   unsigned int number = 0;
-  for (const auto &cell : data_.space.dofs().active_cell_iterators())
-  {
+  for (const auto &cell : data_.space.dofs().active_cell_iterators()) {
     const std::vector<Tensor<1, 2>> &values = interpolation.values(data_.U, cell);
     const EdgeCell &here = mesh_.cells()[number++];
     const CornerValues u = displacement(here);
     Tensor<1, 2> in_cell = values[4] - 0.25 * (u[0] + u[1] + u[2] + u[3]);
-    for (unsigned int k = 0; k < 4; ++k)
-    {
+    for (unsigned int k = 0; k < 4; ++k) {
       const Tensor<1, 2> in_middle = values[k] - 0.5 * (u[k] + u[(k + 1) % 4]);
       in_cell -= 0.5 * in_middle;
       if (!mesh_.edges()[here.edges[k]].is_held() || in_middle.norm() > rounding)
@@ -219,8 +195,7 @@ void EquilibratedStress::find_bubbles()
   }
 }
 
-CellVector EquilibratedStress::data_of(const unsigned int cell) const
-{
+CellVector EquilibratedStress::data_of(const unsigned int cell) const {
   const EdgeCell &here = mesh_.cells()[cell];
   CellVector data{};
   const CornerValues u = deformation(here);
@@ -235,8 +210,7 @@ CellVector EquilibratedStress::data_of(const unsigned int cell) const
   data[CellColumns::lift] = lift_.cells()[cell] ? 1. : 0.;
   const CellMoments moments = moments_on(here, moments_);
   std::copy(moments.begin(), moments.end(), data.begin() + CellColumns::moments);
-  if (!loads_.empty())
-  {
+  if (!loads_.empty()) {
     for (unsigned int i = 0; i < CompositeCell::n_loads; ++i)
       data[CellColumns::loads + i] = loads_[cell].constant[i / 2][i % 2];
     for (unsigned int i = 0; i < 4; ++i)
@@ -245,10 +219,8 @@ CellVector EquilibratedStress::data_of(const unsigned int cell) const
   return data;
 }
 
-double EquilibratedStress::interpolated_lift(const unsigned int cell,
-                                             const CellMatrix &A,
-                                             const bool from_above) const
-{
+double EquilibratedStress::interpolated_lift(const unsigned int cell, const CellMatrix &A,
+                                             const bool from_above) const {
   // u_D - π^{2h} u_h = (u_D - u_h) - b, b with the coefficients that are held back.
   const EdgeCell &here = mesh_.cells()[cell];
   CellVector rest{};
@@ -262,10 +234,8 @@ double EquilibratedStress::interpolated_lift(const unsigned int cell,
   return A.square(lift, from_above);
 }
 
-EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned int cell,
-                                                                const bool from_above,
-                                                                CellEnergies *const energies) const
-{
+EquilibratedStress::CellIntegrals EquilibratedStress::integrate(
+  const unsigned int cell, const bool from_above, CellEnergies *const energies) const {
   std::optional<CellMatrix> own;
   const CellMatrix &A = table_.matrix(cell, own);
   const CellVector data = data_of(cell);
@@ -277,22 +247,19 @@ EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned i
   const auto square = [&]() { return Square{A.square(y, from_above), A.moments_of(y)}; };
   result.stress = square();
   A.add(data, 0, CellColumns::bubbles, y);
-  if (lift_.cells()[cell])
-  {
+  if (lift_.cells()[cell]) {
     CellMatrix::Values lift = A.zero();
     A.add(data, CellColumns::lift, CellColumns::moments, lift);
     result.lift = A.square(lift, from_above);
     A.add(data, CellColumns::lift, CellColumns::moments, y);
   }
   result.misfit = square();
-  if (bubbles_)
-  {
+  if (bubbles_) {
     A.add(data, CellColumns::bubbles, CellColumns::lift, y);
     result.interpolated_part = square();
     const auto &edges = mesh_.cells()[cell].edges;
-    if (std::any_of(edges.begin(), edges.end(), [&](const unsigned int edge) {
-          return mesh_.edges()[edge].is_held();
-        }))
+    if (std::any_of(edges.begin(), edges.end(),
+                    [&](const unsigned int edge) { return mesh_.edges()[edge].is_held(); }))
       result.interpolated_lift = interpolated_lift(cell, A, from_above);
   }
   if (energies != nullptr && !energies->is_shared(cell))
@@ -300,26 +267,22 @@ EquilibratedStress::CellIntegrals EquilibratedStress::integrate(const unsigned i
   return result;
 }
 
-void EquilibratedStress::for_each_cell(const std::function<void(std::size_t)> &visit) const
-{
-  work_on_ranges(
-    n_threads(), mesh_.cells().size(), [&](const std::size_t begin, const std::size_t end) {
-      for (std::size_t cell = begin; cell < end; ++cell)
-        visit(cell);
-    });
+void EquilibratedStress::for_each_cell(const std::function<void(std::size_t)> &visit) const {
+  work_on_ranges(n_threads(), mesh_.cells().size(),
+                 [&](const std::size_t begin, const std::size_t end) {
+                   for (std::size_t cell = begin; cell < end; ++cell)
+                     visit(cell);
+                 });
 }
 
-void EquilibratedStress::update(const CellEnergies &energies,
-                                const std::size_t cell,
-                                const std::vector<double> &change)
-{
+void EquilibratedStress::update(const CellEnergies &energies, const std::size_t cell,
+                                const std::vector<double> &change) {
   // Where more digits than that are lost, the cell is integrated again.
   constexpr double min_share = 1e-3;
   CellIntegrals &here = integrals_[cell];
   const CellMoments b = moments_on(mesh_.cells()[cell], change), Sb = multiply(energies(cell), b);
   bool digits_lost = !here.is_resolved;
-  for (Square *const square : {&here.misfit, &here.interpolated_part, &here.stress})
-  {
+  for (Square *const square : {&here.misfit, &here.interpolated_part, &here.stress}) {
     const double before = square->value;
     for (unsigned int j = 0; j < b.size(); ++j)
       square->value += b[j] * (Sb[j] + 2. * square->gradient[j]);
@@ -329,8 +292,7 @@ void EquilibratedStress::update(const CellEnergies &energies,
     here = integrate(cell, true, nullptr);
 }
 
-double EquilibratedStress::oscillation(const unsigned int cell, const double min_eigenvalue) const
-{
+double EquilibratedStress::oscillation(const unsigned int cell, const double min_eigenvalue) const {
   const auto &edges = mesh_.cells()[cell].edges;
   const double force_rest = loads_.empty() ? 0. : loads_[cell].rest;
   const auto has_rest = [&](const unsigned int edge) {
@@ -346,32 +308,27 @@ double EquilibratedStress::oscillation(const unsigned int cell, const double min
   return sum / std::sqrt(min_eigenvalue);
 }
 
-double EquilibratedStress::support_work(const unsigned int number,
-                                        const Tensor<1, 2> &c,
-                                        Tensor<1, 2> &force) const
-{
+double EquilibratedStress::support_work(const unsigned int number, const Tensor<1, 2> &c,
+                                        Tensor<1, 2> &force) const {
   const EdgeCell &cell = mesh_.cells()[number];
   const CellMoments moments = moments_on(cell, moments_);
   const CornerValues u = displacement(cell);
   double work = lift_.work(number, moments);
   for (unsigned int j = 0; j < moments.size(); ++j)
-    if (mesh_.edges()[cell.edges[j / 4]].is_held())
-    {
+    if (mesh_.edges()[cell.edges[j / 4]].is_held()) {
       work += moments[j] * (u[(j / 4 + j % 4 / 2) % 4][j % 2] - c[j % 2]);
       force[j % 2] += moments[j];
     }
   return work;
 }
 
-StressBound EquilibratedStress::bound() const
-{
+StressBound EquilibratedStress::bound() const {
   StressBound result;
   result.lift_misfit = lift_.max_misfit();
   result.algebra = algebra_;
   result.translation = displacement(mesh_.cells()[0])[0];
   double lift_square = 0., patch_square = 0., patch_lift_square = 0.;
-  for (unsigned int c = 0; c < mesh_.cells().size(); ++c)
-  {
+  for (unsigned int c = 0; c < mesh_.cells().size(); ++c) {
     const CellIntegrals &cell = integrals_[c];
     const double misfit = std::sqrt(cell.misfit.value), norm = std::sqrt(cell.stress.value);
     const double rest = oscillation(c, cell.min_eigenvalue);

@@ -20,13 +20,10 @@
 #include <map>
 #include <set>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** A function at quadrature points of a side, by value times weight. */
-struct SampledFunction
-{
+struct SampledFunction {
   std::vector<double> arc_lengths;
   std::vector<double> weighted_values;
 };
@@ -34,14 +31,11 @@ struct SampledFunction
 /** Samples a function f(s) between consecutive @p cuts, sorted arc lengths, with n points on each
  * interval. */
 template <typename Values>
-SampledFunction sample(const std::vector<double> &cuts,
-                       const unsigned int n_points,
-                       const Values &f)
-{
+SampledFunction sample(const std::vector<double> &cuts, const unsigned int n_points,
+                       const Values &f) {
   const Quadrature<1> rule = split_quadrature(QGauss<1>(n_points), cuts);
   SampledFunction samples;
-  for (unsigned int q = 0; q < rule.size(); ++q)
-  {
+  for (unsigned int q = 0; q < rule.size(); ++q) {
     samples.arc_lengths.push_back(rule.point(q)[0]);
     samples.weighted_values.push_back(f(rule.point(q)[0]) * rule.weight(q));
   }
@@ -50,17 +44,14 @@ SampledFunction sample(const std::vector<double> &cuts,
 
 /** Returns the ends of n equal intervals of a side and of its pieces, with the kinks and intervals
  * that shrink towards them. */
-std::vector<double> cut_side(const Side<2> &side,
-                             const Kinks<2> &kinks,
-                             const unsigned int n_intervals)
-{
+std::vector<double> cut_side(const Side<2> &side, const Kinks<2> &kinks,
+                             const unsigned int n_intervals) {
   std::vector<double> cuts;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     cuts.push_back(i * side.length() / n_intervals);
   for (unsigned int k = 1; k < side.n_pieces(); ++k)
     cuts.push_back(side.start_of(k));
-  for (const double s : kinks.cut(side, 0., side.length()))
-  {
+  for (const double s : kinks.cut(side, 0., side.length())) {
     cuts.push_back(s);
     for (const double sign : {-1., 1.})
       for (const double near : graded_positions(s, sign * side.length() / n_intervals))
@@ -72,17 +63,14 @@ std::vector<double> cut_side(const Side<2> &side,
 }
 
 /** Returns the root of the sum of squares, none if one of them is unknown. */
-std::optional<double> hypot(const std::optional<double> &a, const std::optional<double> &b)
-{
+std::optional<double> hypot(const std::optional<double> &a, const std::optional<double> &b) {
   return a && b ? std::optional<double>(std::hypot(*a, *b)) : std::nullopt;
 }
 
 /** Returns the exact pressure at the points of a rule. */
 template <int dim>
-std::vector<double> pressure_on(const ContactSurface<dim> &surface,
-                                const Piece<dim> &piece,
-                                const SurfaceRule<dim> &rule)
-{
+std::vector<double> pressure_on(const ContactSurface<dim> &surface, const Piece<dim> &piece,
+                                const SurfaceRule<dim> &rule) {
   std::vector<double> p(rule.size());
   surface.condition(piece).exact_pressure->value_list(rule.points, p);
   return p;
@@ -93,23 +81,19 @@ std::vector<double> pressure_on(const ContactSurface<dim> &surface,
 constexpr unsigned int max_slobodeckij_patches = 128;
 
 /** Returns Richardson's extrapolation of the error's h² on grids of 8 m and 16 m cells. */
-double extrapolate(const std::array<double, 2> &norms)
-{
+double extrapolate(const std::array<double, 2> &norms) {
   return norms[1] + (norms[1] - norms[0]) / 3.;
 }
 
-SpectralNorm::Modes coefficients_on(const Scene<2> &scene, const unsigned int number)
-{
+SpectralNorm::Modes coefficients_on(const Scene<2> &scene, const unsigned int number) {
   const Side<2> &side = scene.geometry.sides[number];
   const Function<2> &exact = *scene.boundary[number].exact_pressure;
-  const SampledFunction p = sample(cut_side(side, scene.kinks, 4096), 8, [&](const double s) {
-    return exact.value(side.point(s));
-  });
+  const SampledFunction p = sample(cut_side(side, scene.kinks, 4096), 8,
+                                   [&](const double s) { return exact.value(side.point(s)); });
   return spectral_norm_on(side).coefficients(p.arc_lengths, p.weighted_values);
 }
 
-FullMatrix<double> coefficients_on(const Scene<3> &scene, const unsigned int number)
-{
+FullMatrix<double> coefficients_on(const Scene<3> &scene, const unsigned int number) {
   const Side<3> &side = scene.geometry.sides[number];
   // Two points for the half of a period of the highest mode.
   const QIterated<1> rule(QGauss<1>(8), RectangleNorm::n_modes / 4);
@@ -121,8 +105,7 @@ FullMatrix<double> coefficients_on(const Scene<3> &scene, const unsigned int num
   FullMatrix<double> weighted(rule.size(), rule.size());
   std::vector<Point<3>> points(rule.size());
   std::vector<double> values(rule.size());
-  for (unsigned int a = 0; a < rule.size(); ++a)
-  {
+  for (unsigned int a = 0; a < rule.size(); ++a) {
     for (unsigned int b = 0; b < rule.size(); ++b)
       points[b] = side.point({positions[0][a], positions[1][b]});
     scene.boundary[number].exact_pressure->value_list(points, values);
@@ -134,19 +117,15 @@ FullMatrix<double> coefficients_on(const Scene<3> &scene, const unsigned int num
 
 /** Returns the errors on a side: @p p are the coefficients of the exact pressure, @p
  * all_differences the differences between its means and P. */
-DualNormErrors errors_on(const Scene<2> &scene,
-                         const SpectralNorm::Modes &p,
-                         const PatchGrid &grid,
-                         const Pressure &P,
-                         const dealii::Vector<double> &all_differences)
-{
+DualNormErrors errors_on(const Scene<2> &scene, const SpectralNorm::Modes &p, const PatchGrid &grid,
+                         const Pressure &P, const dealii::Vector<double> &all_differences) {
   const unsigned int m = grid.n(0);
   const Side<2> &side = scene.geometry.sides[grid.side];
   const std::vector<double> &ends = grid.ends[0];
   dealii::Vector<double> P_side(m), difference(m);
   P.extract_subvector_to(grid.patches.begin(), grid.patches.end(), P_side.begin());
-  all_differences.extract_subvector_to(
-    grid.patches.begin(), grid.patches.end(), difference.begin());
+  all_differences.extract_subvector_to(grid.patches.begin(), grid.patches.end(),
+                                       difference.begin());
   const SpectralNorm norm = spectral_norm_on(side);
   DualNormErrors errors;
   errors.spectral = norm.distance(p, ends, P_side);
@@ -159,8 +138,7 @@ DualNormErrors errors_on(const Scene<2> &scene,
     return values[std::lower_bound(ends.begin() + 1, ends.end() - 1, s) - ends.begin() - 1];
   };
   std::array<double, 2> norms, superclose_norms;
-  for (unsigned int g = 0; g < 2; ++g)
-  {
+  for (unsigned int g = 0; g < 2; ++g) {
     // Points on every patch and on every cell of the grid.
     const SlobodeckijNorm uniform(side.length(), (g + 1) * 8 * m);
     std::vector<double> cuts = cut_side(side, scene.kinks, uniform.n_cells());
@@ -178,12 +156,9 @@ DualNormErrors errors_on(const Scene<2> &scene,
   return errors;
 }
 
-DualNormErrors errors_on(const Scene<3> & /*scene*/,
-                         const FullMatrix<double> &p,
-                         const PatchGrid &grid,
-                         const Pressure &P,
-                         const dealii::Vector<double> &all_differences)
-{
+DualNormErrors errors_on(const Scene<3> & /*scene*/, const FullMatrix<double> &p,
+                         const PatchGrid &grid, const Pressure &P,
+                         const dealii::Vector<double> &all_differences) {
   const RectangleNorm norm = rectangle_norm_on(grid);
   return {norm.distance(p, values_on(grid, P)),
           {},
@@ -193,8 +168,7 @@ DualNormErrors errors_on(const Scene<3> & /*scene*/,
 } // namespace
 
 template <int dim>
-dealii::Vector<double> ExactPressure<dim>::project(const MultiplierSpace<dim> &space) const
-{
+dealii::Vector<double> ExactPressure<dim>::project(const MultiplierSpace<dim> &space) const {
   constexpr unsigned int n_points = dim == 2 ? 10 : 4;
   return space.project(integrate_against_multipliers(
     space, n_points, Grading::towards_kinks, [&](const auto &piece, const auto &rule) {
@@ -204,21 +178,18 @@ dealii::Vector<double> ExactPressure<dim>::project(const MultiplierSpace<dim> &s
 
 template <int dim>
 ExactPressure<dim>::ExactPressure(const Scene<dim> &scene)
-  : scene_(scene)
-{
+  : scene_(scene) {
   for (const unsigned int number : scene.contact_sides())
     coefficients_[number] = coefficients_on(scene, number);
 }
 
 template <int dim>
 DualNormErrors ExactPressure<dim>::errors(const MultiplierSpace<dim> &space,
-                                          const Pressure &P) const
-{
+                                          const Pressure &P) const {
   dealii::Vector<double> differences = project(space);
   differences -= P;
   DualNormErrors sum = {0., 0., 0., 0.};
-  for (const PatchGrid &grid : patch_grids(space.surface().patches()))
-  {
+  for (const PatchGrid &grid : patch_grids(space.surface().patches())) {
     const DualNormErrors side =
       errors_on(scene_, coefficients_.at(grid.side), grid, P, differences);
     sum.spectral = std::hypot(sum.spectral, side.spectral);
@@ -231,8 +202,7 @@ DualNormErrors ExactPressure<dim>::errors(const MultiplierSpace<dim> &space,
 template class ExactPressure<2>;
 template class ExactPressure<3>;
 
-Columns<DualNormErrors> DualNormErrors::columns()
-{
+Columns<DualNormErrors> DualNormErrors::columns() {
   return {{"p_dual", &DualNormErrors::slobodeckij},
           {"p_dual_spectral", &DualNormErrors::spectral},
           {"p_superclose_dual", &DualNormErrors::superclose_slobodeckij},
@@ -241,16 +211,13 @@ Columns<DualNormErrors> DualNormErrors::columns()
 
 // Lemmas 2, 3 and 5 and the bounds (26), (27) and (30) as numbers.
 
-namespace
-{
+namespace {
 /** Returns ∫_{Γ_c} q φ_j.n for all j; @p values_on (piece, rule) is q at the points of a
  * rule. */
 template <typename Function>
 DistributedVector test_on_contact(const DisplacementSpace<2> &space,
                                   const MultiplierSpace<2> &multipliers,
-                                  const unsigned int n_points,
-                                  const Function &values_on)
-{
+                                  const unsigned int n_points, const Function &values_on) {
   const ContactSurface<2> &surface = multipliers.surface();
   const auto rule_on = [&](const Piece<2> &piece) {
     return surface.rule(piece, n_points, Grading::towards_kinks);
@@ -263,8 +230,7 @@ DistributedVector test_on_contact(const DisplacementSpace<2> &space,
 }
 
 /** Returns u.n of the exact displacement at the points of a rule. */
-std::vector<double> exact_normal_displacement(const Scene<2> &scene, const SurfaceRule<2> &rule)
-{
+std::vector<double> exact_normal_displacement(const Scene<2> &scene, const SurfaceRule<2> &rule) {
   std::vector<double> u_n(rule.size(), 0.);
   for (std::size_t k = 0; k < rule.size(); ++k)
     for (unsigned int d = 0; d < 2; ++d)
@@ -273,10 +239,8 @@ std::vector<double> exact_normal_displacement(const Scene<2> &scene, const Surfa
 }
 
 /** Returns sup_v b(v)/‖v‖_1 over V^h: the functional is condensed like a right-hand side. */
-double dual_norm(const DisplacementSpace<2> &space,
-                 const StiffnessInverse &inverse,
-                 const DistributedVector &b)
-{
+double dual_norm(const DisplacementSpace<2> &space, const StiffnessInverse &inverse,
+                 const DistributedVector &b) {
   const DualVector condensed = space.condense(space.dual(b));
   DistributedVector right_hand_side = space.make_vector();
   for (const auto i : space.locally_owned())
@@ -289,44 +253,36 @@ double dual_norm(const DisplacementSpace<2> &space,
 
 /** Returns |||(u - I^h u).n|||_{1/2,Γ_c}, the root of the sum of squares over the sides. The
  * difference is smooth on every face and vanishes at the nodes. */
-double interpolation_trace(const DisplacementSpace<2> &space,
-                           const Scene<2> &scene,
-                           const ContactSurface<2> &surface,
-                           const Displacement &interpolant)
-{
+double interpolation_trace(const DisplacementSpace<2> &space, const Scene<2> &scene,
+                           const ContactSurface<2> &surface, const Displacement &interpolant) {
   // 8 points on the length of one period of the highest of 8192 modes.
   constexpr unsigned int n_intervals = 4096, n_points = 8;
-  struct SideSamples
-  {
+  struct SideSamples {
     std::vector<double> arc_lengths, weighted_values;
     std::set<unsigned int> faces;
   };
   std::map<unsigned int, SideSamples> sides;
   TraceValues<2> traces(space);
-  for (const Piece<2> &piece : surface.pieces())
-  {
+  for (const Piece<2> &piece : surface.pieces()) {
     const Patch<2> &patch = surface.patches()[piece.patch];
     SideSamples &samples = sides[patch.side];
     samples.faces.insert(piece.face);
     const double share = (piece.upper[0] - piece.lower[0]) / surface.side(patch).length();
     const auto n_parts = static_cast<unsigned int>(std::ceil(n_intervals * share));
-    for (unsigned int i = 0; i < n_parts; ++i)
-    {
+    for (unsigned int i = 0; i < n_parts; ++i) {
       const SurfaceRule<2> rule =
         surface.rule(surface.part(piece, i, n_parts), n_points, Grading::towards_kinks);
       const auto u_n = exact_normal_displacement(scene, rule);
       const auto interpolated =
         traces.normal_displacement(surface.faces()[piece.face], rule, interpolant);
-      for (std::size_t k = 0; k < rule.size(); ++k)
-      {
+      for (std::size_t k = 0; k < rule.size(); ++k) {
         samples.arc_lengths.push_back(rule.on_side[k][0]);
         samples.weighted_values.push_back((u_n[k] - interpolated[k]) * rule.weights[k]);
       }
     }
   }
   double norm = 0.;
-  for (const auto &[number, samples] : sides)
-  {
+  for (const auto &[number, samples] : sides) {
     const SpectralNorm side_norm = spectral_norm_on(scene.geometry.sides[number]);
     const auto w = side_norm.coefficients(samples.arc_lengths, samples.weighted_values);
     norm = std::hypot(norm, side_norm.primal_norm(w, samples.faces.size()));
@@ -335,16 +291,10 @@ double interpolation_trace(const DisplacementSpace<2> &space,
 }
 
 /** Returns (bᵀ S⁻¹ b)^{1/2} with b_tau = ∫_tau (I^h u - u).n. */
-double trace_defect(const Scene<2> &scene,
-                    const MultiplierSpace<2> &multipliers,
-                    const Coupling &D,
-                    const Displacement &interpolant,
-                    const unsigned int n_points)
-{
+double trace_defect(const Scene<2> &scene, const MultiplierSpace<2> &multipliers, const Coupling &D,
+                    const Displacement &interpolant, const unsigned int n_points) {
   dealii::Vector<double> b = D.transpose_product(interpolant);
-  b -= integrate_against_multipliers(multipliers,
-                                     n_points,
-                                     Grading::towards_kinks,
+  b -= integrate_against_multipliers(multipliers, n_points, Grading::towards_kinks,
                                      [&](const Piece<2> & /*piece*/, const SurfaceRule<2> &rule) {
                                        return exact_normal_displacement(scene, rule);
                                      });
@@ -359,15 +309,10 @@ double trace_defect(const Scene<2> &scene,
 }
 } // namespace
 
-LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
-                                   const Scene<2> &scene,
-                                   const MultiplierSpace<2> &multipliers,
-                                   const Coupling &D,
-                                   const ExactPressure<2> &pressure,
-                                   const DistributedVector &loads,
-                                   const LinearSolver linear_solver,
-                                   const unsigned int n_points)
-{
+LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space, const Scene<2> &scene,
+                                   const MultiplierSpace<2> &multipliers, const Coupling &D,
+                                   const ExactPressure<2> &pressure, const DistributedVector &loads,
+                                   const LinearSolver linear_solver, const unsigned int n_points) {
   const Pressure projected_p(pressure.project(multipliers));
   const Displacement interpolant = interpolate_at_nodes(space, *scene.exact_displacement);
   const auto exact_p = [&](const Piece<2> &piece, const SurfaceRule<2> &rule) {
@@ -403,8 +348,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
   return numbers;
 }
 
-Columns<LemmaNumbers> LemmaNumbers::columns()
-{
+Columns<LemmaNumbers> LemmaNumbers::columns() {
   return {{"lemma_2_l2", &LemmaNumbers::projection_l2},
           {"lemma_2_dual", &LemmaNumbers::projection_dual},
           {"lemma_3_h1", &LemmaNumbers::interpolation_h1},

@@ -16,14 +16,11 @@
 #include <cmath>
 #include <limits>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The squares of norms of the differences between u and u_h (value, gradient, energy), I^h u and
  * u_h, and u and the patch interpolations over one and two generations. */
-enum Norm : unsigned int
-{
+enum Norm : unsigned int {
   of_value,
   of_gradient,
   of_energy,
@@ -36,8 +33,7 @@ using Squares = Tensor<1, n_norms>;
 
 /** The data that all threads read. */
 template <int dim>
-struct Fields
-{
+struct Fields {
   const DisplacementSpace<dim> &space;
   const Scene<dim> &scene;
   const Displacement &U;
@@ -47,8 +43,7 @@ struct Fields
 
 /** Returns a function of V^h at the points of a cell. */
 template <int dim>
-FieldValues<dim> evaluate(const Displacement &U, const FEValues<dim> &values)
-{
+FieldValues<dim> evaluate(const Displacement &U, const FEValues<dim> &values) {
   const FEValuesExtractors::Vector displacement(0);
   FieldValues<dim> u = {std::vector<Tensor<1, dim>>(values.n_quadrature_points),
                         std::vector<Tensor<2, dim>>(values.n_quadrature_points)};
@@ -59,30 +54,23 @@ FieldValues<dim> evaluate(const Displacement &U, const FEValues<dim> &values)
 
 /** Integrates over one cell after the other; every chunk of cells has its own object. */
 template <int dim>
-class ErrorIntegrals
-{
+class ErrorIntegrals {
 public:
   explicit ErrorIntegrals(const Fields<dim> &fields)
     : fields_(fields)
-    , cell_values_(fields.space.mesh().mapping(),
-                   fields.space,
-                   fields.scene.kinks,
-                   fields.n_points,
+    , cell_values_(fields.space.mesh().mapping(), fields.space, fields.scene.kinks, fields.n_points,
                    update_values | update_gradients | update_quadrature_points | update_JxW_values |
-                     update_inverse_jacobians)
-  {
+                     update_inverse_jacobians) {
     const unsigned int n_generations = std::min(2U, fields.space.mesh().n_nested_ancestors());
     for (unsigned int g = 1; g <= n_generations; ++g)
       interpolations_.emplace_back(fields.space, QGauss<dim>(fields.n_points), g);
   }
-  Squares integrate(const typename DoFHandler<dim>::active_cell_iterator &cell)
-  {
+  Squares integrate(const typename DoFHandler<dim>::active_cell_iterator &cell) {
     const FEValues<dim> &values = cell_values_.reinit(cell);
     const auto u = exact(values.get_quadrature_points());
     const auto u_h = evaluate(fields_.U, values), e = evaluate(fields_.interpolant_minus_U, values);
     Squares squares;
-    for (const unsigned int q : values.quadrature_point_indices())
-    {
+    for (const unsigned int q : values.quadrature_point_indices()) {
       const Tensor<2, dim> gradient = u.gradients[q] - u_h.gradients[q];
       const SymmetricTensor<2, dim> strain = symmetrize(gradient);
       const auto E = fields_.scene.material->hooke(values.quadrature_point(q));
@@ -100,15 +88,13 @@ public:
 
 private:
   /** Returns the exact solution at points. */
-  FieldValues<dim> exact(const std::vector<Point<dim>> &points)
-  {
+  FieldValues<dim> exact(const std::vector<Point<dim>> &points) {
     values_.resize(points.size(), dealii::Vector<double>(dim));
     gradients_.resize(points.size(), std::vector<Tensor<1, dim>>(dim));
     fields_.scene.exact_displacement->vector_value_list(points, values_);
     fields_.scene.exact_displacement->vector_gradient_list(points, gradients_);
     FieldValues<dim> u;
-    for (std::size_t q = 0; q < points.size(); ++q)
-    {
+    for (std::size_t q = 0; q < points.size(); ++q) {
       u.values.emplace_back(make_array_view(values_[q].begin(), values_[q].end()));
       u.gradients.emplace_back();
       for (unsigned int c = 0; c < dim; ++c)
@@ -117,10 +103,8 @@ private:
     return u;
   }
   /** Returns ‖u - v‖_1² on the cell. */
-  static double distance(const FieldValues<dim> &u,
-                         const FieldValues<dim> &v,
-                         const FEValues<dim> &values)
-  {
+  static double distance(const FieldValues<dim> &u, const FieldValues<dim> &v,
+                         const FEValues<dim> &values) {
     double square = 0.;
     for (const unsigned int q : values.quadrature_point_indices())
       square += ((u.values[q] - v.values[q]).norm_square() +
@@ -139,8 +123,7 @@ private:
 /** Returns the sums over all ranks; on each rank cells are added up in their order whatever the
  * number of threads. */
 template <int dim>
-Squares integrate_errors(const Fields<dim> &fields)
-{
+Squares integrate_errors(const Fields<dim> &fields) {
   Squares sum;
   integrate_by_chunks<Squares, dim>(
     fields.space,
@@ -160,10 +143,8 @@ Squares integrate_errors(const Fields<dim> &fields)
 
 template <int dim>
 DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &space,
-                                               const Scene<dim> &scene,
-                                               const Displacement &U,
-                                               const unsigned int n_points)
-{
+                                               const Scene<dim> &scene, const Displacement &U,
+                                               const unsigned int n_points) {
   Displacement interpolant_minus_U = interpolate_at_nodes(space, *scene.exact_displacement);
   interpolant_minus_U -= U;
   const Squares sum = integrate_errors<dim>({space, scene, U, interpolant_minus_U, n_points});
@@ -183,8 +164,7 @@ DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &spa
   return errors;
 }
 
-Columns<DisplacementErrors> DisplacementErrors::columns()
-{
+Columns<DisplacementErrors> DisplacementErrors::columns() {
   return {{"u_h1", &DisplacementErrors::h1},
           {"u_l2", &DisplacementErrors::l2},
           {"u_superclose_h1", &DisplacementErrors::superclose_h1},
@@ -198,22 +178,18 @@ INSTANTIATE_FUNCTION(compute_displacement_errors);
 // The left-hand side of (14) and (33).
 
 template <int dim>
-PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
-                                       const Pressure &P,
-                                       const unsigned int n_points)
-{
+PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space, const Pressure &P,
+                                       const unsigned int n_points) {
   const RecoveredPressure<dim> recovered(space, P);
   double l2 = 0.;
   double post_l2 = 0.;
   std::vector<double> p;
-  for (const Piece<dim> &piece : space.surface().pieces())
-  {
+  for (const Piece<dim> &piece : space.surface().pieces()) {
     const SurfaceRule<dim> rule =
       space.surface().rule(piece, n_points + space.n_of(piece.patch) - 1, Grading::towards_kinks);
     p.resize(rule.size());
     space.surface().condition(piece).exact_pressure->value_list(rule.points, p);
-    for (std::size_t q = 0; q < rule.size(); ++q)
-    {
+    for (std::size_t q = 0; q < rule.size(); ++q) {
       const double difference = p[q] - space.value(P, piece.patch, rule.on_side[q]);
       const double post = p[q] - recovered(piece.patch, rule.on_side[q]);
       l2 += difference * difference * rule.weights[q];
@@ -227,8 +203,7 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
   return {std::sqrt(l2), std::sqrt(post_l2)};
 }
 
-Columns<PressureErrors> PressureErrors::columns()
-{
+Columns<PressureErrors> PressureErrors::columns() {
   return {{"p_l2", &PressureErrors::l2}, {"p_post_l2", &PressureErrors::post_l2}};
 }
 
@@ -236,18 +211,15 @@ INSTANTIATE_FUNCTION(compute_pressure_errors);
 
 // The ends of contact, in the exact and in the discrete solution.
 
-namespace
-{
+namespace {
 /** Returns the arc lengths at which the sign of the exact pressure changes from 0 to negative or
  * back. */
-std::vector<double> exact_ends(const Scene<2> &scene, const unsigned int number)
-{
+std::vector<double> exact_ends(const Scene<2> &scene, const unsigned int number) {
   const Side<2> &side = scene.geometry.sides[number];
   const Function<2> &p = *scene.boundary[number].exact_pressure;
   const std::vector<double> cuts = scene.kinks.cut(side, 0., side.length());
   std::vector<double> ends;
-  for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
-  {
+  for (std::size_t i = 1; i + 1 < cuts.size(); ++i) {
     const double s = cuts[i], step = 1e-6 * side.length();
     const bool before = p.value(side.point(s - step)) < 0.;
     const bool after = p.value(side.point(s + step)) < 0.;
@@ -259,15 +231,12 @@ std::vector<double> exact_ends(const Scene<2> &scene, const unsigned int number)
 
 /** Returns the arc lengths between a pressing patch and one that does not press; where patches have
  * several nodes, the middle between a pressing node and one that does not. */
-std::vector<double> discrete_ends(const MultiplierSpace<2> &space,
-                                  const unsigned int number,
-                                  const Pressure &P)
-{
+std::vector<double> discrete_ends(const MultiplierSpace<2> &space, const unsigned int number,
+                                  const Pressure &P) {
   const std::vector<Patch<2>> &patches = space.surface().patches();
   const double threshold = pressing_threshold(P);
   std::vector<double> ends;
-  if (!space.is_piecewise_constant())
-  {
+  if (!space.is_piecewise_constant()) {
     for (const ContactBracket &bracket : contact_brackets(space, P))
       if (bracket.side == number)
         ends.push_back(0.5 * (bracket.from + bracket.to));
@@ -281,11 +250,9 @@ std::vector<double> discrete_ends(const MultiplierSpace<2> &space,
 }
 
 /** Returns the largest distance of a point of @p from to the nearest of @p to. */
-double one_sided_distance(const std::vector<double> &from, const std::vector<double> &to)
-{
+double one_sided_distance(const std::vector<double> &from, const std::vector<double> &to) {
   double largest = 0.;
-  for (const double s : from)
-  {
+  for (const double s : from) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const double t : to)
       nearest = std::min(nearest, std::abs(s - t));
@@ -295,20 +262,16 @@ double one_sided_distance(const std::vector<double> &from, const std::vector<dou
 }
 } // namespace
 
-std::optional<double> contact_end_error(const MultiplierSpace<2> &space,
-                                        const Scene<2> &scene,
-                                        const Pressure &P)
-{
+std::optional<double> contact_end_error(const MultiplierSpace<2> &space, const Scene<2> &scene,
+                                        const Pressure &P) {
   std::optional<double> largest;
-  for (const unsigned int number : scene.contact_sides())
-  {
+  for (const unsigned int number : scene.contact_sides()) {
     const std::vector<double> exact = exact_ends(scene, number);
     const std::vector<double> discrete = discrete_ends(space, number, P);
     if (exact.empty() != discrete.empty())
       return {};
     if (!exact.empty())
-      largest = std::max({largest.value_or(0.),
-                          one_sided_distance(exact, discrete),
+      largest = std::max({largest.value_or(0.), one_sided_distance(exact, discrete),
                           one_sided_distance(discrete, exact)});
   }
   return largest;

@@ -8,19 +8,15 @@
 
 #include <algorithm>
 
-namespace Signorini
-{
-std::vector<std::vector<SideNode>> alternations(const SideNodes &side)
-{
+namespace Signorini {
+std::vector<std::vector<SideNode>> alternations(const SideNodes &side) {
   const auto same_kind = [](const SideNode &a, const SideNode &b) {
     return a.presses == b.presses;
   };
   std::vector<SideNode> nodes = side.nodes;
-  if (side.closed)
-  {
+  if (side.closed) {
     const auto same = std::adjacent_find(nodes.begin(), nodes.end(), same_kind);
-    if (same != nodes.end())
-    {
+    if (same != nodes.end()) {
       for (auto node = nodes.begin(); node <= same; ++node)
         node->s += side.length;
       std::rotate(nodes.begin(), same + 1, nodes.end());
@@ -28,8 +24,7 @@ std::vector<std::vector<SideNode>> alternations(const SideNodes &side)
     nodes.push_back({nodes.front().s + side.length, nodes.front().presses});
   }
   std::vector<std::vector<SideNode>> runs;
-  for (auto first = nodes.begin(), last = first; first != nodes.end(); first = last)
-  {
+  for (auto first = nodes.begin(), last = first; first != nodes.end(); first = last) {
     last = std::adjacent_find(first, nodes.end(), same_kind);
     last += last == nodes.end() ? 0 : 1;
     if (last - first > 1)
@@ -38,23 +33,19 @@ std::vector<std::vector<SideNode>> alternations(const SideNodes &side)
   return runs;
 }
 
-namespace
-{
+namespace {
 /** An end of contact, and whether contact begins or ends there. */
-struct Change
-{
+struct Change {
   PressedInterval::End end;
   bool begins;
 };
 
 /** Returns the change between two nodes, the second of which presses if contact begins. */
-Change between(const SideNode &first, const SideNode &second)
-{
+Change between(const SideNode &first, const SideNode &second) {
   return {{0.5 * (first.s + second.s), 0.5 * (second.s - first.s)}, second.presses};
 }
 
-std::vector<PressedInterval> intervals_of(const SideNodes &side)
-{
+std::vector<PressedInterval> intervals_of(const SideNodes &side) {
   const auto presses = [](const SideNode &node) { return node.presses; };
   if (std::none_of(side.nodes.begin(), side.nodes.end(), presses))
     return {};
@@ -64,13 +55,11 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side)
   for (const std::vector<SideNode> &run : alternations(side))
     if (run.front().presses != run.back().presses)
       changes.push_back(between(run.front(), run.back()));
-    else
-    {
+    else {
       changes.push_back(between(run[0], run[1]));
       changes.push_back(between(run[run.size() - 2], run.back()));
     }
-  if (side.closed && !changes.front().begins)
-  {
+  if (side.closed && !changes.front().begins) {
     // The interval that contains the first node.
     std::rotate(changes.begin(), changes.begin() + 1, changes.end());
     changes.back().end.s += side.length;
@@ -80,26 +69,22 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side)
   if (!side.closed && side.nodes.back().presses)
     changes.push_back({{side.length, 0.}, false});
   std::vector<PressedInterval> intervals;
-  for (std::size_t i = 0; i + 1 < changes.size(); i += 2)
-  {
+  for (std::size_t i = 0; i + 1 < changes.size(); i += 2) {
     const double turn = changes[i].end.s < side.length ? 0. : side.length;
     intervals.push_back({side.number, changes[i].end, changes[i + 1].end});
     intervals.back().start.s -= turn;
     intervals.back().end.s -= turn;
   }
-  std::sort(intervals.begin(), intervals.end(), [](const auto &a, const auto &b) {
-    return a.start.s < b.start.s;
-  });
+  std::sort(intervals.begin(), intervals.end(),
+            [](const auto &a, const auto &b) { return a.start.s < b.start.s; });
   return intervals;
 }
 } // namespace
 
 std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipliers,
-                                               const Pressure &P)
-{
+                                               const Pressure &P) {
   std::vector<PressedInterval> intervals;
-  for (const SideNodes &side : nodes_by_side(multipliers, P))
-  {
+  for (const SideNodes &side : nodes_by_side(multipliers, P)) {
     const std::vector<PressedInterval> side_data = intervals_of(side);
     intervals.insert(intervals.end(), side_data.begin(), side_data.end());
   }
@@ -108,19 +93,16 @@ std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipl
 
 // p_H: resultants, recovery, transfer between partitions.
 
-double pressing_threshold(const Pressure &P)
-{
+double pressing_threshold(const Pressure &P) {
   return P.size() == 0 ? 0. : -1e-12 * P.linfty_norm();
 }
 
 template <int dim>
-ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressure &P)
-{
+ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressure &P) {
   ContactSummary summary;
   const double threshold = pressing_threshold(P);
   const dealii::Vector<double> integrals = space.integrals();
-  for (unsigned int k = 0; k < P.size(); ++k)
-  {
+  for (unsigned int k = 0; k < P.size(); ++k) {
     summary.normal_force -= P[k] * integrals[k];
     summary.max_pressure = std::max(summary.max_pressure, -P[k]);
     if (!(P[k] < threshold))
@@ -136,8 +118,7 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressu
   return summary;
 }
 
-Columns<ContactSummary> ContactSummary::columns()
-{
+Columns<ContactSummary> ContactSummary::columns() {
   return {{"active", &ContactSummary::active},
           {"contact_force_n", &ContactSummary::normal_force},
           {"max_pressure", &ContactSummary::max_pressure},
@@ -148,26 +129,22 @@ template <int dim>
 RecoveredPressure<dim>::RecoveredPressure(const MultiplierSpace<dim> &space, const Pressure &P)
   : space_(space)
   , P_(P)
-  , neighbours_(space.surface().neighbours())
-{
+  , neighbours_(space.surface().neighbours()) {
   const std::vector<Patch<dim>> &patches = space.surface().patches();
   for (unsigned int tau = 0; tau < patches.size(); ++tau)
     means_.push_back(space.value(P, tau, patches[tau].centre()));
 }
 
 template <int dim>
-double RecoveredPressure<dim>::operator()(const unsigned int patch, const Point<dim - 1> &s) const
-{
+double RecoveredPressure<dim>::operator()(const unsigned int patch, const Point<dim - 1> &s) const {
   if (!space_.is_piecewise_constant())
     return std::min(0., space_.value(P_, patch, s));
   return std::min(0., interpolate(patch, s, dim - 1));
 }
 
 template <int dim>
-double RecoveredPressure<dim>::interpolate(const unsigned int patch,
-                                           const Point<dim - 1> &s,
-                                           const unsigned int n_directions) const
-{
+double RecoveredPressure<dim>::interpolate(const unsigned int patch, const Point<dim - 1> &s,
+                                           const unsigned int n_directions) const {
   if (n_directions == 0)
     return means_[patch];
   const unsigned int d = n_directions - 1;
@@ -181,27 +158,22 @@ double RecoveredPressure<dim>::interpolate(const unsigned int patch,
   return here + share * (interpolate(next->patch, s, d) - here);
 }
 
-namespace
-{
+namespace {
 /** The part of an interval that another one covers. */
-struct Overlap
-{
+struct Overlap {
   unsigned int number;
   double share;
 };
 
 /** Returns for every interval between @p to its overlaps with those between @p from. */
 std::vector<std::vector<Overlap>> overlaps(const std::vector<double> &from,
-                                           const std::vector<double> &to)
-{
+                                           const std::vector<double> &to) {
   std::vector<std::vector<Overlap>> all(to.size() - 1);
   std::size_t first = 0;
-  for (std::size_t t = 0; t + 1 < to.size(); ++t)
-  {
+  for (std::size_t t = 0; t + 1 < to.size(); ++t) {
     while (first + 2 < from.size() && from[first + 1] <= to[t])
       ++first;
-    for (std::size_t k = first; k + 1 < from.size() && from[k] < to[t + 1]; ++k)
-    {
+    for (std::size_t k = first; k + 1 < from.size() && from[k] < to[t + 1]; ++k) {
       const double length = std::min(from[k + 1], to[t + 1]) - std::max(from[k], to[t]);
       if (length > 0.)
         all[t].push_back({static_cast<unsigned int>(k), length / (to[t + 1] - to[t])});
@@ -212,12 +184,10 @@ std::vector<std::vector<Overlap>> overlaps(const std::vector<double> &from,
 } // namespace
 
 template <int dim>
-Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Patch<dim>> &to)
-{
+Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Patch<dim>> &to) {
   const std::vector<PatchGrid> given = patch_grids(from.patches);
   Pressure transferred(to.size());
-  for (const PatchGrid &grid : patch_grids(to))
-  {
+  for (const PatchGrid &grid : patch_grids(to)) {
     const auto known = std::find_if(
       given.begin(), given.end(), [&](const PatchGrid &other) { return other.side == grid.side; });
     if (known == given.end())
@@ -236,16 +206,13 @@ Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Pat
 
 // The nodes of multipliers that press.
 
-std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers, const Pressure &P)
-{
+std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers, const Pressure &P) {
   const ContactSurface<2> &surface = multipliers.surface();
   const double threshold = pressing_threshold(P);
   std::vector<SideNodes> sides;
-  for (unsigned int k = 0; k < P.size(); ++k)
-  {
+  for (unsigned int k = 0; k < P.size(); ++k) {
     const Patch<2> &patch = surface.patches()[multipliers.patch_of(k)];
-    if (sides.empty() || sides.back().number != patch.side)
-    {
+    if (sides.empty() || sides.back().number != patch.side) {
       const Side<2> &side = surface.side(patch);
       sides.push_back({patch.side, side.length(), side.is_closed(), {}});
     }
@@ -256,19 +223,14 @@ std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers, cons
 
 // The balance of forces, node by node, and the resultants of the contact pressure.
 
-double NodalForces::largest() const
-{
+double NodalForces::largest() const {
   return std::max({internal.l2_norm(), loads.l2_norm(), contact.l2_norm()});
 }
 
 template <int dim>
-NodalForces nodal_forces(const DisplacementSpace<dim> &space,
-                         const Scene<dim> &scene,
-                         const DistributedVector &loads,
-                         const Coupling &D,
-                         const Displacement &U,
-                         const Pressure &P)
-{
+NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                         const DistributedVector &loads, const Coupling &D, const Displacement &U,
+                         const Pressure &P) {
   NodalForces forces;
   const InternalForces<dim> internal = internal_forces(space, scene, U);
   forces.internal = space.dual(internal.forces);
@@ -287,10 +249,8 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
-                                 const Pressure &P,
-                                 const Piece<dim> &piece)
-{
+Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers, const Pressure &P,
+                                 const Piece<dim> &piece) {
   Resultant<dim> resultant;
   const SurfaceRule<dim> &rule = piece.on_mesh;
   for (std::size_t q = 0; q < rule.size(); ++q)
@@ -301,12 +261,9 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
 }
 
 template <int dim>
-std::vector<double> penetration(const ContactSurface<dim> &surface,
-                                const Piece<dim> &piece,
-                                const SurfaceRule<dim> &rule,
-                                const Displacement &U,
-                                TraceValues<dim> &traces)
-{
+std::vector<double> penetration(const ContactSurface<dim> &surface, const Piece<dim> &piece,
+                                const SurfaceRule<dim> &rule, const Displacement &U,
+                                TraceValues<dim> &traces) {
   std::vector<double> depths = traces.normal_displacement(surface.faces()[piece.face], rule, U);
   for (std::size_t q = 0; q < rule.size(); ++q)
     depths[q] -= surface.condition(piece).data->value(rule.points[q]);
@@ -316,13 +273,10 @@ std::vector<double> penetration(const ContactSurface<dim> &surface,
 // The reactions of plates.
 
 template <int dim>
-std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space,
-                                     const Scene<dim> &scene,
-                                     const NodalForces &forces)
-{
+std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                                     const NodalForces &forces) {
   std::vector<PlateForce> result;
-  for (std::size_t p = 0; p < scene.plates.size(); ++p)
-  {
+  for (std::size_t p = 0; p < scene.plates.size(); ++p) {
     const auto work_on = [&](const PlateMotion &motion) {
       std::vector<PlateMotion> motions(scene.plates.size());
       motions[p] = motion;

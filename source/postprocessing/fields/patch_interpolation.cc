@@ -8,17 +8,13 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns the digits of a number, the lowest first: the place of a point in a grid. */
 template <int dim>
-std::array<unsigned int, dim> digits(unsigned int number, const unsigned int base)
-{
+std::array<unsigned int, dim> digits(unsigned int number, const unsigned int base) {
   std::array<unsigned int, dim> place;
-  for (unsigned int &digit : place)
-  {
+  for (unsigned int &digit : place) {
     digit = number % base;
     number /= base;
   }
@@ -27,8 +23,7 @@ std::array<unsigned int, dim> digits(unsigned int number, const unsigned int bas
 
 /** Returns the number with these digits. */
 template <int dim>
-unsigned int lexicographic(const std::array<unsigned int, dim> &place, const unsigned int base)
-{
+unsigned int lexicographic(const std::array<unsigned int, dim> &place, const unsigned int base) {
   unsigned int number = 0;
   for (unsigned int d = dim; d > 0; --d)
     number = base * number + place[d - 1];
@@ -38,8 +33,7 @@ unsigned int lexicographic(const std::array<unsigned int, dim> &place, const uns
 /** Returns the polynomials that belong to the nodes of elements of degree p on n intervals, which
  * fill [0, 1]. */
 std::vector<Polynomials::Polynomial<double>> nodal_basis(const unsigned int degree,
-                                                         const unsigned int n_cells)
-{
+                                                         const unsigned int n_cells) {
   return Polynomials::generate_complete_Lagrange_basis(
     QIterated<1>(QGaussLobatto<1>(degree + 1), n_cells).get_points());
 }
@@ -47,10 +41,8 @@ std::vector<Polynomials::Polynomial<double>> nodal_basis(const unsigned int degr
 /** Returns Σ_k A_qk v_k along one direction of an array, in which @p stride entries of the
  * directions before follow one another. */
 template <int dim>
-std::vector<Tensor<1, dim>> along(const FullMatrix<double> &A,
-                                  const std::vector<Tensor<1, dim>> &v,
-                                  const std::size_t stride)
-{
+std::vector<Tensor<1, dim>> along(const FullMatrix<double> &A, const std::vector<Tensor<1, dim>> &v,
+                                  const std::size_t stride) {
   const std::size_t n_blocks = v.size() / (A.n() * stride);
   std::vector<Tensor<1, dim>> sums(n_blocks * A.m() * stride);
   for (std::size_t block = 0; block < n_blocks; ++block)
@@ -63,13 +55,11 @@ std::vector<Tensor<1, dim>> along(const FullMatrix<double> &A,
 } // namespace
 
 LineTable make_line_table(const std::vector<Polynomials::Polynomial<double>> &basis,
-                          const std::vector<double> &points)
-{
+                          const std::vector<double> &points) {
   LineTable table = {{points.size(), basis.size()}, {points.size(), basis.size()}};
   std::vector<double> value_and_derivative(2);
   for (unsigned int q = 0; q < points.size(); ++q)
-    for (unsigned int i = 0; i < basis.size(); ++i)
-    {
+    for (unsigned int i = 0; i < basis.size(); ++i) {
       basis[i].value(points[q], value_and_derivative);
       table.values(q, i) = value_and_derivative[0];
       table.derivatives(q, i) = value_and_derivative[1];
@@ -79,13 +69,11 @@ LineTable make_line_table(const std::vector<Polynomials::Polynomial<double>> &ba
 
 template <int dim>
 FieldValues<dim> evaluate_products(std::vector<Tensor<1, dim>> nodal_values,
-                                   const std::array<const LineTable *, dim> &lines)
-{
+                                   const std::array<const LineTable *, dim> &lines) {
   // The field, and its derivatives along the directions so far.
   std::vector<std::vector<Tensor<1, dim>>> fields = {std::move(nodal_values)};
   std::size_t stride = 1;
-  for (const LineTable *const line : lines)
-  {
+  for (const LineTable *const line : lines) {
     std::vector<Tensor<1, dim>> derivative = along(line->derivatives, fields[0], stride);
     for (std::vector<Tensor<1, dim>> &field : fields)
       field = along(line->values, field, stride);
@@ -112,8 +100,7 @@ PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
   , usual_points_(usual_rule.get_points())
   , ancestor_(space.dofs().end())
   , nodal_dofs_(polynomials_.n())
-  , nodal_values_(polynomials_.n())
-{
+  , nodal_values_(polynomials_.n()) {
   Assert(space.mesh().n_nested_ancestors() >= n_generations,
          ExcMessage("patch interpolation needs the levels before"));
   const unsigned int p = space.element().degree;
@@ -124,8 +111,7 @@ PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
     for (unsigned int i = 0; i < Utilities::pow(n_cells_, dim); ++i)
       tables_.push_back(make_table(usual_points_, digits<dim>(i, n_cells_)));
   else
-    for (unsigned int c = 0; c < n_cells_; ++c)
-    {
+    for (unsigned int c = 0; c < n_cells_; ++c) {
       std::vector<double> points;
       for (const Point<1> &x : usual_rule.get_tensor_basis()[0].get_points())
         points.push_back((x[0] + c) / n_cells_);
@@ -135,9 +121,8 @@ PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-typename PatchInterpolation<dim>::ShapeTable
-PatchInterpolation<dim>::make_table(const std::vector<Point<dim>> &points, const Place &place) const
-{
+typename PatchInterpolation<dim>::ShapeTable PatchInterpolation<dim>::make_table(
+  const std::vector<Point<dim>> &points, const Place &place) const {
   ShapeTable table;
   std::vector<double> values(polynomials_.n());
   std::vector<Tensor<1, dim>> gradients(polynomials_.n());
@@ -145,8 +130,7 @@ PatchInterpolation<dim>::make_table(const std::vector<Point<dim>> &points, const
   std::vector<Tensor<2, dim>> second;
   std::vector<Tensor<3, dim>> third;
   std::vector<Tensor<4, dim>> fourth;
-  for (const Point<dim> &point : points)
-  {
+  for (const Point<dim> &point : points) {
     Point<dim> point_in_ancestor;
     for (unsigned int d = 0; d < dim; ++d)
       point_in_ancestor[d] = (point[d] + place[d]) / n_cells_;
@@ -159,10 +143,8 @@ PatchInterpolation<dim>::make_table(const std::vector<Point<dim>> &points, const
 }
 
 template <int dim>
-void PatchInterpolation<dim>::find_nodes(const AncestorIterator &cell, const Place &place)
-{
-  for (unsigned int c = 0; c < cell->n_children(); ++c)
-  {
+void PatchInterpolation<dim>::find_nodes(const AncestorIterator &cell, const Place &place) {
+  for (unsigned int c = 0; c < cell->n_children(); ++c) {
     Place child = digits<dim>(c, 2);
     for (unsigned int d = 0; d < dim; ++d)
       child[d] += 2 * place[d];
@@ -171,8 +153,7 @@ void PatchInterpolation<dim>::find_nodes(const AncestorIterator &cell, const Pla
   if (cell->has_children())
     return;
   const auto indices = space_.cell_dofs(cell);
-  for (unsigned int i = 0; i < indices.size(); ++i)
-  {
+  for (unsigned int i = 0; i < indices.size(); ++i) {
     const auto [component, number] = space_.element().system_to_component_index(i);
     Place node = nodes_of_cell_[number];
     for (unsigned int d = 0; d < dim; ++d)
@@ -183,12 +164,10 @@ void PatchInterpolation<dim>::find_nodes(const AncestorIterator &cell, const Pla
 
 template <int dim>
 typename PatchInterpolation<dim>::Place
-PatchInterpolation<dim>::collect_values(const Displacement &U, const CellIterator &cell)
-{
+PatchInterpolation<dim>::collect_values(const Displacement &U, const CellIterator &cell) {
   AncestorIterator ancestor = cell;
   Place place = {};
-  for (unsigned int g = 0; g < n_generations_; ++g)
-  {
+  for (unsigned int g = 0; g < n_generations_; ++g) {
     const auto parent = ancestor->parent();
     unsigned int c = 0;
     while (parent->child_index(c) != ancestor->index())
@@ -197,8 +176,7 @@ PatchInterpolation<dim>::collect_values(const Displacement &U, const CellIterato
       place[d] += digits<dim>(c, 2)[d] << g;
     ancestor = parent;
   }
-  if (ancestor != ancestor_)
-  {
+  if (ancestor != ancestor_) {
     find_nodes(ancestor, Place());
     ancestor_ = ancestor;
   }
@@ -209,14 +187,11 @@ PatchInterpolation<dim>::collect_values(const Displacement &U, const CellIterato
 }
 
 template <int dim>
-void PatchInterpolation<dim>::interpolate(const Displacement &U,
-                                          const CellIterator &cell,
-                                          const std::vector<Point<dim>> &points)
-{
+void PatchInterpolation<dim>::interpolate(const Displacement &U, const CellIterator &cell,
+                                          const std::vector<Point<dim>> &points) {
   const Place place = collect_values(U, cell);
   const bool is_usual = points == usual_points_;
-  if (is_usual && !lines_.empty())
-  {
+  if (is_usual && !lines_.empty()) {
     std::array<const LineTable *, dim> lines;
     for (unsigned int d = 0; d < dim; ++d)
       lines[d] = &lines_[place[d]];
@@ -230,8 +205,7 @@ void PatchInterpolation<dim>::interpolate(const Displacement &U,
     cut_table_ = make_table(points, place);
   const ShapeTable &shapes = is_usual ? tables_[lexicographic<dim>(place, n_cells_)] : cut_table_;
   for (unsigned int q = 0; q < points.size(); ++q)
-    for (unsigned int k = 0; k < n_nodes; ++k)
-    {
+    for (unsigned int k = 0; k < n_nodes; ++k) {
       result_.values[q] += shapes.values[q * n_nodes + k] * nodal_values_[k];
       result_.gradients[q] += outer_product(nodal_values_[k], shapes.gradients[q * n_nodes + k]);
     }
@@ -239,8 +213,7 @@ void PatchInterpolation<dim>::interpolate(const Displacement &U,
 
 template <int dim>
 const std::vector<Tensor<1, dim>> &PatchInterpolation<dim>::values(const Displacement &U,
-                                                                   const CellIterator &cell)
-{
+                                                                   const CellIterator &cell) {
   interpolate(U, cell, usual_points_);
   return result_.values;
 }
@@ -248,8 +221,7 @@ const std::vector<Tensor<1, dim>> &PatchInterpolation<dim>::values(const Displac
 template <int dim>
 const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const Displacement &U,
                                                           const CellIterator &cell,
-                                                          const FEValues<dim> &fe_values)
-{
+                                                          const FEValues<dim> &fe_values) {
   interpolate(U, cell, fe_values.get_quadrature().get_points());
   // du_i/dx_j = Σ_k du_i/dxi_k dxi_k/dx_j
   for (const unsigned int q : fe_values.quadrature_point_indices())
@@ -260,10 +232,8 @@ const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const Displacement &U,
 // A displacement carried over to the next level.
 
 template <int dim>
-Displacement carry_over(const DisplacementSpace<dim> &coarse,
-                        const Displacement &U,
-                        const DisplacementSpace<dim> &fine)
-{
+Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement &U,
+                        const DisplacementSpace<dim> &fine) {
   const unsigned int level = coarse.mesh().level();
   const Triangulation<dim> &mesh = fine.mesh().triangulation();
   if (fine.mesh().level() != level + 1 ||
@@ -273,17 +243,15 @@ Displacement carry_over(const DisplacementSpace<dim> &coarse,
   const QIterated<dim> nodes(QTrapezoid<1>(), 2);
   PatchInterpolation<dim> interpolation(coarse, nodes, coarse.mesh().has_parents() ? 1 : 0);
   Displacement carried = fine.zero();
-  for (const auto &cell : coarse.dofs().active_cell_iterators())
-  {
-    const typename DoFHandler<dim>::cell_iterator parent(
-      &mesh, cell->level(), cell->index(), &fine.dofs());
+  for (const auto &cell : coarse.dofs().active_cell_iterators()) {
+    const typename DoFHandler<dim>::cell_iterator parent(&mesh, cell->level(), cell->index(),
+                                                         &fine.dofs());
     if (parent->is_active() ||
         parent->vertex(0).distance(cell->vertex(0)) > 1e-10 * fine.mesh().size())
       return {};
     const std::vector<Tensor<1, dim>> &values = interpolation.values(U, cell);
     for (unsigned int c = 0; c < parent->n_children(); ++c)
-      for (const unsigned int v : parent->vertex_indices())
-      {
+      for (const unsigned int v : parent->vertex_indices()) {
         std::array<unsigned int, dim> place = digits<dim>(c, 2);
         for (unsigned int d = 0; d < dim; ++d)
           place[d] += digits<dim>(v, 2)[d];

@@ -10,14 +10,12 @@
 #include <cmath>
 #include <map>
 
-namespace Signorini
-{
+namespace Signorini {
 template <int dim>
-std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Displacement &U)
-{
+std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Displacement &U) {
   const QGauss<dim> gauss(2);
-  FEValues<dim> values(
-    space.mesh().mapping(), space.element(), gauss, update_gradients | update_JxW_values);
+  FEValues<dim> values(space.mesh().mapping(), space.element(), gauss,
+                       update_gradients | update_JxW_values);
   std::vector<double> divergences(gauss.size());
   /** The integral and the volume of a parent, or of a cell. */
   std::map<std::pair<int, int>, std::pair<double, double>> sums;
@@ -25,12 +23,10 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
     const bool by_parent = space.mesh().has_parents();
     return sums[{cell->level(), by_parent ? cell->parent_index() : cell->index()}];
   };
-  for (const auto &cell : space.dofs().active_cell_iterators())
-  {
+  for (const auto &cell : space.dofs().active_cell_iterators()) {
     values.reinit(cell);
     values[FEValuesExtractors::Vector(0)].get_function_divergences(U.entries(), divergences);
-    for (const unsigned int q : values.quadrature_point_indices())
-    {
+    for (const unsigned int q : values.quadrature_point_indices()) {
       sums_of(cell).first += divergences[q] * values.JxW(q);
       sums_of(cell).second += values.JxW(q);
     }
@@ -44,10 +40,8 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
 // The stress with three components per direction, and the quantities that follow from it.
 
 template <int dim>
-Stress3D stress_in_3d(const Material<dim> &material,
-                      const Point<dim> &x,
-                      const SymmetricTensor<2, dim> &strain)
-{
+Stress3D stress_in_3d(const Material<dim> &material, const Point<dim> &x,
+                      const SymmetricTensor<2, dim> &strain) {
   const SymmetricTensor<2, dim> stress = material.hooke(x) * strain;
   Stress3D in_space;
   for (unsigned int i = 0; i < dim; ++i)
@@ -58,13 +52,11 @@ Stress3D stress_in_3d(const Material<dim> &material,
   return in_space;
 }
 
-double von_mises(const Stress3D &stress)
-{
+double von_mises(const Stress3D &stress) {
   return std::sqrt(1.5) * deviator(stress).norm();
 }
 
-std::array<double, 3> principal_stresses(const Stress3D &stress)
-{
+std::array<double, 3> principal_stresses(const Stress3D &stress) {
   // Jacobi's method keeps all digits where eigenvalues are equal.
   const auto pairs = eigenvectors(stress, SymmetricTensorEigenvectorMethod::jacobi);
   return {pairs[0].first, pairs[1].first, pairs[2].first};

@@ -9,14 +9,10 @@
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/kinematics/motion_modes.h>
 
-namespace Signorini
-{
-namespace
-{
-double share_of(const LoadCase &load_case, const LoadKind kind)
-{
-  switch (kind)
-  {
+namespace Signorini {
+namespace {
+double share_of(const LoadCase &load_case, const LoadKind kind) {
+  switch (kind) {
   case LoadKind::force:
     return load_case.force;
   case LoadKind::weight:
@@ -32,15 +28,13 @@ CaseSolver::CaseSolver(CaseData data)
   : data_(std::move(data))
   , C_(make_compliance(data_.inverse, data_.condensed_D, seconds_))
   , B_(data_.modes.couple(data_.D))
-  , G_(data_.gap(data_.scene))
-{
+  , G_(data_.gap(data_.scene)) {
   for (const LoadKind kind : {LoadKind::force, LoadKind::weight, LoadKind::travel})
     if (has_load(data_.scene, kind))
       responses_.push_back(respond(kind));
 }
 
-CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const
-{
+CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const {
   const Scene<2> scene = with_only(data_.scene, kind);
   const DisplacementSpace<2> &space = data_.space;
   const DualVector loads = space.dual(assemble_right_hand_side(space, scene, data_.n_points).loads);
@@ -56,8 +50,7 @@ CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const
   return response;
 }
 
-dealii::Vector<double> CaseSolver::gap_of(const LoadCase &load_case) const
-{
+dealii::Vector<double> CaseSolver::gap_of(const LoadCase &load_case) const {
   if (load_case.shift.norm() > 0.)
     return data_.gap(scene_of_case(data_.scene, load_case));
   dealii::Vector<double> G = G_;
@@ -65,8 +58,7 @@ dealii::Vector<double> CaseSolver::gap_of(const LoadCase &load_case) const
   return G;
 }
 
-bool CaseSolver::slides(const LoadCase &load_case) const
-{
+bool CaseSolver::slides(const LoadCase &load_case) const {
   if (data_.modes.unseen.empty())
     return false;
   DualVector loads = data_.space.zero();
@@ -76,17 +68,13 @@ bool CaseSolver::slides(const LoadCase &load_case) const
   return data_.modes.driven_unseen(plates, loads).has_value();
 }
 
-CaseResult CaseSolver::solve_dual(const LoadCase &load_case)
-{
+CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {
   CaseResult result;
   result.load_case = last_ = load_case;
   dealii::Vector<double> F = gap_of(load_case);
-  FreeMotions motions = {B_,
-                         data_.modes.K,
-                         dealii::Vector<double>(data_.modes.size()),
+  FreeMotions motions = {B_, data_.modes.K, dealii::Vector<double>(data_.modes.size()),
                          dealii::Vector<double>(data_.modes.size())};
-  for (const LoadResponse &response : responses_)
-  {
+  for (const LoadResponse &response : responses_) {
     const double share = share_of(load_case, response.kind);
     F.add(-share, response.closing);
     motions.b.add(share, response.work.value);
@@ -105,8 +93,7 @@ CaseResult CaseSolver::solve_dual(const LoadCase &load_case)
   return result;
 }
 
-CaseResult CaseSolver::solve(const LoadCase &load_case)
-{
+CaseResult CaseSolver::solve(const LoadCase &load_case) {
   CaseResult result = solve_dual(load_case);
   if (slides(load_case))
     result.escape = "it slides";
@@ -116,8 +103,7 @@ CaseResult CaseSolver::solve(const LoadCase &load_case)
     result.contact += contact_resultant(data_.multipliers, P_, piece);
   if (const auto peak = peak_pressure(data_.multipliers, P_))
     result.peak_pressure = peak->value;
-  for (const ContactZone &zone : contact_zones(data_.multipliers, P_))
-  {
+  for (const ContactZone &zone : contact_zones(data_.multipliers, P_)) {
     result.zone_length += zone.length;
     ++result.n_zones;
   }
@@ -126,8 +112,7 @@ CaseResult CaseSolver::solve(const LoadCase &load_case)
   return result;
 }
 
-Displacement CaseSolver::displacement() const
-{
+Displacement CaseSolver::displacement() const {
   DistributedVector forces = data_.space.make_vector();
   data_.condensed_D.add_product(P_, forces);
   Displacement U = solve_homogeneous(data_.inverse, data_.space, forces);

@@ -9,24 +9,19 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The number of periods 2 n of modes that are summed one by one. */
 constexpr unsigned int n_periods = 16;
 
 /** The cosines on an edge that is divided into n equal intervals, mode i = 0, 1, ...: as many as
  * are taken one by one, in whole periods 2 n. */
-struct EdgeModes
-{
+struct EdgeModes {
   EdgeModes(const double length, const unsigned int n, const unsigned int at_least)
-    : end(0.)
-  {
+    : end(0.) {
     const unsigned int period = 2 * n;
     const unsigned int size = period * std::max(n_periods, (at_least + period - 1) / period);
-    for (unsigned int i = 0; i < size; ++i)
-    {
+    for (unsigned int i = 0; i < size; ++i) {
       const unsigned int rest = i % period, p = std::min(rest, period - rest);
       const double sign = rest <= n ? 1. : -1.;
       frequency.push_back(i * numbers::PI / length);
@@ -54,21 +49,18 @@ struct EdgeModes
 };
 
 /** Returns the integral of k^-2 (1 + a² + k²)^{-1/2} over k > K. */
-double edge_tail(const double a, const double K)
-{
+double edge_tail(const double a, const double K) {
   return 1. / (K * (std::sqrt(1. + a * a + K * K) + K));
 }
 
 /** Returns the integral of k_1^-2 k_2^-2 |k|⁻¹ over k_1 > A, k_2 > B. */
-double corner_tail(const double A, const double B)
-{
+double corner_tail(const double A, const double B) {
   const double c = std::pow(A * A + B * B, 1.5) - A * A * A - B * B * B;
   return c / (3. * A * A * A * B * B * B);
 }
 
 /** Returns cos(p π (a + 1/2)/n), row p and column a. */
-FullMatrix<double> cosine_transform(const unsigned int n)
-{
+FullMatrix<double> cosine_transform(const unsigned int n) {
   FullMatrix<double> cosines(n, n);
   for (unsigned int p = 0; p < n; ++p)
     for (unsigned int a = 0; a < n; ++a)
@@ -78,8 +70,7 @@ FullMatrix<double> cosine_transform(const unsigned int n)
 
 /** Returns the columns of the cells of every patch added up. */
 FullMatrix<double> sum_over_patches(const FullMatrix<double> &cell_columns,
-                                    const std::vector<unsigned int> &ends)
-{
+                                    const std::vector<unsigned int> &ends) {
   FullMatrix<double> sums(cell_columns.m(), ends.size() - 1);
   for (unsigned int p = 0; p < sums.m(); ++p)
     for (unsigned int i = 0; i < sums.n(); ++i)
@@ -95,10 +86,8 @@ constexpr double edge_rounding = 1e-9;
 
 /** Returns the common divisor of two lengths that are known up to @p rounding, by Euclid's
  * algorithm. */
-double common_divisor(double a, double b, const double rounding)
-{
-  while (b > rounding)
-  {
+double common_divisor(double a, double b, const double rounding) {
+  while (b > rounding) {
     const double rest = std::abs(std::remainder(a, b));
     a = b;
     b = rest;
@@ -107,10 +96,8 @@ double common_divisor(double a, double b, const double rounding)
 }
 
 /** Returns A B Cᵀ. */
-FullMatrix<double> transform(const FullMatrix<double> &A,
-                             const FullMatrix<double> &B,
-                             const FullMatrix<double> &C)
-{
+FullMatrix<double> transform(const FullMatrix<double> &A, const FullMatrix<double> &B,
+                             const FullMatrix<double> &C) {
   FullMatrix<double> product(A.m(), B.n()), result(A.m(), C.m());
   A.mmult(product, B);
   product.mTmult(result, C);
@@ -118,11 +105,9 @@ FullMatrix<double> transform(const FullMatrix<double> &A,
 }
 
 /** Returns the remainder of the modes of one edge with those beyond the end of the other. */
-FullMatrix<double> tail(const EdgeModes &along, const EdgeModes &across)
-{
+FullMatrix<double> tail(const EdgeModes &along, const EdgeModes &across) {
   FullMatrix<double> sums(along.density.size(), across.density.size());
-  for (unsigned int i = 0; i < along.alias.size(); ++i)
-  {
+  for (unsigned int i = 0; i < along.alias.size(); ++i) {
     const double factor =
       std::pow(along.amplitude[i], 2) * edge_tail(along.frequency[i], across.end);
     for (unsigned int q = 0; q < sums.n(); ++q)
@@ -133,20 +118,14 @@ FullMatrix<double> tail(const EdgeModes &along, const EdgeModes &across)
 } // namespace
 
 RectangleNorm::RectangleNorm(const std::array<double, 2> &lengths)
-  : lengths_(lengths)
-{
-}
+  : lengths_(lengths) {}
 
-RectangleNorm::Matrix
-RectangleNorm::coefficients(const std::array<std::vector<double>, 2> &positions,
-                            const Matrix &weighted_values) const
-{
+RectangleNorm::Matrix RectangleNorm::coefficients(
+  const std::array<std::vector<double>, 2> &positions, const Matrix &weighted_values) const {
   std::array<Matrix, 2> cosines;
-  for (unsigned int d = 0; d < 2; ++d)
-  {
+  for (unsigned int d = 0; d < 2; ++d) {
     cosines[d].reinit(n_modes, positions[d].size());
-    for (unsigned int i = 0; i < n_modes; ++i)
-    {
+    for (unsigned int i = 0; i < n_modes; ++i) {
       const double c = std::sqrt((i == 0 ? 1. : 2.) / lengths_[d]);
       for (std::size_t a = 0; a < positions[d].size(); ++a)
         cosines[d](i, a) = c * std::cos(numbers::PI * i * positions[d][a] / lengths_[d]);
@@ -156,8 +135,7 @@ RectangleNorm::coefficients(const std::array<std::vector<double>, 2> &positions,
 }
 
 RectangleNorm::Matrix RectangleNorm::eigenvalues(const Counts &n_patches,
-                                                 const unsigned int n_without) const
-{
+                                                 const unsigned int n_without) const {
   const EdgeModes first(lengths_[0], n_patches[0], n_without);
   const EdgeModes second(lengths_[1], n_patches[1], n_without);
   Matrix sums = tail(first, second);
@@ -166,8 +144,7 @@ RectangleNorm::Matrix RectangleNorm::eigenvalues(const Counts &n_patches,
   for (unsigned int p = 0; p < sums.m(); ++p)
     for (unsigned int q = 0; q < sums.n(); ++q)
       sums(p, q) += beyond_first(q, p) + corner * first.density[p] * second.density[q];
-  for (unsigned int i = 0; i < first.alias.size(); ++i)
-  {
+  for (unsigned int i = 0; i < first.alias.size(); ++i) {
     const double square = std::pow(first.amplitude[i], 2);
     const double one_and_k1 = 1. + std::pow(first.frequency[i], 2);
     for (unsigned int j = i < n_without ? n_without : 0; square > 0. && j < second.alias.size();
@@ -179,15 +156,13 @@ RectangleNorm::Matrix RectangleNorm::eigenvalues(const Counts &n_patches,
   return sums;
 }
 
-double RectangleNorm::distance(const Matrix &f, const Matrix &values) const
-{
+double RectangleNorm::distance(const Matrix &f, const Matrix &values) const {
   const Counts n = {{static_cast<unsigned int>(values.m()), static_cast<unsigned int>(values.n())}};
   const Matrix Q = transform(cosine_transform(n[0]), values, cosine_transform(n[1]));
   const EdgeModes first(lengths_[0], n[0], f.m()), second(lengths_[1], n[1], f.m());
   double square = 0.;
   for (unsigned int i = 0; i < f.m(); ++i)
-    for (unsigned int j = 0; j < f.n(); ++j)
-    {
+    for (unsigned int j = 0; j < f.n(); ++j) {
       const double q_H =
         first.amplitude[i] * second.amplitude[j] * Q(first.alias[i], second.alias[j]);
       const double k = std::hypot(first.frequency[i], second.frequency[j]);
@@ -201,8 +176,7 @@ double RectangleNorm::distance(const Matrix &f, const Matrix &values) const
 }
 
 RectangleNorm::Matrix
-RectangleNorm::gram_matrix(const std::array<std::vector<unsigned int>, 2> &ends) const
-{
+RectangleNorm::gram_matrix(const std::array<std::vector<unsigned int>, 2> &ends) const {
   const Counts n_cells = {{ends[0].back(), ends[1].back()}};
   const Matrix lambda = eigenvalues(n_cells);
   const Matrix x = sum_over_patches(cosine_transform(n_cells[0]), ends[0]);
@@ -218,23 +192,19 @@ RectangleNorm::gram_matrix(const std::array<std::vector<unsigned int>, 2> &ends)
   return gram;
 }
 
-RectangleNorm rectangle_norm_on(const PatchGrid &grid)
-{
+RectangleNorm rectangle_norm_on(const PatchGrid &grid) {
   const std::array<double, 2> lengths = {{grid.length(0), grid.length(1)}};
   return RectangleNorm(lengths);
 }
 
-std::array<std::vector<unsigned int>, 2> equal_cells(const PatchGrid &grid)
-{
+std::array<std::vector<unsigned int>, 2> equal_cells(const PatchGrid &grid) {
   std::array<std::vector<unsigned int>, 2> numbers;
-  for (unsigned int d = 0; d < 2; ++d)
-  {
+  for (unsigned int d = 0; d < 2; ++d) {
     const std::vector<double> &ends = grid.ends[d];
     double cell = grid.length(d);
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
       cell = common_divisor(cell, ends[i + 1] - ends[i], edge_rounding * grid.length(d));
-    for (const double s : ends)
-    {
+    for (const double s : ends) {
       const double number = (s - ends[0]) / cell;
       if (std::abs(number - std::round(number)) > 0.01 || number > max_cells)
         throw ComputationError(
@@ -245,8 +215,7 @@ std::array<std::vector<unsigned int>, 2> equal_cells(const PatchGrid &grid)
   return numbers;
 }
 
-FullMatrix<double> values_on(const PatchGrid &grid, const dealii::Vector<double> &P)
-{
+FullMatrix<double> values_on(const PatchGrid &grid, const dealii::Vector<double> &P) {
   const auto ends = equal_cells(grid);
   FullMatrix<double> values(ends[0].back(), ends[1].back());
   for (unsigned int i = 0; i < grid.n(0); ++i)

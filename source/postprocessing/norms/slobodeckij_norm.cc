@@ -15,13 +15,10 @@
 #include <cmath>
 #include <utility>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns the modified Bessel function K_0, for x > 0. */
-double bessel_K_0(const double x)
-{
+double bessel_K_0(const double x) {
   using DoubleOnly = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
   return boost::math::cyl_bessel_k(0, x, DoubleOnly());
 }
@@ -45,32 +42,26 @@ double bessel_K_0(const double x)
  *
  * on a closed side P = L, and the second term is missing.
  */
-class DualKernel
-{
+class DualKernel {
 public:
   explicit DualKernel(const double period)
     : period_(period)
-    , omega_(2. * numbers::PI / period)
-  {
-  }
+    , omega_(2. * numbers::PI / period) {}
 
   /** Returns the distance from a point to the nearest singularity, a multiple of P. */
-  double distance(const double x) const
-  {
+  double distance(const double x) const {
     return std::abs(std::remainder(x, period_));
   }
 
   /** Returns κ(x) with an error below 1e-8. At singularities it returns the value 1e-18 P next to
    * them. */
-  double operator()(const double x) const
-  {
+  double operator()(const double x) const {
     using numbers::PI;
     constexpr double min_period_with_images = PI, negligible = 40.;
     // Where ends of patches are equal up to rounding, rules may have a point there.
     const double r = std::max(distance(x), 1e-18 * period_);
     double sum = 0.;
-    if (period_ > min_period_with_images)
-    {
+    if (period_ > min_period_with_images) {
       for (const double nearest : {r, period_ - r})
         for (double image = nearest; image < negligible; image += period_)
           sum += bessel_K_0(image);
@@ -79,8 +70,7 @@ public:
     // The rest of the sum is below 1/(4 π 4096²).
     const double cosine = std::cos(omega_ * r);
     double before = 1., now = cosine;
-    for (double frequency = omega_; frequency < 4096. + omega_; frequency += omega_)
-    {
+    for (double frequency = omega_; frequency < 4096. + omega_; frequency += omega_) {
       // (1 + f²)^{-1/2} - 1/f without cancellation.
       const double root = std::sqrt(1. + frequency * frequency);
       sum -= now / (frequency * root * (frequency + root));
@@ -94,8 +84,7 @@ private:
 };
 
 /** Returns the Gauss rule that integrates polynomials of the given degree on [0, 1]. */
-const QGauss<1> &rule_of_degree(const unsigned int degree)
-{
+const QGauss<1> &rule_of_degree(const unsigned int degree) {
   static const std::vector<QGauss<1>> rules = []() {
     constexpr unsigned int most = 40;
     std::vector<QGauss<1>> all;
@@ -107,18 +96,14 @@ const QGauss<1> &rule_of_degree(const unsigned int degree)
 }
 
 /** The integrals ∫∫ ψ_i(s) ψ_j(t) κ(s -+ t) over two patches of a side. */
-class PairIntegrals
-{
+class PairIntegrals {
 public:
   /**
    * Prepares the integrals.
    * @param mirrored whether the kernel is that of s + t.
    */
-  PairIntegrals(const MultiplierSpace<2> &space,
-                const DualKernel &kernel,
-                const unsigned int first,
-                const unsigned int second,
-                const bool mirrored)
+  PairIntegrals(const MultiplierSpace<2> &space, const DualKernel &kernel, const unsigned int first,
+                const unsigned int second, const bool mirrored)
     : space_(space)
     , kernel_(kernel)
     , first_(first)
@@ -127,16 +112,14 @@ public:
     , degree_(space.n_of(first) + space.n_of(second) - 2)
     , I_(ends(first))
     , J_(ends(second))
-    , block_(space.n_of(first), space.n_of(second))
-  {
+    , block_(space.n_of(first), space.n_of(second)) {
     for (double &end : J_)
       end *= sign_;
     std::sort(J_.begin(), J_.end());
   }
 
   /** Adds the integrals to the matrix, for two patches also in the other order. */
-  void add_to(FullMatrix<double> &gram)
-  {
+  void add_to(FullMatrix<double> &gram) {
     std::array<double, 4> breaks = {{I_[0] - J_[1], I_[0] - J_[0], I_[1] - J_[1], I_[1] - J_[0]}};
     std::sort(breaks.begin(), breaks.end());
     for (unsigned int i = 0; i < 3; ++i)
@@ -145,8 +128,7 @@ public:
         integrate(breaks[i], breaks[i + 1], 0);
     const unsigned int rows = space_.first_of(first_), columns = space_.first_of(second_);
     for (unsigned int i = 0; i < block_.m(); ++i)
-      for (unsigned int j = 0; j < block_.n(); ++j)
-      {
+      for (unsigned int j = 0; j < block_.n(); ++j) {
         gram(rows + i, columns + j) += block_(i, j);
         if (first_ != second_)
           gram(columns + j, rows + i) += block_(i, j);
@@ -154,22 +136,19 @@ public:
   }
 
 private:
-  std::array<double, 2> ends(const unsigned int patch) const
-  {
+  std::array<double, 2> ends(const unsigned int patch) const {
     const Patch<2> &place = space_.surface().patches()[patch];
     return {{place.lower[0], place.upper[0]}};
   }
 
   /** Adds ∫ κ(x) A(x) dx between two points; halves the interval until the next singularity
    * is as far away as its ends are from one another. */
-  void integrate(const double from, const double to, const unsigned int n_halvings)
-  {
+  void integrate(const double from, const double to, const unsigned int n_halvings) {
     // The rest next to a singularity is 2^-50 of the whole.
     constexpr unsigned int max_halvings = 50;
     if (n_halvings > max_halvings)
       return;
-    if (std::min(kernel_.distance(from), kernel_.distance(to)) < (1. - 1e-6) * (to - from))
-    {
+    if (std::min(kernel_.distance(from), kernel_.distance(to)) < (1. - 1e-6) * (to - from)) {
       const double middle = 0.5 * (from + to);
       integrate(from, middle, n_halvings + 1);
       integrate(middle, to, n_halvings + 1);
@@ -178,20 +157,17 @@ private:
     // A has the degree degree_ + 1. The kernel is analytic on the ellipse with ρ = 3 + 8^{1/2},
     // and eight points more leave ρ^-16 of it.
     const QGauss<1> &rule = rule_of_degree(degree_ + 1 + 16);
-    for (unsigned int q = 0; q < rule.size(); ++q)
-    {
+    for (unsigned int q = 0; q < rule.size(); ++q) {
       const double x = from + (to - from) * rule.point(q)[0];
       add_products(x, (to - from) * rule.weight(q) * kernel_(x));
     }
   }
 
   /** Adds @p factor A(x). */
-  void add_products(const double x, const double factor)
-  {
+  void add_products(const double x, const double factor) {
     const double from = std::max(I_[0], J_[0] + x), to = std::min(I_[1], J_[1] + x);
     const QGauss<1> &rule = rule_of_degree(degree_);
-    for (unsigned int q = 0; q < rule.size(); ++q)
-    {
+    for (unsigned int q = 0; q < rule.size(); ++q) {
       const double s = from + (to - from) * rule.point(q)[0];
       values(first_, s, on_first_);
       values(second_, sign_ * (s - x), on_second_);
@@ -203,8 +179,7 @@ private:
   }
 
   /** Computes the values of the basis of a patch at a point. */
-  void values(const unsigned int patch, const double s, std::vector<double> &values) const
-  {
+  void values(const unsigned int patch, const double s, std::vector<double> &values) const {
     values.resize(space_.n_of(patch));
     for (unsigned int i = 0; i < values.size(); ++i)
       values[i] = space_.shape_value(space_.first_of(patch) + i, Point<1>(s));
@@ -223,8 +198,7 @@ private:
 };
 
 /** Returns whether a series resolves the patches. */
-bool has_equal_patches(const ContactSurface<2> &surface)
-{
+bool has_equal_patches(const ContactSurface<2> &surface) {
   double shortest = surface.longest_patch();
   for (const Patch<2> &patch : surface.patches())
     shortest = std::min(shortest, patch.measure);
@@ -232,15 +206,13 @@ bool has_equal_patches(const ContactSurface<2> &surface)
 }
 } // namespace
 
-FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers)
-{
+FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers) {
   const ContactSurface<2> &surface = multipliers.surface();
   if (multipliers.is_piecewise_constant() && has_equal_patches(surface))
     return dual_gram_matrix(surface);
   const unsigned int m = multipliers.n_multipliers();
   FullMatrix<double> gram(m, m);
-  for (const PatchGrid &grid : patch_grids(surface.patches()))
-  {
+  for (const PatchGrid &grid : patch_grids(surface.patches())) {
     const Side<2> &side = surface.scene().geometry.sides[grid.side];
     const DualKernel kernel((side.is_closed() ? 1. : 2.) * side.length());
     for (const unsigned int i : grid.patches)
@@ -254,18 +226,15 @@ FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers)
 
 // |||.|||_{-1/2,Γ_c} as the paper defines it, on one side.
 
-namespace
-{
+namespace {
 /** A matrix for the values at the two nodes of a first and of a second cell, and such values. */
 using PairMatrix = Tensor<2, 4>;
 using PairValues = Tensor<1, 4>;
 
 /** Returns the integrals over both orders of two different cells whose first nodes are @p d ≥ 1
  * cells apart. In one dimension the double integral does not depend on the size of the cells. */
-PairMatrix pair_matrix(const unsigned int d)
-{
-  if (d == 1)
-  {
+PairMatrix pair_matrix(const unsigned int d) {
+  if (d == 1) {
     // With al = v0 - v1, be = v2 - v1: 2 [(1 - ln 2)(al² + be²) - 2 (ln 2 - 1/2) al be].
     const double same = 2. * (1. - std::log(2.)), mixed = -2. * (std::log(2.) - 0.5);
     const PairValues al({1., -1., 0., 0.}), be({0., 0., -1., 1.});
@@ -275,8 +244,7 @@ PairMatrix pair_matrix(const unsigned int d)
   static const QGauss<1> gauss(12);
   PairMatrix matrix;
   for (unsigned int p = 0; p < gauss.size(); ++p)
-    for (unsigned int q = 0; q < gauss.size(); ++q)
-    {
+    for (unsigned int q = 0; q < gauss.size(); ++q) {
       const double x = gauss.point(p)[0], y = gauss.point(q)[0];
       const PairValues w({1. - x, x, y - 1., -y});
       matrix +=
@@ -287,21 +255,17 @@ PairMatrix pair_matrix(const unsigned int d)
 
 } // namespace
 
-FullMatrix<double> seminorm_matrix(const unsigned int n_cells)
-{
+FullMatrix<double> seminorm_matrix(const unsigned int n_cells) {
   FullMatrix<double> matrix(n_cells + 1, n_cells + 1);
-  for (unsigned int c = 0; c < n_cells; ++c)
-  {
+  for (unsigned int c = 0; c < n_cells; ++c) {
     matrix(c, c) += 1.;
     matrix(c + 1, c + 1) += 1.;
     matrix(c, c + 1) -= 1.;
     matrix(c + 1, c) -= 1.;
   }
-  for (unsigned int d = 1; d < n_cells; ++d)
-  {
+  for (unsigned int d = 1; d < n_cells; ++d) {
     const PairMatrix pair = pair_matrix(d);
-    for (unsigned int c = 0; c + d < n_cells; ++c)
-    {
+    for (unsigned int c = 0; c + d < n_cells; ++c) {
       const std::array<unsigned int, 4> nodes = {c, c + 1, c + d, c + d + 1};
       for (unsigned int i = 0; i < 4; ++i)
         for (unsigned int j = 0; j < 4; ++j)
@@ -313,12 +277,10 @@ FullMatrix<double> seminorm_matrix(const unsigned int n_cells)
 SlobodeckijNorm::SlobodeckijNorm(const double length, const unsigned int n_cells)
   : length_(length)
   , n_cells_(n_cells)
-  , factor_(n_cells + 1, n_cells + 1)
-{
+  , factor_(n_cells + 1, n_cells + 1) {
   factor_ = seminorm_matrix(n_cells);
   const double h = length / n_cells;
-  for (unsigned int c = 0; c < n_cells; ++c)
-  {
+  for (unsigned int c = 0; c < n_cells; ++c) {
     factor_(c, c) += h / 3.;
     factor_(c + 1, c + 1) += h / 3.;
     factor_(c, c + 1) += h / 6.;
@@ -329,11 +291,9 @@ SlobodeckijNorm::SlobodeckijNorm(const double length, const unsigned int n_cells
 }
 
 double SlobodeckijNorm::dual_norm(const std::vector<double> &arc_lengths,
-                                  const std::vector<double> &weighted_values) const
-{
+                                  const std::vector<double> &weighted_values) const {
   dealii::Vector<double> b(n_cells_ + 1);
-  for (std::size_t q = 0; q < arc_lengths.size(); ++q)
-  {
+  for (std::size_t q = 0; q < arc_lengths.size(); ++q) {
     const double t = arc_lengths[q] / length_ * n_cells_;
     const unsigned int cell = std::min(static_cast<unsigned int>(std::max(t, 0.)), n_cells_ - 1);
     b[cell] += (1. - (t - cell)) * weighted_values[q];

@@ -20,10 +20,8 @@
 #include <memory>
 #include <vector>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /**
  * Returns the number of points of a Gauss rule for the Gram matrix. grad φ_i . grad φ_j on a
  * cell is a polynomial divided by the determinant of the cell's map. A determinant that falls
@@ -34,8 +32,7 @@ namespace
  * @return n with ρ^{-2n} below 1e-10, and as many points more for the polynomial as the element's
  * degree; from degree + 2, which is enough for r = 1, to 39 + degree.
  */
-unsigned int points_for_ratio(const double r, const unsigned int degree)
-{
+unsigned int points_for_ratio(const double r, const unsigned int degree) {
   constexpr double most = 39.;
   const double root = std::sqrt(std::max(r, 1.));
   const double logarithm = std::log((root + 1.) / (root - 1.));
@@ -45,16 +42,12 @@ unsigned int points_for_ratio(const double r, const unsigned int degree)
 
 /** The shape functions at as many Gauss points as the shape of a cell needs. */
 template <int dim>
-class ValuesByShape
-{
+class ValuesByShape {
 public:
   explicit ValuesByShape(const Mapping<dim> &mapping)
-    : mapping_(mapping)
-  {
-  }
+    : mapping_(mapping) {}
 
-  const FEValues<dim> &reinit(const typename DoFHandler<dim>::active_cell_iterator &cell)
-  {
+  const FEValues<dim> &reinit(const typename DoFHandler<dim>::active_cell_iterator &cell) {
     const FiniteElement<dim> &element = cell->get_fe();
     const unsigned int n = points_for_ratio(ratio_of_determinants(cell), element.degree);
     std::unique_ptr<FEValues<dim>> &values = values_[{element.degree, n}];
@@ -67,8 +60,8 @@ public:
 
 private:
   /** Returns the ratio of the largest to the smallest determinant at the vertices. */
-  static double ratio_of_determinants(const typename Triangulation<dim>::active_cell_iterator &cell)
-  {
+  static double
+  ratio_of_determinants(const typename Triangulation<dim>::active_cell_iterator &cell) {
     using Geometry = GeometryInfo<dim>;
     Point<dim> vertices[Geometry::vertices_per_cell];
     Tensor<0, dim> determinants[Geometry::vertices_per_cell];
@@ -87,14 +80,12 @@ private:
 } // namespace
 
 template <int dim>
-TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space)
-{
+TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space) {
   TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
   DistributedVector unused = space.make_vector();
   ValuesByShape<dim> values_by_shape(space.mesh().mapping());
   FullMatrix<double> cell_matrix;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-  {
+  for (const auto &cell : space.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
     const FEValues<dim> &values = values_by_shape.reinit(cell);
@@ -102,8 +93,7 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
     const unsigned int n = element.n_dofs_per_cell();
     cell_matrix.reinit(n, n);
     for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j <= i; ++j)
-      {
+      for (unsigned int j = 0; j <= i; ++j) {
         if (element.system_to_component_index(i).first !=
             element.system_to_component_index(j).first)
           continue;
@@ -124,8 +114,7 @@ INSTANTIATE_FUNCTION(assemble_h1_gram_matrix);
 
 // |||.|||_{-1/2,Γ_c} by cosine or Fourier series, side by side.
 
-namespace
-{
+namespace {
 using numbers::PI;
 
 using Complex = std::complex<double>;
@@ -133,15 +122,10 @@ using ComplexMatrix = LAPACKFullMatrix<Complex>;
 
 /** Returns e^{i j step θ}, j = 0, ..., n - 1 in rows, for the angles θ in columns. The numbers are
  * rotated by step θ from row to row; their errors add up to 1e-16 per row only. */
-ComplexMatrix powers(const std::vector<double> &theta,
-                     const std::size_t first,
-                     const std::size_t last,
-                     const unsigned int step,
-                     const unsigned int n)
-{
+ComplexMatrix powers(const std::vector<double> &theta, const std::size_t first,
+                     const std::size_t last, const unsigned int step, const unsigned int n) {
   ComplexMatrix result(n, last - first);
-  for (std::size_t q = first; q < last; ++q)
-  {
+  for (std::size_t q = first; q < last; ++q) {
     const Complex rotation = std::polar(1., step * theta[q]);
     Complex power = 1.;
     for (unsigned int j = 0; j < n; ++j, power *= rotation)
@@ -158,14 +142,11 @@ ComplexMatrix powers(const std::vector<double> &theta,
  * and the sums over θ for all a and b are a product of matrices.
  */
 SpectralNorm::Modes sum_of_waves(const std::vector<double> &theta,
-                                 const std::vector<double> &amount,
-                                 const unsigned int n_modes)
-{
+                                 const std::vector<double> &amount, const unsigned int n_modes) {
   constexpr unsigned int A = 128, chunk = 256;
   const unsigned int n_blocks = n_modes / A + 1;
   ComplexMatrix sums(n_blocks, A);
-  for (std::size_t first = 0; first < theta.size(); first += chunk)
-  {
+  for (std::size_t first = 0; first < theta.size(); first += chunk) {
     const std::size_t last = std::min<std::size_t>(first + chunk, theta.size());
     ComplexMatrix coarse = powers(theta, first, last, A, n_blocks);
     for (unsigned int b = 0; b < n_blocks; ++b)
@@ -185,33 +166,27 @@ SpectralNorm::SpectralNorm(const double length, const bool closed)
   , closed_(closed)
   , omega_((closed ? 2. : 1.) * PI / length)
   // The highest frequency is the same for both kinds.
-  , n_modes_(closed ? 4096 : 8192)
-{
-}
+  , n_modes_(closed ? 4096 : 8192) {}
 
-double SpectralNorm::weight(const unsigned int k) const
-{
+double SpectralNorm::weight(const unsigned int k) const {
   const double frequency = k * omega_;
   return 1. / std::sqrt(1. + frequency * frequency);
 }
 
-unsigned int SpectralNorm::n_tail_modes(const unsigned int m) const
-{
+unsigned int SpectralNorm::n_tail_modes(const unsigned int m) const {
   // S_k has this period on equal intervals.
   const unsigned int period = std::max(1U, (closed_ ? 1U : 2U) * m);
   return period < n_modes_ / 2 ? period * ((n_modes_ / 2) / period) : n_modes_ / 2;
 }
 
-double SpectralNorm::weight_with_tail(const unsigned int k, const unsigned int m) const
-{
+double SpectralNorm::weight_with_tail(const unsigned int k, const unsigned int m) const {
   // q_k = (2/L)^{1/2} S_k/(k ω): the mean of S_k² over the last modes gives the rest of the sum.
   const unsigned int n_last = n_tail_modes(m);
   const double tail = 1. / (omega_ * 2. * double(n_modes_) * (n_modes_ + 1.));
   return weight(k) + (k > n_modes_ - n_last ? tail * k * k / n_last : 0.);
 }
 
-SpectralNorm::Modes SpectralNorm::normalised(Modes modes) const
-{
+SpectralNorm::Modes SpectralNorm::normalised(Modes modes) const {
   modes[0] /= std::sqrt(2.);
   for (Complex &mode : modes)
     mode = std::sqrt(2. / length_) * (closed_ ? mode : mode.real());
@@ -219,8 +194,7 @@ SpectralNorm::Modes SpectralNorm::normalised(Modes modes) const
 }
 
 SpectralNorm::Modes SpectralNorm::coefficients(const std::vector<double> &arc_lengths,
-                                               const std::vector<double> &weighted_values) const
-{
+                                               const std::vector<double> &weighted_values) const {
   std::vector<double> theta = arc_lengths;
   for (double &angle : theta)
     angle *= omega_;
@@ -228,12 +202,10 @@ SpectralNorm::Modes SpectralNorm::coefficients(const std::vector<double> &arc_le
 }
 
 SpectralNorm::Modes SpectralNorm::coefficients_of_constants(const std::vector<double> &ends,
-                                                            const Vector &values) const
-{
+                                                            const Vector &values) const {
   // ∫ q e^{i k ω s} is -Σ jump e^{i k ω s}/(i k ω), with the jumps at both ends of the side.
   std::vector<double> theta, jumps;
-  for (unsigned int i = 0; i <= values.size(); ++i)
-  {
+  for (unsigned int i = 0; i <= values.size(); ++i) {
     const double jump = (i < values.size() ? values[i] : 0.) - (i > 0 ? values[i - 1] : 0.);
     if (jump == 0.)
       continue;
@@ -249,10 +221,8 @@ SpectralNorm::Modes SpectralNorm::coefficients_of_constants(const std::vector<do
   return normalised(std::move(modes));
 }
 
-double SpectralNorm::distance(const Modes &f,
-                              const std::vector<double> &ends,
-                              const Vector &values) const
-{
+double SpectralNorm::distance(const Modes &f, const std::vector<double> &ends,
+                              const Vector &values) const {
   const Modes q_H = coefficients_of_constants(ends, values);
   double square = 0.;
   for (unsigned int k = 0; k < q_H.size(); ++k)
@@ -261,12 +231,10 @@ double SpectralNorm::distance(const Modes &f,
   return std::sqrt(square);
 }
 
-double SpectralNorm::primal_norm(const Modes &f, const unsigned int n_pieces) const
-{
+double SpectralNorm::primal_norm(const Modes &f, const unsigned int n_pieces) const {
   const unsigned int n_last = n_tail_modes(n_pieces);
   double square = 0., mean = 0.;
-  for (unsigned int k = 0; k < f.size(); ++k)
-  {
+  for (unsigned int k = 0; k < f.size(); ++k) {
     square += std::norm(f[k]) / weight(k);
     if (k > n_modes_ - n_last)
       mean += std::pow(k, 4) * std::norm(f[k]) / n_last;
@@ -275,18 +243,15 @@ double SpectralNorm::primal_norm(const Modes &f, const unsigned int n_pieces) co
   return std::sqrt(square + omega_ * mean / (2. * double(n_modes_) * (n_modes_ + 1.)));
 }
 
-FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &ends) const
-{
+FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &ends) const {
   const unsigned int m = ends.size() - 1, n = n_modes_ + 1;
   FullMatrix<double> weighted(m, closed_ ? 2 * n : n), gram(m, m);
   Vector unit(m);
-  for (unsigned int i = 0; i < m; ++i)
-  {
+  for (unsigned int i = 0; i < m; ++i) {
     unit = 0.;
     unit[i] = 1.;
     const Modes q = coefficients_of_constants(ends, unit);
-    for (unsigned int k = 0; k < n; ++k)
-    {
+    for (unsigned int k = 0; k < n; ++k) {
       const double root = std::sqrt(weight_with_tail(k, m));
       weighted(i, k) = root * q[k].real();
       if (closed_)
@@ -298,11 +263,9 @@ FullMatrix<double> SpectralNorm::gram_matrix(const std::vector<double> &ends) co
 }
 
 template <int dim>
-FullMatrix<double> dual_gram_matrix(const ContactSurface<dim> &surface)
-{
+FullMatrix<double> dual_gram_matrix(const ContactSurface<dim> &surface) {
   FullMatrix<double> gram(surface.patches().size(), surface.patches().size());
-  for (const PatchGrid &grid : patch_grids(surface.patches()))
-  {
+  for (const PatchGrid &grid : patch_grids(surface.patches())) {
     FullMatrix<double> on_side;
     if constexpr (dim == 2)
       on_side =
@@ -317,19 +280,15 @@ FullMatrix<double> dual_gram_matrix(const ContactSurface<dim> &surface)
 }
 INSTANTIATE_FUNCTION(dual_gram_matrix);
 
-FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers)
-{
+FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers) {
   return dual_gram_matrix(multipliers.surface());
 }
 
 // Lemma 1 as a number: a generalised eigenvalue problem on the contact boundary.
 
 template <int dim>
-double measure_inf_sup(const DisplacementSpace<dim> &space,
-                       const MultiplierSpace<dim> &multipliers,
-                       const Coupling &condensed_D,
-                       const LinearSolver linear_solver)
-{
+double measure_inf_sup(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
+                       const Coupling &condensed_D, const LinearSolver linear_solver) {
   const TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
   const auto inverse = factorise(A_1, 1., linear_solver, contact_unknowns(condensed_D));
   double seconds = 0.;

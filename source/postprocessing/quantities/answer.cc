@@ -9,18 +9,13 @@
 
 #include <algorithm>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Sets the place of growth if a maximum lies at a singular place and stands out. */
 template <int dim, typename Maximum>
 void set_growth(const std::vector<SingularPlace<dim>> &places,
-                const MultiplierSpace<dim> &multipliers,
-                const Pressure &P,
-                const AnswerVector &point,
-                Maximum &largest)
-{
+                const MultiplierSpace<dim> &multipliers, const Pressure &P,
+                const AnswerVector &point, Maximum &largest) {
   // A constant stress has no singular part.
   constexpr double rounding = 1e-6;
   Point<dim> x;
@@ -33,8 +28,7 @@ void set_growth(const std::vector<SingularPlace<dim>> &places,
 template <int dim>
 std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multipliers,
                                           const Pressure &P,
-                                          const std::vector<SingularPlace<dim>> &places)
-{
+                                          const std::vector<SingularPlace<dim>> &places) {
   const std::optional<PressureMaximum> largest = peak_pressure(multipliers, P);
   if (!largest)
     return {};
@@ -49,28 +43,24 @@ std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multiplier
 template <int dim>
 std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
                                            const MultiplierSpace<dim> &multipliers,
-                                           const Displacement &U)
-{
+                                           const Displacement &U) {
   const QIterated<dim - 1> positions(QTrapezoid<1>(), dim == 2 ? 16 : 4);
   const ContactSurface<dim> &surface = multipliers.surface();
   TraceValues<dim> traces(space);
   std::optional<Penetration> largest;
-  for (const Piece<dim> &piece : surface.pieces())
-  {
+  for (const Piece<dim> &piece : surface.pieces()) {
     const SurfaceRule<dim> rule = surface.at(piece, positions.get_points());
     const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
     for (std::size_t q = 0; q < rule.size(); ++q)
       if (!largest || depths[q] > largest->value)
         largest = {depths[q],
                    {surface.side(surface.patches()[piece.patch]).name(),
-                    dim == 2 ? rule.on_side[q][0] : 0.,
-                    rule.points[q]}};
+                    dim == 2 ? rule.on_side[q][0] : 0., rule.points[q]}};
   }
   return largest;
 }
 
-Columns<Answer> Answer::columns()
-{
+Columns<Answer> Answer::columns() {
   return {{"peak_pressure",
            [](const Answer &answer) {
              return answer.peak_pressure ? std::optional<double>(answer.peak_pressure->value)
@@ -80,13 +70,9 @@ Columns<Answer> Answer::columns()
 }
 
 template <int dim>
-Answer compute_answer(const DisplacementSpace<dim> &space,
-                      const Scene<dim> &scene,
-                      const MultiplierSpace<dim> &multipliers,
-                      const NodalForces &forces,
-                      const Displacement &U,
-                      const Pressure &P)
-{
+Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                      const MultiplierSpace<dim> &multipliers, const NodalForces &forces,
+                      const Displacement &U, const Pressure &P) {
   Answer answer;
   answer.dimension = dim;
   answer.size = scene.geometry.diameter();

@@ -5,10 +5,8 @@
 
 #include <cmath>
 
-namespace Signorini
-{
-Trend trend_of(const std::vector<std::optional<double>> &values)
-{
+namespace Signorini {
+Trend trend_of(const std::vector<std::optional<double>> &values) {
   constexpr double small = 0.01, moderate = 0.1, slowest = 0.75;
   std::vector<double> known;
   for (const std::optional<double> &value : values)
@@ -28,10 +26,8 @@ Trend trend_of(const std::vector<std::optional<double>> &values)
   return trend;
 }
 
-std::string word_for(const Trend::Kind kind)
-{
-  switch (kind)
-  {
+std::string word_for(const Trend::Kind kind) {
+  switch (kind) {
   case Trend::Kind::settled:
     return "settled";
   case Trend::Kind::not_settled:

@@ -8,15 +8,12 @@
 #include <cmath>
 #include <tuple>
 
-namespace Signorini
-{
+namespace Signorini {
 std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multipliers,
-                                             const Pressure &P)
-{
+                                             const Pressure &P) {
   std::vector<ContactBracket> brackets;
   for (const SideNodes &side : nodes_by_side(multipliers, P))
-    for (const std::vector<SideNode> &run : alternations(side))
-    {
+    for (const std::vector<SideNode> &run : alternations(side)) {
       const double turn = side.closed && run.front().s >= side.length ? side.length : 0.;
       brackets.push_back({side.number, run.front().s - turn, run.back().s - turn});
     }
@@ -28,13 +25,11 @@ std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multiplie
 
 // The contact zones: runs of pressing patches, and the points where the pressure vanishes.
 
-namespace
-{
+namespace {
 /** The data of a pressure that ends: the lengths of the last two patches that press, the distance
  * from the edge between them to the farthest possible end, and the ratio of the means, that of the
  * last patch over the other. */
-struct EndOfPressure
-{
+struct EndOfPressure {
   double inner, last, farthest, ratio;
 };
 
@@ -44,16 +39,14 @@ struct EndOfPressure
  *
  *     (F(e) - F(e - last)) / last = ratio (F(e + inner) - F(e)) / inner,   F(x) = x_+^{3/2}.
  */
-double root_end(const EndOfPressure &given)
-{
+double root_end(const EndOfPressure &given) {
   const auto F = [](const double x) { return std::pow(std::max(x, 0.), 1.5); };
   const auto ratio = [&](const double e) {
     return (F(e) - F(e - given.last)) / given.last / ((F(e + given.inner) - F(e)) / given.inner);
   };
   // The ratio grows with e from zero.
   double low = 0., high = given.farthest;
-  for (unsigned int i = 0; i < 50; ++i)
-  {
+  for (unsigned int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (low + high);
     (ratio(middle) < given.ratio ? low : high) = middle;
   }
@@ -61,32 +54,27 @@ double root_end(const EndOfPressure &given)
 }
 
 /** Returns a point of a side; on a closed one the end of the side stays its end. */
-BoundaryPlace place_on(const Side<2> &side, double s)
-{
+BoundaryPlace place_on(const Side<2> &side, double s) {
   if (side.is_closed() && (s < 0. || s > side.length()))
     s -= side.length() * std::floor(s / side.length());
   return {side.name(), s, side.point(s)};
 }
 
 /** A patch of a side. */
-struct PatchMean
-{
+struct PatchMean {
   double lower, upper, mean;
   bool presses;
 };
 
 /** Returns the patches of a side in their order, those of a closed side for three turns. */
-std::vector<PatchMean> patches_on(const PatchGrid &grid,
-                                  const MultiplierSpace<2> &multipliers,
-                                  const Pressure &P)
-{
+std::vector<PatchMean> patches_on(const PatchGrid &grid, const MultiplierSpace<2> &multipliers,
+                                  const Pressure &P) {
   const ContactSurface<2> &surface = multipliers.surface();
   const Side<2> &side = surface.scene().geometry.sides[grid.side];
   const int n_turns = side.is_closed() ? 1 : 0;
   std::vector<PatchMean> patches;
   for (int turn = -n_turns; turn <= n_turns; ++turn)
-    for (const unsigned int tau : grid.patches)
-    {
+    for (const unsigned int tau : grid.patches) {
       const Patch<2> &patch = surface.patches()[tau];
       const double mean = multipliers.value(P, tau, patch.centre()), shift = turn * side.length();
       patches.push_back(
@@ -97,11 +85,8 @@ std::vector<PatchMean> patches_on(const PatchGrid &grid,
 
 /** Returns the end of a run of pressing patches; patch @p last belongs to it, and last + @p step
  * does not. */
-ZoneEnd end_of_run(const Side<2> &side,
-                   const std::vector<PatchMean> &patches,
-                   const int last,
-                   const int step)
-{
+ZoneEnd end_of_run(const Side<2> &side, const std::vector<PatchMean> &patches, const int last,
+                   const int step) {
   const auto exists = [&](const int i) { return i >= 0 && i < static_cast<int>(patches.size()); };
   const PatchMean &patch = patches[last];
   const double inner_edge = step > 0 ? patch.lower : patch.upper;
@@ -112,11 +97,9 @@ ZoneEnd end_of_run(const Side<2> &side,
   double s = edge;
   if (exists(last - step) && patches[last - step].presses &&
       std::abs(patch.mean) < std::abs(patches[last - step].mean) && !side.has_corner(inner_edge) &&
-      !side.has_corner(edge))
-  {
+      !side.has_corner(edge)) {
     const PatchMean &before = patches[last - step];
-    s = inner_edge + step * root_end({before.upper - before.lower,
-                                      patch.upper - patch.lower,
+    s = inner_edge + step * root_end({before.upper - before.lower, patch.upper - patch.lower,
                                       std::abs(0.5 * (next.lower + next.upper) - inner_edge),
                                       patch.mean / before.mean});
   }
@@ -125,21 +108,17 @@ ZoneEnd end_of_run(const Side<2> &side,
 }
 
 /** Adds the zones of a side, where multipliers are constants. */
-void add_zones(const Side<2> &side,
-               const std::vector<PatchMean> &patches,
-               std::vector<ContactZone> &zones)
-{
+void add_zones(const Side<2> &side, const std::vector<PatchMean> &patches,
+               std::vector<ContactZone> &zones) {
   const auto presses = [](const PatchMean &patch) { return patch.presses; };
-  if (std::all_of(patches.begin(), patches.end(), presses))
-  {
+  if (std::all_of(patches.begin(), patches.end(), presses)) {
     zones.push_back({{place_on(side, 0.), 0.}, {place_on(side, side.length()), 0.}, side.length()});
     return;
   }
   const int n_turns = side.is_closed() ? 3 : 1, n = patches.size() / n_turns;
   const int begin = n * (n_turns / 2);
   for (int first = begin; first < begin + n; ++first)
-    if (presses(patches[first]) && (first == 0 || !presses(patches[first - 1])))
-    {
+    if (presses(patches[first]) && (first == 0 || !presses(patches[first - 1]))) {
       const auto end = std::find_if_not(patches.begin() + first, patches.end(), presses);
       const int last = static_cast<int>(end - patches.begin()) - 1;
       ContactZone zone = {end_of_run(side, patches, first, -1), end_of_run(side, patches, last, 1)};
@@ -151,8 +130,7 @@ void add_zones(const Side<2> &side,
 }
 } // namespace
 
-std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers, const Pressure &P)
-{
+std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers, const Pressure &P) {
   const ContactSurface<2> &surface = multipliers.surface();
   const std::vector<Side<2>> &sides = surface.scene().geometry.sides;
   std::vector<ContactZone> zones;
@@ -160,8 +138,7 @@ std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers, co
     for (const PatchGrid &grid : patch_grids(surface.patches()))
       add_zones(sides[grid.side], patches_on(grid, multipliers, P), zones);
   else
-    for (const PressedInterval &interval : pressed_intervals(multipliers, P))
-    {
+    for (const PressedInterval &interval : pressed_intervals(multipliers, P)) {
       const auto end_at = [&](const PressedInterval::End &end) {
         return ZoneEnd{place_on(sides[interval.side], end.s), end.uncertainty};
       };

@@ -13,21 +13,17 @@
 #include <limits>
 #include <optional>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** A position on one axis, and a value there. */
-struct ValueAt
-{
+struct ValueAt {
   double s, value;
 };
 
 /** Returns the maximum in the middle one of three intervals, which follow one another, of the
  * parabola with given means over them; its value in the middle where the parabola is monotone, as
  * a neighbour has a larger value then, or constant up to rounding. */
-ValueAt max_of_parabola(const std::array<double, 4> &ends, const std::array<double, 3> &means)
-{
+ValueAt max_of_parabola(const std::array<double, 4> &ends, const std::array<double, 3> &means) {
   // With the primitive's divided differences over the four ends e_0 < ... < e_3, from e_1:
   // p = d/ds of (s-e0) m0 + (s-e0)(s-e1) first + (s-e0)(s-e1)(s-e2) second.
   const double from = ends[1], to = ends[2];
@@ -48,8 +44,7 @@ ValueAt max_of_parabola(const std::array<double, 4> &ends, const std::array<doub
 
 /** Returns whether a material is its own mirror image in a plane at right angles to an axis:
  * entries of Hooke's tensor with an odd number of indices of this axis vanish. */
-bool is_symmetric(const SymmetricTensor<4, 3> &E, const unsigned int axis)
-{
+bool is_symmetric(const SymmetricTensor<4, 3> &E, const unsigned int axis) {
   const double negligible = 1e-12 * E.norm();
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
@@ -63,11 +58,9 @@ bool is_symmetric(const SymmetricTensor<4, 3> &E, const unsigned int axis)
 
 /** Returns whether a roller meets the contact side at a point of its edge. Then the body with its
  * mirror image is a body of twice the size, and the pressure goes on symmetrically. */
-bool is_mirror(const Scene<3> &scene, const Point<3> &x)
-{
+bool is_mirror(const Scene<3> &scene, const Point<3> &x) {
   const double rounding = 1e-9 * scene.geometry.diameter();
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-  {
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     const Side<3> &side = scene.geometry.sides[i];
     const Tensor<1, 3> n = side.normal(Point<2>());
     if (scene.boundary[i].role == Role::roller &&
@@ -79,16 +72,14 @@ bool is_mirror(const Scene<3> &scene, const Point<3> &x)
 
 /** A candidate for the peak on a patch. */
 template <int dim>
-struct PressureAt
-{
+struct PressureAt {
   Point<dim - 1> s;
   double value;
 };
 
 /** Finds candidates for the peak, patch by patch. */
 template <int dim>
-class PeakCandidates
-{
+class PeakCandidates {
 public:
   PeakCandidates(const MultiplierSpace<dim> &multipliers, const Pressure &P)
     : multipliers_(multipliers)
@@ -96,11 +87,9 @@ public:
     , P_(P)
     , threshold_(pressing_threshold(P))
     , recovered_(multipliers, P)
-    , neighbours_(surface_.neighbours())
-  {
+    , neighbours_(surface_.neighbours()) {
     const dealii::Vector<double> integrals = multipliers.integrals();
-    for (unsigned int tau = 0; tau < neighbours_.size(); ++tau)
-    {
+    for (unsigned int tau = 0; tau < neighbours_.size(); ++tau) {
       const Patch<dim> &patch = surface_.patches()[tau];
       double force = 0.;
       for (unsigned int k = multipliers.first_of(tau); k < multipliers.first_of(tau + 1); ++k)
@@ -112,12 +101,10 @@ public:
   }
 
   /** Returns the mean of -p_H over a patch. */
-  double mean(const unsigned int tau) const
-  {
+  double mean(const unsigned int tau) const {
     return means_[tau];
   }
-  bool presses(const unsigned int tau) const
-  {
+  bool presses(const unsigned int tau) const {
     bool any = false;
     for (unsigned int k = multipliers_.first_of(tau); k < multipliers_.first_of(tau + 1); ++k)
       any = any || P_[k] < threshold_;
@@ -127,20 +114,17 @@ public:
   /** Returns candidates where multipliers are constants: the maximum of the sum of parabolas, less
    * the mean where there are two; where a neighbour is missing or does not press, values of
    * RecoveredPressure. */
-  std::vector<PressureAt<dim>> of_means(const unsigned int tau) const
-  {
+  std::vector<PressureAt<dim>> of_means(const unsigned int tau) const {
     const Patch<dim> &patch = surface_.patches()[tau];
     PressureAt<dim> top = {{}, (2 - dim) * means_[tau]};
     bool has_parabolas = true;
     // Positions in each coordinate; in 2-D the second one does not exist.
     std::array<std::vector<double>, 2> positions = {{{}, {0.}}};
-    for (unsigned int d = 0; d < dim - 1; ++d)
-    {
+    for (unsigned int d = 0; d < dim - 1; ++d) {
       const double lower = patch.lower[d], upper = patch.upper[d], length = upper - lower;
       std::array<std::optional<Neighbour>, 2> next = neighbours_[tau][d];
       positions[d] = {patch.centre()[d]};
-      for (const unsigned int end : {0, 1})
-      {
+      for (const unsigned int end : {0, 1}) {
         Point<dim - 1> s = patch.centre();
         s[d] = end == 0 ? lower : upper;
         // A line that is continued to a mirror would have a kink there: this end is left out.
@@ -162,8 +146,7 @@ public:
       return {top};
     std::vector<PressureAt<dim>> found;
     for (const double t : positions[1])
-      for (const double r : positions[0])
-      {
+      for (const double r : positions[0]) {
         Point<dim - 1> s;
         s[dim - 2] = t;
         s[0] = r;
@@ -175,8 +158,8 @@ public:
   /** Returns the maximum of the polynomial -p_H among the points that @p is_wanted: the best of
    * many points, then between its neighbours. */
   template <typename Predicate>
-  std::vector<PressureAt<2>> of_polynomial(const unsigned int tau, const Predicate &is_wanted) const
-  {
+  std::vector<PressureAt<2>> of_polynomial(const unsigned int tau,
+                                           const Predicate &is_wanted) const {
     const Patch<2> &patch = surface_.patches()[tau];
     const auto pressure = [&](const double s) { return -multipliers_.value(P_, tau, Point<1>(s)); };
     const unsigned int n_unknowns = multipliers_.n_of(tau);
@@ -202,8 +185,7 @@ public:
 
 private:
   /** Returns whether the body ends with a mirror at a point of the edge of a side, in 3-D. */
-  bool is_mirror_at(const Patch<dim> &patch, const Point<dim - 1> &s) const
-  {
+  bool is_mirror_at(const Patch<dim> &patch, const Point<dim - 1> &s) const {
     if constexpr (dim == 3)
       return is_mirror(surface_.scene(), surface_.side(patch).point(s));
     return false;
@@ -222,8 +204,7 @@ private:
 template <int dim>
 std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<dim> &multipliers,
                                              const Pressure &P,
-                                             const std::vector<SingularPlace<dim>> &outside_of)
-{
+                                             const std::vector<SingularPlace<dim>> &outside_of) {
   // Of equal peaks (a symmetric body may have two) the first one is taken, independent of rounding.
   constexpr double larger = 1. + 1e-9;
   const bool is_polynomial = !multipliers.is_piecewise_constant();
@@ -231,8 +212,7 @@ std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<dim> &multipl
   const PeakCandidates<dim> candidates(multipliers, P);
   std::optional<PressureMaximum> peak;
   for (const PatchGrid &grid : patch_grids(surface.patches()))
-    for (const unsigned int tau : grid.patches)
-    {
+    for (const unsigned int tau : grid.patches) {
       if (!candidates.presses(tau))
         continue;
       const Patch<dim> &patch = surface.patches()[tau];

@@ -12,27 +12,20 @@
 #include <map>
 #include <set>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns the shift of the line of action of F by a moment: F × M / |F|². */
-Tensor<1, 2> shift(const Tensor<1, 2> &F, const Moment<2> &moment)
-{
+Tensor<1, 2> shift(const Tensor<1, 2> &F, const Moment<2> &moment) {
   return moment[0] / F.norm_square() * Tensor<1, 2>({F[1], -F[0]});
 }
-Tensor<1, 3> shift(const Tensor<1, 3> &F, const Moment<3> &moment)
-{
+Tensor<1, 3> shift(const Tensor<1, 3> &F, const Moment<3> &moment) {
   return cross_product_3d(F, moment) / F.norm_square();
 }
 } // namespace
 
 template <int dim>
-SideForce side_force(const std::string &name,
-                     const Resultant<dim> &resultant,
-                     const Point<dim> &centre,
-                     const double scale)
-{
+SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
+                     const Point<dim> &centre, const double scale) {
   constexpr double negligible = 1e-10;
   const Tensor<1, dim> &F = resultant.force;
   SideForce force = {name, {F, resultant.moment}, {}};
@@ -44,20 +37,16 @@ SideForce side_force(const std::string &name,
 
 template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,
-                        const std::vector<unsigned int> &sides,
-                        const Pressure &P)
-{
+                        const std::vector<unsigned int> &sides, const Pressure &P) {
   const ContactSurface<dim> &surface = multipliers.surface();
   Resultant<dim> resultant;
   double total = 0.;
   Tensor<1, dim> centre;
   for (const Piece<dim> &piece : surface.pieces())
-    if (std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0)
-    {
+    if (std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0) {
       resultant += contact_resultant(multipliers, P, piece);
       const SurfaceRule<dim> &rule = piece.on_mesh;
-      for (std::size_t q = 0; q < rule.size(); ++q)
-      {
+      for (std::size_t q = 0; q < rule.size(); ++q) {
         const double share = multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q];
         total += share;
         centre += share * rule.points[q];
@@ -65,25 +54,22 @@ SideForce contact_force(const MultiplierSpace<dim> &multipliers,
     }
   const std::string name =
     sides.size() == 1 ? surface.scene().geometry.sides[sides[0]].name() : std::string();
-  return side_force(
-    name, resultant, total != 0. ? Point<dim>(centre / total) : Point<dim>(), std::abs(total));
+  return side_force(name, resultant, total != 0. ? Point<dim>(centre / total) : Point<dim>(),
+                    std::abs(total));
 }
 
 // The division of reactions among the sides that hold the body.
 
-namespace
-{
+namespace {
 /** A node that is held, by one or more sides. */
 template <int dim>
-struct HeldNode
-{
+struct HeldNode {
   Point<dim> point;
   Tensor<1, dim> reaction;
   std::set<unsigned int> sides;
 };
 
-bool holds(const Role role)
-{
+bool holds(const Role role) {
   return role == Role::clamped || role == Role::roller || role == Role::displacement;
 }
 
@@ -91,15 +77,13 @@ bool holds(const Role role)
 template <int dim>
 std::map<types::global_dof_index, HeldNode<dim>> held_nodes(const DisplacementSpace<dim> &space,
                                                             const Scene<dim> &scene,
-                                                            const NodalForces &forces)
-{
+                                                            const NodalForces &forces) {
   std::map<types::global_dof_index, HeldNode<dim>> nodes;
   NodePositions<dim> positions(space);
   std::vector<types::global_dof_index> indices;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (!cell->is_artificial() && cell->at_boundary())
-      for (const unsigned int f : cell->face_indices())
-      {
+      for (const unsigned int f : cell->face_indices()) {
         const auto face = cell->face(f);
         if (!face->at_boundary() || !holds(scene.boundary[face->boundary_id()].role))
           continue;
@@ -107,8 +91,7 @@ std::map<types::global_dof_index, HeldNode<dim>> held_nodes(const DisplacementSp
         indices.resize(element.n_dofs_per_cell());
         cell->get_dof_indices(indices);
         const std::vector<Point<dim>> &points = positions(cell);
-        for (unsigned int k = 0; k < points.size(); ++k)
-        {
+        for (unsigned int k = 0; k < points.size(); ++k) {
           const unsigned int first = element.component_to_system_index(0, k);
           if (!element.has_support_on_face(first, f) ||
               !forces.residual.in_local_range(indices[first]))
@@ -126,35 +109,29 @@ std::map<types::global_dof_index, HeldNode<dim>> held_nodes(const DisplacementSp
 /** Adds the reaction of a node to the sides that hold it: to rollers its projection on their
  * normals, to others equal shares of the rest. */
 template <int dim>
-void divide(const HeldNode<dim> &node,
-            const Scene<dim> &scene,
-            std::map<unsigned int, Resultant<dim>> &by_side)
-{
+void divide(const HeldNode<dim> &node, const Scene<dim> &scene,
+            std::map<unsigned int, Resultant<dim>> &by_side) {
   std::vector<unsigned int> rollers, others;
   for (const unsigned int side : node.sides)
     (scene.boundary[side].role == Role::roller ? rollers : others).push_back(side);
   Tensor<1, dim> rest = node.reaction;
-  if (const unsigned int n = rollers.size())
-  {
+  if (const unsigned int n = rollers.size()) {
     // Σ λ_i n_i with n_j.Σ λ_i n_i = n_j.R, where normals are parallel in equal shares.
     std::vector<Tensor<1, dim>> normals;
-    for (const unsigned int number : rollers)
-    {
+    for (const unsigned int number : rollers) {
       const Side<dim> &side = scene.geometry.sides[number];
       normals.push_back(side.normal(side.coordinates(node.point)));
     }
     LAPACKFullMatrix<double> products(n, n);
     dealii::Vector<double> components(n), lambda(n);
-    for (unsigned int i = 0; i < n; ++i)
-    {
+    for (unsigned int i = 0; i < n; ++i) {
       components[i] = normals[i] * node.reaction;
       for (unsigned int j = 0; j < n; ++j)
         products(i, j) = normals[i] * normals[j];
     }
     products.compute_inverse_svd(1e-6);
     products.vmult(lambda, components);
-    for (unsigned int i = 0; i < n; ++i)
-    {
+    for (unsigned int i = 0; i < n; ++i) {
       by_side[rollers[i]].add(lambda[i] * normals[i], node.point);
       rest -= lambda[i] * normals[i];
     }
@@ -168,10 +145,8 @@ void divide(const HeldNode<dim> &node,
 } // namespace
 
 template <int dim>
-std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
-                                 const Scene<dim> &scene,
-                                 const NodalForces &forces)
-{
+std::vector<SideForce> reactions(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                                 const NodalForces &forces) {
   std::map<unsigned int, Resultant<dim>> by_side;
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
     if (holds(scene.boundary[i].role))
@@ -180,11 +155,10 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
     divide(node, scene, by_side);
   const double scale = forces.largest();
   std::vector<SideForce> result;
-  for (const auto &[number, part] : by_side)
-  {
+  for (const auto &[number, part] : by_side) {
     const Side<dim> &side = scene.geometry.sides[number];
-    result.push_back(side_force(
-      side.name(), sum_over_ranks(part, space.mesh().communicator()), side.centre(), scale));
+    result.push_back(side_force(side.name(), sum_over_ranks(part, space.mesh().communicator()),
+                                side.centre(), scale));
   }
   return result;
 }

@@ -22,10 +22,8 @@
 #include <map>
 #include <memory>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using numbers::PI;
 
 /** The largest singular exponent: closer to one, refinement changes stresses by less than rounding.
@@ -38,11 +36,9 @@ constexpr double share_of_sides = 0.1;
 /** Adds a place if stresses can be singular there: if the exponent is below one in one of the
  * states that contact may have. */
 template <int dim>
-void add_if_singular(SingularPlace<dim> place,
-                     const Scene<dim> &scene,
+void add_if_singular(SingularPlace<dim> place, const Scene<dim> &scene,
                      const std::function<double()> &kappa,
-                     std::vector<SingularPlace<dim>> &places)
-{
+                     std::vector<SingularPlace<dim>> &places) {
   const Role first = scene.boundary[place.sides[0]].role,
              second = scene.boundary[place.sides[1]].role;
   const auto is_free = [](const Role role) { return role == Role::free || role == Role::traction; };
@@ -59,23 +55,18 @@ void add_if_singular(SingularPlace<dim> place,
 
 /** Returns whether the patch of a side that is nearest to a point presses. */
 template <int dim>
-bool presses_at(const Point<dim> &x,
-                const unsigned int side,
-                const MultiplierSpace<dim> &multipliers,
-                const Pressure &P)
-{
+bool presses_at(const Point<dim> &x, const unsigned int side,
+                const MultiplierSpace<dim> &multipliers, const Pressure &P) {
   const ContactSurface<dim> &surface = multipliers.surface();
   const double threshold = pressing_threshold(P);
   double smallest = std::numeric_limits<double>::max();
   bool presses = false;
-  for (unsigned int k = 0; k < P.size(); ++k)
-  {
+  for (unsigned int k = 0; k < P.size(); ++k) {
     const Patch<dim> &patch = surface.patches()[multipliers.patch_of(k)];
     if (patch.side != side)
       continue;
     const double distance = surface.side(patch).point(multipliers.node(k)).distance(x);
-    if (distance < smallest)
-    {
+    if (distance < smallest) {
       smallest = distance;
       presses = P[k] < threshold;
     }
@@ -85,8 +76,7 @@ bool presses_at(const Point<dim> &x,
 
 /** Returns the block of Hooke's tensor in the plane of two axes. */
 SymmetricTensor<4, 2> in_plane(const SymmetricTensor<4, 3> &hooke,
-                               const std::array<unsigned int, 2> &axes)
-{
+                               const std::array<unsigned int, 2> &axes) {
   SymmetricTensor<4, 2> plane;
   for (unsigned int i = 0; i < 2; ++i)
     for (unsigned int j = i; j < 2; ++j)
@@ -97,8 +87,7 @@ SymmetricTensor<4, 2> in_plane(const SymmetricTensor<4, 3> &hooke,
 }
 } // namespace
 
-unsigned int axis_of(const Side<3> &side)
-{
+unsigned int axis_of(const Side<3> &side) {
   const Tensor<1, 3> n = side.normal(Point<2>());
   unsigned int axis = 0;
   for (unsigned int d = 1; d < 3; ++d)
@@ -108,21 +97,18 @@ unsigned int axis_of(const Side<3> &side)
 }
 
 template <int dim>
-Point<dim> SingularPlace<dim>::nearest(const Point<dim> &x) const
-{
+Point<dim> SingularPlace<dim>::nearest(const Point<dim> &x) const {
   const Tensor<1, dim> edge = ends[1] - ends[0];
   const double square = edge.norm_square();
   return ends[0] + (square > 0. ? std::clamp((x - ends[0]) * edge / square, 0., 1.) : 0.) * edge;
 }
 
-std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene)
-{
+std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene) {
   std::vector<SingularPlace<2>> places;
   if (scene.exact_displacement != nullptr)
     return places;
   const std::vector<Corner> all = corners(scene.geometry);
-  for (const Corner &corner : all)
-  {
+  for (const Corner &corner : all) {
     double shortest = std::min(scene.geometry.sides[corner.sides[0]].length(),
                                scene.geometry.sides[corner.sides[1]].length());
     for (const Corner &other : all)
@@ -134,22 +120,19 @@ std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene)
        corner.angle,
        0.,
        share_of_sides * shortest},
-      scene,
-      [&]() { return kolosov_constant(scene.material->relative_hooke(corner.position)); },
+      scene, [&]() { return kolosov_constant(scene.material->relative_hooke(corner.position)); },
       places);
   }
   return places;
 }
 
-std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene)
-{
+std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene) {
   std::vector<SingularPlace<3>> places;
   if (scene.exact_displacement != nullptr)
     return places;
   const Geometry<3> &box = scene.geometry;
   for (unsigned int i = 0; i < box.sides.size(); ++i)
-    for (unsigned int j = i + 1; j < box.sides.size(); ++j)
-    {
+    for (unsigned int j = i + 1; j < box.sides.size(); ++j) {
       const std::array<unsigned int, 2> axes = {{axis_of(box.sides[i]), axis_of(box.sides[j])}};
       if (axes[0] == axes[1])
         continue;
@@ -161,8 +144,7 @@ std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene)
       ends[0][along] = box.lower[along];
       ends[1][along] = box.upper[along];
       add_if_singular<3>(
-        {ends, {{i, j}}, 0.5 * PI, 0., share_of_sides * box.shortest_extent()},
-        scene,
+        {ends, {{i, j}}, 0.5 * PI, 0., share_of_sides * box.shortest_extent()}, scene,
         [&]() { return kolosov_constant(in_plane(scene.material->relative_hooke(middle), axes)); },
         places);
     }
@@ -170,26 +152,21 @@ std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene)
 }
 
 template <int dim>
-bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim> &x)
-{
-  return std::any_of(
-    places.begin(), places.end(), [&x](const auto &place) { return place.contains(x); });
+bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim> &x) {
+  return std::any_of(places.begin(), places.end(),
+                     [&x](const auto &place) { return place.contains(x); });
 }
 
 template <int dim>
 std::optional<GrowthPlace> growth_at(const Point<dim> &x,
                                      const std::vector<SingularPlace<dim>> &places,
-                                     const MultiplierSpace<dim> &multipliers,
-                                     const Pressure &P)
-{
+                                     const MultiplierSpace<dim> &multipliers, const Pressure &P) {
   const Scene<dim> &scene = multipliers.surface().scene();
-  for (const SingularPlace<dim> &place : places)
-  {
+  for (const SingularPlace<dim> &place : places) {
     if (!place.contains(x))
       continue;
     std::array<EdgeSupport, 2> supports;
-    for (unsigned int i = 0; i < 2; ++i)
-    {
+    for (unsigned int i = 0; i < 2; ++i) {
       const Role role = scene.boundary[place.sides[i]].role;
       const bool closed =
         role == Role::contact && presses_at(place.nearest(x), place.sides[i], multipliers, P);
@@ -203,38 +180,33 @@ std::optional<GrowthPlace> growth_at(const Point<dim> &x,
 
 // The largest von Mises stress of the recovered displacement.
 
-namespace
-{
+namespace {
 /** The relative difference of stresses that counts as none. */
 constexpr double rounding = 1e-9;
 
 /** Takes the larger stress; of equals (a symmetric body has some) the one further left, then
  * further down, so that neither ranks nor rounding choose. */
-void take_larger(const StressMaximum &other, StressMaximum &largest)
-{
+void take_larger(const StressMaximum &other, StressMaximum &largest) {
   const bool equal = std::abs(other.value - largest.value) <= rounding * largest.value;
   if (equal ? other.point < largest.point : other.value > largest.value)
     largest = other;
 }
 
 /** The results of a set of cells. */
-struct CellResults
-{
+struct CellResults {
   /** The largest stress of all points, and of those away from singular places. */
   StressMaximum all, away;
   /** The measure of the cells, and that of those with large strains. */
   double measure = 0., strained = 0.;
 
-  void add(const CellResults &other)
-  {
+  void add(const CellResults &other) {
     take_larger(other.all, all);
     take_larger(other.away, away);
     measure += other.measure;
     strained += other.strained;
   }
   template <typename Archive>
-  void serialize(Archive &archive, const unsigned int /*version*/)
-  {
+  void serialize(Archive &archive, const unsigned int /*version*/) {
     for (StressMaximum *const stress : {&all, &away})
       archive & stress->value &static_cast<std::vector<double> &>(stress->point) &
         stress->mesh.size & stress->mesh.degree;
@@ -244,15 +216,13 @@ struct CellResults
 
 /** Returns no results: zero at the origin. */
 template <int dim>
-CellResults no_results()
-{
+CellResults no_results() {
   return {{0., Point<dim>(), {}}, {0., Point<dim>(), {}}};
 }
 
 /** The data of the stress field. */
 template <int dim>
-struct StressField
-{
+struct StressField {
   const DisplacementSpace<dim> &space;
   const Material<dim> &material;
   const Displacement &U;
@@ -263,8 +233,7 @@ struct StressField
 
 /** Returns the middle of the reference cell and its corners, or the nodes of an element. */
 template <int dim>
-Quadrature<dim> middle_and(const std::vector<Point<dim>> &nodes)
-{
+Quadrature<dim> middle_and(const std::vector<Point<dim>> &nodes) {
   std::vector<Point<dim>> points = nodes;
   points.insert(points.begin(), QMidpoint<dim>().point(0));
   return Quadrature<dim>(points);
@@ -274,8 +243,7 @@ Quadrature<dim> middle_and(const std::vector<Point<dim>> &nodes)
  * and the corners, or on cells of several degrees at the nodes of each. Points where the material's
  * data has no value are skipped. */
 template <int dim>
-CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field)
-{
+CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
   const DisplacementSpace<dim> &space = field.space;
   const bool at_nodes = space.has_several_elements();
   std::map<unsigned int, std::unique_ptr<FEValues<dim>>> values_by_degree;
@@ -285,14 +253,12 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field)
     interpolation.emplace(space, corners, space.mesh().has_parents() ? 1 : 0);
   CellResults results = no_results<dim>();
   std::vector<SymmetricTensor<2, dim>> strains;
-  for (const auto &cell : cells)
-  {
+  for (const auto &cell : cells) {
     const FiniteElement<dim> &element = cell->get_fe();
     std::unique_ptr<FEValues<dim>> &values = values_by_degree[element.degree];
     if (values == nullptr)
       values = std::make_unique<FEValues<dim>>(
-        space.mesh().mapping(),
-        element,
+        space.mesh().mapping(), element,
         at_nodes ? middle_and(element.base_element(0).get_unit_support_points()) : corners,
         update_gradients | update_inverse_jacobians | update_quadrature_points);
     values->reinit(cell);
@@ -300,11 +266,9 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field)
     if (at_nodes)
       (*values)[FEValuesExtractors::Vector(0)].get_function_symmetric_gradients(field.U.entries(),
                                                                                 strains);
-    else
-    {
+    else {
       const FieldValues<dim> &u = interpolation->evaluate(field.U, cell, *values);
-      for (unsigned int q = 0; q < strains.size(); ++q)
-      {
+      for (unsigned int q = 0; q < strains.size(); ++q) {
         strains[q] = symmetrize(u.gradients[q]);
         if (!field.dilatation.empty())
           replace_trace(strains[q], field.dilatation[cell->active_cell_index()]);
@@ -316,8 +280,7 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field)
       results.strained += cell->measure();
     const MeshAt mesh = at_nodes ? MeshAt{cell->diameter(), element.degree} : MeshAt();
     for (unsigned int q = at_nodes ? 1 : 0; q < strains.size(); ++q)
-      try
-      {
+      try {
         const Point<dim> &x = values->quadrature_point(q);
         const double value = von_mises(stress_in_3d(field.material, x, strains[q]));
         // Most stresses are smaller, and nothing is stored for them.
@@ -328,9 +291,7 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field)
           take_larger({value, x, mesh}, results.all);
         if (matters(results.away) && !any_contains(field.places, x))
           take_larger({value, x, mesh}, results.away);
-      }
-      catch (const InputError &)
-      {
+      } catch (const InputError &) {
       }
   }
   return results;
@@ -338,12 +299,10 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field)
 
 /** Returns the results of all cells. Collective. */
 template <int dim>
-CellResults results_of_body(const StressField<dim> &field)
-{
+CellResults results_of_body(const StressField<dim> &field) {
   CellResults mine = no_results<dim>(), all = mine;
   integrate_by_chunks<CellResults, dim>(
-    field.space,
-    [&](const Cells<dim> &cells) { return results_of(cells, field); },
+    field.space, [&](const Cells<dim> &cells) { return results_of(cells, field); },
     [&mine](const CellResults &part) { mine.add(part); });
   for (const CellResults &part :
        Utilities::MPI::all_gather(field.space.mesh().communicator(), mine))
@@ -353,14 +312,9 @@ CellResults results_of_body(const StressField<dim> &field)
 } // namespace
 
 template <int dim>
-VonMises largest_von_mises(const DisplacementSpace<dim> &space,
-                           const Scene<dim> &scene,
-                           const Displacement &U,
-                           const std::vector<SingularPlace<dim>> &places)
-{
-  const StressField<dim> field = {space,
-                                  *scene.material,
-                                  U,
+VonMises largest_von_mises(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                           const Displacement &U, const std::vector<SingularPlace<dim>> &places) {
+  const StressField<dim> field = {space, *scene.material, U,
                                   space.strain_operator() == StrainOperator::mean_dilatation
                                     ? mean_dilatations(space, U)
                                     : std::vector<double>(),

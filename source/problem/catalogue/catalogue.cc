@@ -11,23 +11,19 @@
 #include "catalogue_scenes.h"
 #include "manufactured.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The centre of the disc and its radius, which coincide with lines of no mesh. */
 const double xc = 0.5707106781186547, yc = 0.4422649730810374, radius_of_d3 = 1. / numbers::E;
 
 /** Returns W = (1 - r²/s²)_+ with the distance r from the axis of the disc. */
-Jet<3> bump(const Jet<3> &x, const Jet<3> &y)
-{
+Jet<3> bump(const Jet<3> &x, const Jet<3> &y) {
   const Jet<3> dx = x - xc, dy = y - yc;
   return positive_part(1. - (dx * dx + dy * dy) / (radius_of_d3 * radius_of_d3));
 }
 
 /** Returns a = -0.05 (1 + x (1-x) + y (1-y)). */
-Jet<3> foundation(const Jet<3> &x, const Jet<3> &y)
-{
+Jet<3> foundation(const Jet<3> &x, const Jet<3> &y) {
   return -0.05 * (1. + x * (1. - x) + y * (1. - y));
 }
 
@@ -39,14 +35,10 @@ Jet<3> foundation(const Jet<3> &x, const Jet<3> &y)
  * On z = 0: u = (0, 0, a) and sigma_3. = (0, 0, (lambda + 2 mu) b), so that p = (lambda + 2 mu) b
  * and u_n = -a, which is the gap where p < 0.
  */
-Scene<3> contact_on_disc(const std::string &modulus, const VectorField<3> &log_gradient)
-{
+Scene<3> contact_on_disc(const std::string &modulus, const VectorField<3> &log_gradient) {
   const auto material = isotropic<3>(modulus, "0.3");
   Scene<3> scene = contact_scene<3>(
-    make_box({0., 0., 0.}, {1., 1., 1.}, {1, 1, 1}),
-    material,
-    "top",
-    "bottom",
+    make_box({0., 0., 0.}, {1., 1., 1.}, {1, 1, 1}), material, "top", "bottom",
     [](const Point<3> &x) {
       const double beyond = std::max(0., std::hypot(x[0] - xc, x[1] - yc) - radius_of_d3);
       return -foundation(x[0], x[1]).value + 0.5 * beyond * beyond;
@@ -77,31 +69,27 @@ const std::string cube_on_disc =
 } // namespace
 
 template <>
-const std::vector<CatalogueEntry<2>> &catalogue()
-{
+const std::vector<CatalogueEntry<2>> &catalogue() {
   static const std::vector<CatalogueEntry<2>> sorted = []() {
     std::vector<CatalogueEntry<2>> entries = square_scenes();
     for (const auto &more : {westergaard_scenes(), round_scenes()})
       entries.insert(entries.end(), more.begin(), more.end());
-    std::sort(
-      entries.begin(), entries.end(), [](const auto &a, const auto &b) { return a.name < b.name; });
+    std::sort(entries.begin(), entries.end(),
+              [](const auto &a, const auto &b) { return a.name < b.name; });
     return entries;
   }();
   return sorted;
 }
 
 template <>
-const std::vector<CatalogueEntry<3>> &catalogue()
-{
+const std::vector<CatalogueEntry<3>> &catalogue() {
   static const std::vector<CatalogueEntry<3>> entries = {
-    {"D3",
-     "in 3-D: smooth contact on a disc, exact solution known",
+    {"D3", "in 3-D: smooth contact on a disc, exact solution known",
      "Body      the unit cube\n"
      "Material  E = 1, nu = 0.3\n" +
        cube_on_disc + "Exact p   (lambda + 2 mu) b\n",
      []() { return contact_on_disc("1", {}); }},
-    {"V3",
-     "in 3-D: the contact of D3 with a material that varies in space",
+    {"V3", "in 3-D: the contact of D3 with a material that varies in space",
      "Body      the unit cube\n"
      "Material  E = 1 + x/2 + y z, nu = 0.3\n" +
        cube_on_disc + "Exact p   (lambda + 2 mu) b with lambda and mu at the point\n",
@@ -113,8 +101,7 @@ const std::vector<CatalogueEntry<3>> &catalogue()
   return entries;
 }
 
-std::string describe_catalogue()
-{
+std::string describe_catalogue() {
   std::ostringstream text;
   text << std::left << std::setw(20) << "described"
        << "everything by the expressions of the parameter file\n";

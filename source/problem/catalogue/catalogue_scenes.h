@@ -3,8 +3,7 @@
 
 #include <signorini/problem/catalogue/catalogue.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Returns the scenes on the unit square with fields of polynomials and trigonometric functions,
  * and the block on a parabola. */
 std::vector<CatalogueEntry<2>> square_scenes();

@@ -8,38 +8,28 @@
 #include "catalogue_scenes.h"
 #include "manufactured.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 constexpr double R1 = 1., R2 = 2.;
 
-Jet2 radius_of(const Jets2 &x)
-{
+Jet2 radius_of(const Jets2 &x) {
   return sqrt(x[0] * x[0] + x[1] * x[1]);
 }
 
 /** Returns u_r e_r + u_t e_t. */
-Jets2 from_polar(const Jet2 &c, const Jet2 &s, const Jet2 &u_r, const Jet2 &u_t)
-{
+Jets2 from_polar(const Jet2 &c, const Jet2 &s, const Jet2 &u_r, const Jet2 &u_t) {
   return {u_r * c - u_t * s, u_r * s + u_t * c};
 }
 
 /** Returns the line through the origin at an angle. */
-KinkLine<2> line_at_angle(const double angle)
-{
+KinkLine<2> line_at_angle(const double angle) {
   return {Tensor<1, 2>({-std::sin(angle), std::cos(angle)}), 0.};
 }
 
 /** Lame's solution with the gap -0.1: p = 2 (lambda + mu) a + 2 mu a R1²/R2² with a = -1/15. */
-Scene<2> make_e1()
-{
+Scene<2> make_e1() {
   Scene<2> scene = contact_scene<2>(
-    make_ring(R1, R2),
-    isotropic<2>(),
-    "inner",
-    "outer",
-    [](const Point<2> &) { return -0.1; },
+    make_ring(R1, R2), isotropic<2>(), "inner", "outer", [](const Point<2> &) { return -0.1; },
     [](const Point<2> &) { return -0.3; });
   set_exact_solution<2>(scene, [](const Jets2 &x) {
     const Jet2 r = radius_of(x), u_r = (1. / r - r) / 15.;
@@ -50,20 +40,15 @@ Scene<2> make_e1()
 }
 
 /** Returns p of E2 at an angle with this cosine. */
-Jet2 pressure_of_e2(const Jet2 &c)
-{
+Jet2 pressure_of_e2(const Jet2 &c) {
   return -3. * cube(positive_part(c - 0.3));
 }
 
 /** E2: u_r = (U + x b) C, u_t = (V + x a) C, x = r - R2, C = 1 - x^2, which makes sigma_rr = p and
  * sigma_rt = 0 at r = R2. */
-Scene<2> make_e2()
-{
+Scene<2> make_e2() {
   Scene<2> scene = contact_scene<2>(
-    make_ring(R1, R2),
-    isotropic<2>(),
-    "inner",
-    "outer",
+    make_ring(R1, R2), isotropic<2>(), "inner", "outer",
     [](const Point<2> &x) {
       const double c = x[0] / x.norm();
       return 0.05 * (2. * c * c - 1.) + 0.5 * std::pow(std::max(0.3 - c, 0.), 2);
@@ -80,19 +65,14 @@ Scene<2> make_e2()
 }
 
 /** Returns p of E3 at an angle with this sine. */
-Jet2 pressure_of_e3(const Jet2 &s)
-{
+Jet2 pressure_of_e3(const Jet2 &s) {
   return -20. * cube(positive_part(-s - 0.6));
 }
 
 /** E3: u = r^4 (r - 1) p(t)/3 e_r. */
-Scene<2> make_e3()
-{
+Scene<2> make_e3() {
   Scene<2> scene = contact_scene<2>(
-    make_half_disc(1.),
-    isotropic<2>(),
-    "flat",
-    "arc",
+    make_half_disc(1.), isotropic<2>(), "flat", "arc",
     [](const Point<2> &x) { return 0.5 * std::pow(std::max(0.6 + x[1] / x.norm(), 0.), 2); },
     [](const Point<2> &x) { return pressure_of_e3(x[1] / x.norm()).value; });
   set_exact_solution<2>(scene, [](const Jets2 &x) {
@@ -112,17 +92,14 @@ const std::string ring = "Body      the ring 1 < r < 2; polar coordinates r, t\n
                          "Boundary  clamped at r = 1, contact at r = 2\n";
 } // namespace
 
-std::vector<CatalogueEntry<2>> round_scenes()
-{
-  return {{"E1",
-           "a ring pressed from all around: constant pressure on a circle (Lame)",
+std::vector<CatalogueEntry<2>> round_scenes() {
+  return {{"E1", "a ring pressed from all around: constant pressure on a circle (Lame)",
            ring + "Load      none\n"
                   "Gap       -0.1\n"
                   "Exact u   u_r = -(r - 1/r)/15, u_t = 0\n"
                   "Exact p   -0.3\n",
            make_e1},
-          {"E2",
-           "a ring in contact on a part of its outer circle",
+          {"E2", "a ring in contact on a part of its outer circle",
            ring + "Load      body force -div sigma(u)\n"
                   "Gap       0.05 cos 2t + 0.5 (0.3 - cos t)_+^2\n"
                   "Exact u   with s = r - 2, U = 0.05 cos 2t, V = 0.1 sin t:\n"
@@ -130,8 +107,7 @@ std::vector<CatalogueEntry<2>> round_scenes()
                   "          u_t = (V + s (V - U')/2) (1 - s^2)\n"
                   "Exact p   -3 (cos t - 0.3)_+^3\n",
            make_e2},
-          {"E3",
-           "a half disc in contact on a part of its arc",
+          {"E3", "a half disc in contact on a part of its arc",
            "Body      the half disc r < 1, y < 0; polar coordinates r, t\n"
            "Material  E = 2.5, nu = 0.25 (lambda = mu = 1), plane strain\n"
            "Boundary  clamped at y = 0, contact at r = 1\n"

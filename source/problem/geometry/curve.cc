@@ -11,30 +11,25 @@
 #include <cmath>
 #include <sstream>
 
-namespace Signorini
-{
+namespace Signorini {
 using numbers::PI;
 
-namespace
-{
+namespace {
 /** The largest distance between pieces that follow one another, in lengths of the chain. */
 constexpr double max_gap_between_pieces = 1e-8;
 
 /** Returns the angle (radians) from one vector to another, in (-pi, pi]. */
-double angle_between(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-{
+double angle_between(const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
   return std::atan2(a * cross_product_2d(b), a * b);
 }
 
-double angle_of(const Tensor<1, 2> &x)
-{
+double angle_of(const Tensor<1, 2> &x) {
   return std::atan2(x[1], x[0]);
 }
 } // namespace
 
 /** The pieces of a chain. */
-struct Curve::Chain
-{
+struct Curve::Chain {
   std::vector<Curve> pieces;
   /** The arc lengths at which pieces start, and the length. */
   std::vector<double> starts;
@@ -48,21 +43,13 @@ Curve::Curve(const Point<2> &start, const Point<2> &end, const Tensor<1, 2> &nor
   : start_(start)
   , end_(end)
   , length_(start.distance(end))
-  , normal_(normal)
-{
-}
+  , normal_(normal) {}
 
 Curve::Curve(const Point<2> &start, const Point<2> &end)
-  : Curve(start, end, cross_product_2d((end - start) / start.distance(end)))
-{
-}
+  : Curve(start, end, cross_product_2d((end - start) / start.distance(end))) {}
 
-Curve Curve::arc(const Point<2> &centre,
-                 const double radius,
-                 const double first,
-                 const double last,
-                 const Body body)
-{
+Curve Curve::arc(const Point<2> &centre, const double radius, const double first, const double last,
+                 const Body body) {
   const double orientation = body == Body::inside ? 1. : -1.;
   Curve curve({}, {}, {});
   curve.circle_ = Circle{centre, radius, first, orientation, last < first ? -1. : 1.};
@@ -73,26 +60,19 @@ Curve Curve::arc(const Point<2> &centre,
   return curve;
 }
 
-Curve Curve::arc_between(const Point<2> &start,
-                         const Point<2> &end,
-                         const Point<2> &centre,
-                         const bool counter_clockwise)
-{
+Curve Curve::arc_between(const Point<2> &start, const Point<2> &end, const Point<2> &centre,
+                         const bool counter_clockwise) {
   const double first = angle_of(start - centre);
   double turn = angle_of(end - centre) - first;
   if (counter_clockwise && turn <= 0.)
     turn += 2. * PI;
   if (!counter_clockwise && turn >= 0.)
     turn -= 2. * PI;
-  return arc(centre,
-             centre.distance(start),
-             first,
-             first + turn,
+  return arc(centre, centre.distance(start), first, first + turn,
              counter_clockwise ? Body::inside : Body::outside);
 }
 
-Curve Curve::chain(const std::vector<Curve> &pieces)
-{
+Curve Curve::chain(const std::vector<Curve> &pieces) {
   Chain chain;
   for (const Curve &piece : pieces)
     if (Curve *const last = chain.pieces.empty() ? nullptr : &chain.pieces.back();
@@ -112,8 +92,7 @@ Curve Curve::chain(const std::vector<Curve> &pieces)
   const double max_gap = max_gap_between_pieces * curve.length_;
   chain.is_closed = curve.end_.distance(curve.start_) <= max_gap;
   std::vector<std::pair<BoundingBox<2>, unsigned int>> boxes;
-  for (unsigned int k = 0; k < n; ++k)
-  {
+  for (unsigned int k = 0; k < n; ++k) {
     const Curve &before = chain.pieces[(k + n - 1) % n], &piece = chain.pieces[k];
     boxes.emplace_back(piece.box(), k);
     if (k == 0 && !chain.is_closed)
@@ -128,50 +107,42 @@ Curve Curve::chain(const std::vector<Curve> &pieces)
   return curve;
 }
 
-bool Curve::is_closed() const
-{
+bool Curve::is_closed() const {
   return chain_ ? chain_->is_closed : circle_ && length_ > (2. * PI - 1e-12) * circle_->radius;
 }
 
-unsigned int Curve::n_pieces() const
-{
+unsigned int Curve::n_pieces() const {
   return chain_ ? static_cast<unsigned int>(chain_->pieces.size()) : 1;
 }
 
-const Curve &Curve::piece(const unsigned int k) const
-{
+const Curve &Curve::piece(const unsigned int k) const {
   return chain_ ? chain_->pieces[k] : *this;
 }
 
-double Curve::start_of(const unsigned int k) const
-{
+double Curve::start_of(const unsigned int k) const {
   return chain_ ? chain_->starts[k] : k * length_;
 }
 
-const std::vector<double> &Curve::corners() const
-{
+const std::vector<double> &Curve::corners() const {
   static const std::vector<double> none;
   return chain_ ? chain_->corners : none;
 }
 
-bool Curve::has_corner(const double s) const
-{
+bool Curve::has_corner(const double s) const {
   const double margin = 1e-9 * length_;
   const double on_first_turn = is_closed() ? s - length_ * std::floor((s + margin) / length_) : s;
   const auto next = std::lower_bound(corners().begin(), corners().end(), on_first_turn - margin);
   return next != corners().end() && *next <= on_first_turn + margin;
 }
 
-std::vector<unsigned int> Curve::pieces_near(const Point<2> &x, const double distance) const
-{
+std::vector<unsigned int> Curve::pieces_near(const Point<2> &x, const double distance) const {
   if (!chain_)
     return {0};
   std::vector<unsigned int> found;
   BoundingBox<2> around({x, x});
   around.extend(distance);
   for (const auto &[box, k] : chain_->boxes | boost::geometry::index::adaptors::queried(
-                                                boost::geometry::index::intersects(around)))
-  {
+                                                boost::geometry::index::intersects(around))) {
     const Curve &on = piece(k);
     if (on.point(std::clamp(on.arc_length(x), 0., on.length())).distance(x) <= distance)
       found.push_back(k);
@@ -180,14 +151,12 @@ std::vector<unsigned int> Curve::pieces_near(const Point<2> &x, const double dis
   return found;
 }
 
-BoundingBox<2> Curve::box() const
-{
+BoundingBox<2> Curve::box() const {
   BoundingBox<2> box(std::vector<Point<2>>{start_, end_});
   for (unsigned int k = 0; chain_ && k < n_pieces(); ++k)
     box.merge_with(piece(k).box());
   for (unsigned int d = 0; circle_ && d < 2; ++d)
-    for (const double sign : {-1., 1.})
-    {
+    for (const double sign : {-1., 1.}) {
       // The point of the circle that is farthest in this direction, if it is on the arc.
       const Point<2> x = circle_->centre + sign * circle_->radius * Point<2>::unit_vector(d);
       const double s = arc_length(x);
@@ -197,14 +166,12 @@ BoundingBox<2> Curve::box() const
   return box;
 }
 
-Tensor<1, 2> Curve::Circle::direction(const double s) const
-{
+Tensor<1, 2> Curve::Circle::direction(const double s) const {
   const double angle = first + turn * s / radius;
   return Tensor<1, 2>({std::cos(angle), std::sin(angle)});
 }
 
-Curve::Place Curve::place(double s) const
-{
+Curve::Place Curve::place(double s) const {
   if (!chain_)
     return {*this, s};
   if (chain_->is_closed)
@@ -214,8 +181,7 @@ Curve::Place Curve::place(double s) const
   return {chain_->pieces[start - starts.begin()], s - *start};
 }
 
-Curve::Place Curve::place(const double s, const double towards) const
-{
+Curve::Place Curve::place(const double s, const double towards) const {
   if (!chain_)
     return {*this, s};
   const double step =
@@ -224,49 +190,41 @@ Curve::Place Curve::place(const double s, const double towards) const
   return {beside.piece, beside.s - step};
 }
 
-Point<2> Curve::point(const double s) const
-{
+Point<2> Curve::point(const double s) const {
   const auto [on, t] = place(s);
   return on.circle_ ? on.circle_->centre + on.circle_->radius * on.circle_->direction(t)
                     : on.start_ + (t / on.length_) * (on.end_ - on.start_);
 }
 
-Tensor<1, 2> Curve::normal(const double s) const
-{
+Tensor<1, 2> Curve::normal(const double s) const {
   const auto [on, t] = place(s);
   return on.circle_ ? on.circle_->orientation * on.circle_->direction(t) : on.normal_;
 }
 
-Tensor<1, 2> Curve::normal(const double s, const double towards) const
-{
+Tensor<1, 2> Curve::normal(const double s, const double towards) const {
   const auto [on, t] = place(s, towards);
   return on.normal(t);
 }
 
-Tensor<1, 2> Curve::normal_at(const Point<2> &x, const Point<2> &inside) const
-{
+Tensor<1, 2> Curve::normal_at(const Point<2> &x, const Point<2> &inside) const {
   const Curve &on = place(arc_length(inside)).piece;
   return on.normal(on.arc_length(x));
 }
 
-Tensor<1, 2> Curve::tangent(const double s, const double towards) const
-{
+Tensor<1, 2> Curve::tangent(const double s, const double towards) const {
   const auto [on, t] = place(s, towards);
   return on.circle_ ? -on.circle_->turn * cross_product_2d(on.circle_->direction(t))
                     : (on.end_ - on.start_) / on.length_;
 }
 
-double Curve::arc_length(const Point<2> &x) const
-{
-  if (chain_)
-  {
+double Curve::arc_length(const Point<2> &x) const {
+  if (chain_) {
     // The pieces by the distances of their boxes, until these are farther than the nearest piece.
     double nearest = HUGE_VAL, s = 0.;
     for (auto entry = chain_->boxes.qbegin(boost::geometry::index::nearest(x, n_pieces()));
          entry != chain_->boxes.qend() &&
          boost::geometry::comparable_distance(x, entry->first) < nearest;
-         ++entry)
-    {
+         ++entry) {
       const Curve &on = piece(entry->second);
       const double on_line = on.arc_length(x), on_piece = std::clamp(on_line, 0., on.length());
       const double distance = on.point(on_piece).distance_square(x);
@@ -291,21 +249,16 @@ double Curve::arc_length(const Point<2> &x) const
   return circle_->radius * angle;
 }
 
-std::vector<double> Curve::crossings(const Tensor<1, 2> &m,
-                                     const double position,
-                                     const double from,
-                                     const double to) const
-{
+std::vector<double> Curve::crossings(const Tensor<1, 2> &m, const double position,
+                                     const double from, const double to) const {
   std::vector<double> found;
-  if (chain_)
-  {
+  if (chain_) {
     const double apart = 1e-12 * length_;
     const int last = static_cast<int>(n_pieces()) - 1;
     const auto first_turn = static_cast<int>(is_closed() ? std::floor(from / length_) : 0.);
     const auto last_turn = static_cast<int>(is_closed() ? std::floor(to / length_) : 0.);
     for (int turn = first_turn; turn <= last_turn; ++turn)
-      for (int k = 0; k <= last; ++k)
-      {
+      for (int k = 0; k <= last; ++k) {
         // What rounding takes from one piece it leaves to the other; the outer ones go on.
         const double start = turn * length_ + start_of(k), length = piece(k).length();
         const double lowest = k == 0 && !is_closed() ? from : std::max(from, start - apart);
@@ -322,8 +275,7 @@ std::vector<double> Curve::crossings(const Tensor<1, 2> &m,
     if (s >= from && s <= to)
       found.push_back(s);
   };
-  if (!circle_)
-  {
+  if (!circle_) {
     const double slope = m * (end_ - start_) / length_;
     if (std::abs(slope) > 1e-14)
       add((position - m * start_) / slope);
@@ -334,8 +286,7 @@ std::vector<double> Curve::crossings(const Tensor<1, 2> &m,
   if (std::abs(cosine) >= 1.)
     return found;
   const double around = 2. * PI * circle_->radius;
-  for (const double sign : {-1., 1.})
-  {
+  for (const double sign : {-1., 1.}) {
     const double s =
       circle_->radius * circle_->turn * (angle_of(m) + sign * std::acos(cosine) - circle_->first);
     for (double k = std::ceil((from - s) / around); s + k * around <= to; ++k)
@@ -347,44 +298,34 @@ std::vector<double> Curve::crossings(const Tensor<1, 2> &m,
 
 // Transfinite interpolation in a cell with circular edges.
 
-namespace
-{
+namespace {
 /** Returns the point of an edge at the share t of its length. */
-Point<2> on(const Curve &edge, const double t)
-{
+Point<2> on(const Curve &edge, const double t) {
   return edge.point(t * edge.length());
 }
 
 /** Returns d/dt of on(), less that of the chord. */
-Tensor<1, 2> bend(const Curve &edge, const double t)
-{
+Tensor<1, 2> bend(const Curve &edge, const double t) {
   return edge.length() * edge.tangent(t * edge.length(), 0.) - (edge.end() - edge.start());
 }
 
-Curve make_edge(const Point<2> &start, const Point<2> &end, const std::optional<Point<2>> &centre)
-{
-  return centre ? Curve::arc_between(
-                    start, end, *centre, angle_between(start - *centre, end - *centre) > 0.)
+Curve make_edge(const Point<2> &start, const Point<2> &end, const std::optional<Point<2>> &centre) {
+  return centre ? Curve::arc_between(start, end, *centre,
+                                     angle_between(start - *centre, end - *centre) > 0.)
                 : Curve(start, end);
 }
 } // namespace
 
 ArcCell::ArcCell(const std::array<Point<2>, 4> &x,
                  const std::array<std::optional<Point<2>>, 4> &centres)
-  : edges_{{make_edge(x[0], x[1], centres[0]),
-            make_edge(x[3], x[2], centres[2]),
-            make_edge(x[0], x[3], centres[3]),
-            make_edge(x[1], x[2], centres[1])}}
-{
-}
+  : edges_{{make_edge(x[0], x[1], centres[0]), make_edge(x[3], x[2], centres[2]),
+            make_edge(x[0], x[3], centres[3]), make_edge(x[1], x[2], centres[1])}} {}
 
-std::unique_ptr<Manifold<2, 2>> ArcCell::clone() const
-{
+std::unique_ptr<Manifold<2, 2>> ArcCell::clone() const {
   return std::make_unique<ArcCell>(*this);
 }
 
-Point<2> ArcCell::push_forward(const Point<2> &chart_point) const
-{
+Point<2> ArcCell::push_forward(const Point<2> &chart_point) const {
   const double a = chart_point[0], b = chart_point[1];
   const auto &[bottom, top, left, right] = edges_;
   return Point<2>((1. - b) * (on(bottom, a) - (1. - a) * bottom.start() - a * bottom.end()) +
@@ -392,8 +333,7 @@ Point<2> ArcCell::push_forward(const Point<2> &chart_point) const
                   (1. - a) * on(left, b) + a * on(right, b));
 }
 
-DerivativeForm<1, 2, 2> ArcCell::push_forward_gradient(const Point<2> &chart_point) const
-{
+DerivativeForm<1, 2, 2> ArcCell::push_forward_gradient(const Point<2> &chart_point) const {
   const double a = chart_point[0], b = chart_point[1];
   const auto &[bottom, top, left, right] = edges_;
   const Tensor<1, 2> along_a =
@@ -406,16 +346,14 @@ DerivativeForm<1, 2, 2> ArcCell::push_forward_gradient(const Point<2> &chart_poi
   return gradient;
 }
 
-Point<2> ArcCell::pull_back(const Point<2> &x) const
-{
+Point<2> ArcCell::pull_back(const Point<2> &x) const {
   constexpr unsigned int max_steps = 50;
   const Point<2> &corner = edges_[0].start(), &opposite = edges_[1].end();
   const double size = corner.distance(opposite);
   const double rounding = 1e-15 * (size + x.norm());
   Point<2> chart_point(0.5, 0.5);
   double distance = HUGE_VAL;
-  for (unsigned int step = 0; step < max_steps; ++step)
-  {
+  for (unsigned int step = 0; step < max_steps; ++step) {
     const Tensor<1, 2> residual = x - push_forward(chart_point);
     // Newton's method continues until rounding ends it.
     if (residual.norm() < rounding ||
@@ -428,23 +366,17 @@ Point<2> ArcCell::pull_back(const Point<2> &x) const
       chart_point[d] = std::clamp(chart_point[d], -0.5, 1.5);
   }
   throw ComputationError(
-    concatenate("Geometry: the point (",
-                x,
-                ") is not found in the coarse cell from (",
-                corner,
-                ") to (",
-                opposite,
+    concatenate("Geometry: the point (", x, ") is not found in the coarse cell from (", corner,
+                ") to (", opposite,
                 "), an edge of which lies on a circle, allowed: a finer mesh there (Mesh size, or "
                 "another File)."));
 }
 
-bool ArcCell::is_valid(const double min_ratio) const
-{
+bool ArcCell::is_valid(const double min_ratio) const {
   constexpr unsigned int n = 8;
   double lowest = HUGE_VAL, highest = 0.;
   for (unsigned int i = 0; i <= n; ++i)
-    for (unsigned int j = 0; j <= n; ++j)
-    {
+    for (unsigned int j = 0; j <= n; ++j) {
       const double determinant =
         push_forward_gradient(Point<2>(double(i) / n, double(j) / n)).determinant();
       lowest = std::min(lowest, determinant);

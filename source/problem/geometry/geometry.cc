@@ -16,17 +16,12 @@
 #include <sstream>
 #include <tuple>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns the steps between n + 1 equidistant positions, of which the nearest one has moved to
  * each of the @p lines; where it is taken, a position is added. */
-std::vector<double> steps_with_lines(const double from,
-                                     const double to,
-                                     const unsigned int n,
-                                     const std::vector<double> &lines)
-{
+std::vector<double> steps_with_lines(const double from, const double to, const unsigned int n,
+                                     const std::vector<double> &lines) {
   const double h = (to - from) / n;
   std::vector<double> positions;
   for (unsigned int i = 0; i <= n; ++i)
@@ -34,15 +29,13 @@ std::vector<double> steps_with_lines(const double from,
   std::vector<bool> taken(positions.size(), false);
   taken.front() = taken.back() = true;
   std::vector<double> added;
-  for (const double line : lines)
-  {
+  for (const double line : lines) {
     if (!(line > from && line < to))
       continue;
     const auto i = static_cast<std::size_t>(std::lround((line - from) / h));
     if (taken[i])
       added.push_back(line);
-    else
-    {
+    else {
       positions[i] = line;
       taken[i] = true;
     }
@@ -59,8 +52,7 @@ std::vector<double> steps_with_lines(const double from,
 
 /** Returns whether a face lies on one piece of a side, from end to end. */
 template <typename Face>
-bool lies_on(const Face &face, const Side<2> &side)
-{
+bool lies_on(const Face &face, const Side<2> &side) {
   const double margin = 1e-8 * side.length();
   const auto has = [&](const Curve &piece, const Point<2> &x) {
     const double s = piece.arc_length(x);
@@ -74,8 +66,7 @@ bool lies_on(const Face &face, const Side<2> &side)
 
 /** Returns the number of the side that a face lies on, or sides.size(). */
 template <typename Face>
-unsigned int find_side_of(const Face &face, const std::vector<Side<2>> &sides)
-{
+unsigned int find_side_of(const Face &face, const std::vector<Side<2>> &sides) {
   unsigned int i = 0;
   while (i < sides.size() && !lies_on(face, sides[i]))
     ++i;
@@ -83,16 +74,14 @@ unsigned int find_side_of(const Face &face, const std::vector<Side<2>> &sides)
 }
 } // namespace
 
-bool ends_inside_a_face(const std::vector<Side<2>> &sides, const Triangulation<2> &triangulation)
-{
+bool ends_inside_a_face(const std::vector<Side<2>> &sides, const Triangulation<2> &triangulation) {
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary() && find_side_of(face, sides) == sides.size())
       return true;
   return false;
 }
 
-void number_boundary(const std::vector<Side<2>> &sides, Triangulation<2> &triangulation)
-{
+void number_boundary(const std::vector<Side<2>> &sides, Triangulation<2> &triangulation) {
   if (ends_inside_a_face(sides, triangulation))
     throw input_error("a side of this scene ends inside a face of the mesh, allowed: a finer mesh "
                       "(Coarsest level).");
@@ -103,8 +92,7 @@ void number_boundary(const std::vector<Side<2>> &sides, Triangulation<2> &triang
 }
 
 template <int dim>
-Point<dim> Geometry<dim>::inner_point() const
-{
+Point<dim> Geometry<dim>::inner_point() const {
   if (inside)
     return *inside;
   Point<dim> mean;
@@ -114,22 +102,19 @@ Point<dim> Geometry<dim>::inner_point() const
 }
 
 template <int dim>
-double Geometry<dim>::shortest_extent() const
-{
+double Geometry<dim>::shortest_extent() const {
   const Tensor<1, dim> extents = upper - lower;
   return *std::min_element(extents.begin_raw(), extents.end_raw());
 }
 
 template <int dim>
-double Geometry<dim>::longest_extent() const
-{
+double Geometry<dim>::longest_extent() const {
   const Tensor<1, dim> extents = upper - lower;
   return *std::max_element(extents.begin_raw(), extents.end_raw());
 }
 
 template <int dim>
-std::size_t Geometry<dim>::find_side(const std::string &name) const
-{
+std::size_t Geometry<dim>::find_side(const std::string &name) const {
   std::size_t i = 0;
   while (i < sides.size() && sides[i].name() != name)
     ++i;
@@ -137,8 +122,7 @@ std::size_t Geometry<dim>::find_side(const std::string &name) const
 }
 
 template <int dim>
-std::vector<std::string> Geometry<dim>::side_names() const
-{
+std::vector<std::string> Geometry<dim>::side_names() const {
   std::vector<std::string> names;
   for (const Side<dim> &side : sides)
     names.push_back(side.name());
@@ -146,11 +130,9 @@ std::vector<std::string> Geometry<dim>::side_names() const
 }
 
 template <int dim>
-std::vector<std::string> Geometry<dim>::described_sides() const
-{
+std::vector<std::string> Geometry<dim>::described_sides() const {
   std::vector<std::string> texts;
-  for (const Side<dim> &side : sides)
-  {
+  for (const Side<dim> &side : sides) {
     texts.push_back(side.name());
     if (std::isdigit(static_cast<unsigned char>(side.name()[0])) != 0)
       texts.back() += concatenate(" at (", side.centre(), ")");
@@ -158,12 +140,10 @@ std::vector<std::string> Geometry<dim>::described_sides() const
   return texts;
 }
 
-Geometry<2> bounded_by(std::vector<Side<2>> sides)
-{
+Geometry<2> bounded_by(std::vector<Side<2>> sides) {
   Geometry<2> geometry;
   BoundingBox<2> box = sides.at(0).box();
-  for (const Side<2> &side : sides)
-  {
+  for (const Side<2> &side : sides) {
     box.merge_with(side.box());
     for (unsigned int k = 0; k < side.n_pieces(); ++k)
       geometry.curved = geometry.curved || !side.piece(k).is_flat();
@@ -173,10 +153,8 @@ Geometry<2> bounded_by(std::vector<Side<2>> sides)
   return geometry;
 }
 
-Geometry<2> make_rectangle(const Point<2> &lower_left,
-                           const Point<2> &upper_right,
-                           const std::vector<unsigned int> &cells)
-{
+Geometry<2> make_rectangle(const Point<2> &lower_left, const Point<2> &upper_right,
+                           const std::vector<unsigned int> &cells) {
   using P = Point<2>;
   const P lower_right(upper_right[0], lower_left[1]);
   const P upper_left(lower_left[0], upper_right[1]);
@@ -189,8 +167,7 @@ Geometry<2> make_rectangle(const Point<2> &lower_left,
   geometry.make_coarse_mesh = [=](Triangulation<2> &triangulation) {
     GridGenerator::subdivided_hyper_rectangle(triangulation, cells, lower_left, upper_right, true);
   };
-  geometry.make_mesh_with_lines = [=](Triangulation<2> &triangulation,
-                                      const unsigned int level,
+  geometry.make_mesh_with_lines = [=](Triangulation<2> &triangulation, const unsigned int level,
                                       const std::array<std::vector<double>, 2> &lines) {
     std::vector<std::vector<double>> steps;
     for (unsigned int d = 0; d < 2; ++d)
@@ -200,15 +177,13 @@ Geometry<2> make_rectangle(const Point<2> &lower_left,
   return geometry;
 }
 
-Geometry<2> make_polygon(const std::vector<Point<2>> &vertices)
-{
+Geometry<2> make_polygon(const std::vector<Point<2>> &vertices) {
   const auto n = static_cast<unsigned int>(vertices.size());
   std::vector<Side<2>> sides;
   for (unsigned int i = 0; i < n; ++i)
     sides.emplace_back("side" + std::to_string(i), Curve(vertices[i], vertices[(i + 1) % n]));
   CoarseMesh mesh = {vertices, {{}}, {}};
-  for (unsigned int i = 0; i < n; ++i)
-  {
+  for (unsigned int i = 0; i < n; ++i) {
     mesh.cells[0].push_back(i);
     mesh.edges.push_back({i, (i + 1) % n, i, &sides[i]});
   }
@@ -218,18 +193,15 @@ Geometry<2> make_polygon(const std::vector<Point<2>> &vertices)
   return geometry;
 }
 
-Geometry<3> make_box(const Point<3> &lower,
-                     const Point<3> &upper,
-                     const std::vector<unsigned int> &cells)
-{
+Geometry<3> make_box(const Point<3> &lower, const Point<3> &upper,
+                     const std::vector<unsigned int> &cells) {
   const char *const names[] = {"left", "right", "front", "back", "bottom", "top"};
   Geometry<3> geometry;
   geometry.n_coarse_cells = double(cells[0]) * double(cells[1]) * double(cells[2]);
   geometry.lower = lower;
   geometry.upper = upper;
   // The order is that of colorize = true.
-  for (unsigned int i = 0; i < 6; ++i)
-  {
+  for (unsigned int i = 0; i < 6; ++i) {
     const unsigned int d = i / 2, first = (d + 1) % 3, second = (d + 2) % 3;
     const auto edge = [&](const unsigned int e) {
       return (upper[e] - lower[e]) * Point<3>::unit_vector(e);
@@ -253,16 +225,13 @@ template struct Geometry<3>;
 
 using numbers::PI;
 
-namespace
-{
+namespace {
 constexpr types::manifold_id circle = 0, interior = 1;
 
 /** Attaches manifolds: edges on the circle stay on it; the inside of the cells is interpolated
  * between their edges. */
-void attach_manifolds(const std::vector<Side<2>> &sides,
-                      const Point<2> &centre,
-                      Triangulation<2> &triangulation)
-{
+void attach_manifolds(const std::vector<Side<2>> &sides, const Point<2> &centre,
+                      Triangulation<2> &triangulation) {
   number_boundary(sides, triangulation);
   triangulation.reset_all_manifolds();
   triangulation.set_all_manifold_ids(interior);
@@ -276,8 +245,8 @@ void attach_manifolds(const std::vector<Side<2>> &sides,
 }
 } // namespace
 
-Geometry<2> make_ring(const double inner_radius, const double outer_radius, const Point<2> &centre)
-{
+Geometry<2> make_ring(const double inner_radius, const double outer_radius,
+                      const Point<2> &centre) {
   // The order is that of colorize = true.
   Geometry<2> geometry =
     bounded_by({{"inner", Curve::arc(centre, inner_radius, -PI, PI, Body::outside)},
@@ -286,14 +255,13 @@ Geometry<2> make_ring(const double inner_radius, const double outer_radius, cons
   geometry.star_shaped = false;
   geometry.inside = centre + Point<2>(0.5 * (inner_radius + outer_radius), 0.);
   geometry.make_coarse_mesh = [=](Triangulation<2> &triangulation) {
-    GridGenerator::hyper_shell(
-      triangulation, centre, inner_radius, outer_radius, 8, /*colorize=*/true);
+    GridGenerator::hyper_shell(triangulation, centre, inner_radius, outer_radius, 8,
+                               /*colorize=*/true);
   };
   return geometry;
 }
 
-Geometry<2> make_half_disc(const double radius, const Point<2> &centre)
-{
+Geometry<2> make_half_disc(const double radius, const Point<2> &centre) {
   const Point<2> left(centre[0] - radius, centre[1]), right(centre[0] + radius, centre[1]);
   Geometry<2> geometry = bounded_by({{"flat", Curve(left, right, Point<2>(0., 1.))},
                                      {"arc", Curve::arc(centre, radius, -PI, 0., Body::inside)}});
@@ -309,8 +277,7 @@ Geometry<2> make_half_disc(const double radius, const Point<2> &centre)
   return geometry;
 }
 
-Geometry<2> make_disc(const double radius, const Point<2> &centre)
-{
+Geometry<2> make_disc(const double radius, const Point<2> &centre) {
   Geometry<2> geometry = bounded_by({{"arc", Curve::arc(centre, radius, -PI, PI, Body::inside)}});
   geometry.n_coarse_cells = 5.;
   geometry.inside = centre;
@@ -324,8 +291,7 @@ Geometry<2> make_disc(const double radius, const Point<2> &centre)
 // Where lines cut segments and sides.
 
 template <int dim>
-std::vector<KinkLine<dim>> lines_at(const std::array<std::vector<double>, dim> &positions)
-{
+std::vector<KinkLine<dim>> lines_at(const std::array<std::vector<double>, dim> &positions) {
   std::vector<KinkLine<dim>> lines;
   for (unsigned int d = 0; d < dim; ++d)
     for (const double position : positions[d])
@@ -335,13 +301,10 @@ std::vector<KinkLine<dim>> lines_at(const std::array<std::vector<double>, dim> &
 
 template <int dim>
 Kinks<dim>::Kinks(std::vector<KinkLine<dim>> lines)
-  : lines_(std::move(lines))
-{
-}
+  : lines_(std::move(lines)) {}
 
 template <int dim>
-void Kinks<dim>::add_ends_on(const Side<dim> &contact_side)
-{
+void Kinks<dim>::add_ends_on(const Side<dim> &contact_side) {
   static_assert(dim == 2, "in space a plane meets a side in a line, not in points");
   const std::vector<double> cuts = cut(contact_side, 0., contact_side.length());
   for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
@@ -349,11 +312,9 @@ void Kinks<dim>::add_ends_on(const Side<dim> &contact_side)
 }
 
 template <int dim>
-std::vector<double> Kinks<dim>::cut(const Point<dim> &a, const Point<dim> &b) const
-{
+std::vector<double> Kinks<dim>::cut(const Point<dim> &a, const Point<dim> &b) const {
   std::vector<double> cuts = {0., 1.};
-  for (const KinkLine<dim> &line : lines_)
-  {
+  for (const KinkLine<dim> &line : lines_) {
     const double da = line.signed_distance(a), db = line.signed_distance(b);
     const double t = da / (da - db);
     if (t > tolerance && t < 1. - tolerance)
@@ -364,8 +325,8 @@ std::vector<double> Kinks<dim>::cut(const Point<dim> &a, const Point<dim> &b) co
 }
 
 template <int dim>
-std::vector<double> Kinks<dim>::cut(const Side<dim> &side, const double from, const double to) const
-{
+std::vector<double> Kinks<dim>::cut(const Side<dim> &side, const double from,
+                                    const double to) const {
   const double margin = tolerance * (to - from);
   std::vector<double> cuts = {from, to};
   for (const KinkLine<dim> &line : lines_)
@@ -376,8 +337,7 @@ std::vector<double> Kinks<dim>::cut(const Side<dim> &side, const double from, co
 }
 
 template <int dim>
-bool Kinks<dim>::touch(const Side<dim> &side, const double from, const double to) const
-{
+bool Kinks<dim>::touch(const Side<dim> &side, const double from, const double to) const {
   const double margin = tolerance * (to - from);
   for (const KinkLine<dim> &line : lines_)
     for (const double end : {from, to})

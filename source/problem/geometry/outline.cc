@@ -18,27 +18,22 @@
 
 #include "triangles.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using Ends = std::pair<unsigned int, unsigned int>;
 
 /** Returns the maps of the cells with edges on arcs, by the numbers of the cells. */
-std::map<std::size_t, ArcCell> arc_cells(const CoarseMesh &mesh)
-{
+std::map<std::size_t, ArcCell> arc_cells(const CoarseMesh &mesh) {
   std::map<Ends, Point<2>> centres;
   for (const CoarseMesh::Edge &edge : mesh.edges)
     if (edge.piece->radius() > 0.)
       centres[{edge.start, edge.end}] = edge.piece->centre_of_circle();
   std::map<std::size_t, ArcCell> found;
-  for (std::size_t c = 0; c < mesh.cells.size(); ++c)
-  {
+  for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     std::array<Point<2>, 4> corners;
     std::array<std::optional<Point<2>>, 4> centres_of_edges;
     bool is_curved = false;
-    for (unsigned int i = 0; i < 4; ++i)
-    {
+    for (unsigned int i = 0; i < 4; ++i) {
       corners[i] = mesh.vertices[mesh.cells[c][i]];
       const auto centre = centres.find({mesh.cells[c][i], mesh.cells[c][(i + 1) % 4]});
       if (centre == centres.end())
@@ -53,8 +48,7 @@ std::map<std::size_t, ArcCell> arc_cells(const CoarseMesh &mesh)
 }
 } // namespace
 
-CoarseMesh split_cells(const CoarseMesh &mesh)
-{
+CoarseMesh split_cells(const CoarseMesh &mesh) {
   CoarseMesh fine;
   fine.vertices = mesh.vertices;
   std::map<Ends, unsigned int> middles;
@@ -64,21 +58,18 @@ CoarseMesh split_cells(const CoarseMesh &mesh)
       fine.vertices.push_back(mesh.vertices[a] + 0.5 * (mesh.vertices[b] - mesh.vertices[a]));
     return entry->second;
   };
-  for (const CoarseMesh::Edge &edge : mesh.edges)
-  {
+  for (const CoarseMesh::Edge &edge : mesh.edges) {
     const unsigned int middle = middle_of(edge.start, edge.end);
     Point<2> &x = fine.vertices[middle];
     x = edge.piece->point(edge.piece->arc_length(x));
     fine.edges.push_back({edge.start, middle, edge.side, edge.piece});
     fine.edges.push_back({middle, edge.end, edge.side, edge.piece});
   }
-  for (const std::vector<unsigned int> &corners : mesh.cells)
-  {
+  for (const std::vector<unsigned int> &corners : mesh.cells) {
     const std::size_t n = corners.size();
     std::vector<unsigned int> middles_of_cell;
     Point<2> mean;
-    for (std::size_t i = 0; i < n; ++i)
-    {
+    for (std::size_t i = 0; i < n; ++i) {
       middles_of_cell.push_back(middle_of(corners[i], corners[(i + 1) % n]));
       mean += fine.vertices[middles_of_cell[i]] / static_cast<double>(n);
     }
@@ -91,24 +82,21 @@ CoarseMesh split_cells(const CoarseMesh &mesh)
   return fine;
 }
 
-std::optional<std::size_t> find_folded_cell(const CoarseMesh &mesh, const double min_ratio)
-{
+std::optional<std::size_t> find_folded_cell(const CoarseMesh &mesh, const double min_ratio) {
   for (const auto &[cell, map] : arc_cells(mesh))
     if (!map.is_valid(min_ratio))
       return cell;
   return {};
 }
 
-Geometry<2> make_body(const std::vector<Side<2>> &sides, const CoarseMesh &mesh)
-{
+Geometry<2> make_body(const std::vector<Side<2>> &sides, const CoarseMesh &mesh) {
   Geometry<2> geometry = bounded_by(sides);
   geometry.star_shaped = false;
   geometry.n_coarse_cells = static_cast<double>(mesh.cells.size());
   std::vector<std::shared_ptr<const Manifold<2>>> manifolds;
   std::vector<CellData<2>> cells;
   const Point<2> middle = geometry.lower + 0.5 * (geometry.upper - geometry.lower);
-  for (const std::vector<unsigned int> &corners : mesh.cells)
-  {
+  for (const std::vector<unsigned int> &corners : mesh.cells) {
     cells.emplace_back();
     cells.back().vertices = {corners[0], corners[1], corners[3], corners[2]};
     Point<2> centre;
@@ -117,21 +105,18 @@ Geometry<2> make_body(const std::vector<Side<2>> &sides, const CoarseMesh &mesh)
     if (!geometry.inside || centre.distance(middle) < geometry.inside->distance(middle))
       geometry.inside = centre;
   }
-  for (const auto &[cell, map] : arc_cells(mesh))
-  {
+  for (const auto &[cell, map] : arc_cells(mesh)) {
     cells[cell].manifold_id = manifolds.size();
     manifolds.push_back(std::make_shared<ArcCell>(map));
   }
   GridTools::consistently_order_cells(cells);
   SubCellData edges;
   std::map<const Curve *, types::manifold_id> circles;
-  for (const CoarseMesh::Edge &edge : mesh.edges)
-  {
+  for (const CoarseMesh::Edge &edge : mesh.edges) {
     CellData<1> line;
     line.vertices = {edge.start, edge.end};
     line.boundary_id = edge.side;
-    if (edge.piece->radius() > 0.)
-    {
+    if (edge.piece->radius() > 0.) {
       const auto [circle, is_new] = circles.emplace(edge.piece, manifolds.size());
       if (is_new)
         manifolds.push_back(std::make_shared<SphericalManifold<2>>(edge.piece->centre_of_circle()));
@@ -139,47 +124,39 @@ Geometry<2> make_body(const std::vector<Side<2>> &sides, const CoarseMesh &mesh)
     }
     edges.boundary_lines.push_back(line);
   }
-  geometry.make_coarse_mesh =
-    [vertices = mesh.vertices, cells, edges, manifolds](Triangulation<2> &triangulation) {
-      triangulation.create_triangulation(vertices, cells, edges);
-      for (unsigned int i = 0; i < manifolds.size(); ++i)
-        triangulation.set_manifold(i, *manifolds[i]);
-    };
+  geometry.make_coarse_mesh = [vertices = mesh.vertices, cells, edges,
+                               manifolds](Triangulation<2> &triangulation) {
+    triangulation.create_triangulation(vertices, cells, edges);
+    for (unsigned int i = 0; i < manifolds.size(); ++i)
+      triangulation.set_manifold(i, *manifolds[i]);
+  };
   return geometry;
 }
 
 // Outlines: polygons with their corners on the sides, which are checked and filled.
 
-namespace
-{
+namespace {
 /** Returns the polygons between the sides as a mesh without cells, with chords of at most @p step
  * (radians) on arcs and @p mesh_size (length) everywhere, if that is positive. Beyond
  * @p max_chords of them it ends. */
-CoarseMesh make_chords(const std::vector<Side<2>> &sides,
-                       const double step,
-                       const double mesh_size,
-                       const std::size_t max_chords)
-{
+CoarseMesh make_chords(const std::vector<Side<2>> &sides, const double step, const double mesh_size,
+                       const std::size_t max_chords) {
   CoarseMesh chords;
   unsigned int first = 0;
-  for (unsigned int i = 0; i < sides.size(); ++i)
-  {
-    for (unsigned int k = 0; k < sides[i].n_pieces(); ++k)
-    {
+  for (unsigned int i = 0; i < sides.size(); ++i) {
+    for (unsigned int k = 0; k < sides[i].n_pieces(); ++k) {
       const Curve &piece = sides[i].piece(k);
       const double by_angle = piece.radius() > 0. ? piece.length() / piece.radius() / step : 1.;
       const double by_size = mesh_size > 0. ? piece.length() / mesh_size : 1.;
       const double n = std::ceil(std::max({1., by_angle, by_size}) * (1. - 1e-10));
-      for (double j = 0.; j < n && chords.vertices.size() <= max_chords; ++j)
-      {
+      for (double j = 0.; j < n && chords.vertices.size() <= max_chords; ++j) {
         const auto number = static_cast<unsigned int>(chords.vertices.size());
         chords.vertices.push_back(piece.point(j / n * piece.length()));
         chords.edges.push_back({number, number + 1, i, &piece});
       }
     }
     // Holes are closed sides behind those of the outer loop.
-    if (i + 1 == sides.size() || sides[i + 1].is_closed())
-    {
+    if (i + 1 == sides.size() || sides[i + 1].is_closed()) {
       chords.edges.back().end = first;
       first = static_cast<unsigned int>(chords.vertices.size());
     }
@@ -190,15 +167,13 @@ CoarseMesh make_chords(const std::vector<Side<2>> &sides,
 using Segment = boost::geometry::model::segment<Point<2>>;
 
 /** A chord of a side, and the closed side that this is, or 0 for the sides around the body. */
-struct Chord
-{
+struct Chord {
   Segment ends;
   unsigned int side, loop;
 };
 
 /** Returns whether two chords meet; those with a common end, whether they fold onto each other. */
-bool meet(const Chord &p, const Chord &q, const double tolerance)
-{
+bool meet(const Chord &p, const Chord &q, const double tolerance) {
   const auto &[a, b] = p.ends;
   const auto &[c, d] = q.ends;
   const Tensor<1, 2> in = b - a, out = d - c;
@@ -208,31 +183,21 @@ bool meet(const Chord &p, const Chord &q, const double tolerance)
 }
 
 /** Refuses chords that cross or touch. */
-void refuse_crossings(const std::vector<Side<2>> &sides,
-                      const std::vector<Chord> &chords,
-                      const double tolerance,
-                      const std::string &where)
-{
+void refuse_crossings(const std::vector<Side<2>> &sides, const std::vector<Chord> &chords,
+                      const double tolerance, const std::string &where) {
   namespace index = boost::geometry::index;
   std::vector<std::pair<Segment, std::size_t>> ends;
   for (const Chord &chord : chords)
     ends.emplace_back(chord.ends, ends.size());
   const auto tree = pack_rtree(ends);
-  for (const auto &[p, i] : ends)
-  {
+  for (const auto &[p, i] : ends) {
     BoundingBox<2> near(std::vector<Point<2>>{p.first, p.second});
     near.extend(tolerance);
     for (const auto &[q, j] : tree | index::adaptors::queried(index::intersects(near)))
-      if (i < j && meet(chords[i], chords[j], tolerance))
-      {
+      if (i < j && meet(chords[i], chords[j], tolerance)) {
         const auto [first, second] =
           std::minmax(sides[chords[i].side].name(), sides[chords[j].side].name());
-        throw input_error(where,
-                          ": the sides ",
-                          first,
-                          " and ",
-                          second,
-                          " cross or touch near (",
+        throw input_error(where, ": the sides ", first, " and ", second, " cross or touch near (",
                           q.first + 0.5 * (q.second - q.first),
                           "), allowed: sides that meet at their ends only.");
       }
@@ -241,14 +206,12 @@ void refuse_crossings(const std::vector<Side<2>> &sides,
 
 /** Refuses sides that cross or touch elsewhere than at common ends, and holes that are not inside
  * of the body, each by itself. Chords that turn by 2 degrees stand for the sides. */
-void check_outline(const std::vector<Side<2>> &sides, const double size, const std::string &where)
-{
+void check_outline(const std::vector<Side<2>> &sides, const double size, const std::string &where) {
   constexpr double same_point = 1e-9;
   const CoarseMesh polygons = make_chords(sides, numbers::PI / 90., 0., max_coarse_cells);
   std::vector<Chord> chords;
   std::map<unsigned int, boost::geometry::model::ring<Point<2>, false, false>> loops;
-  for (const CoarseMesh::Edge &edge : polygons.edges)
-  {
+  for (const CoarseMesh::Edge &edge : polygons.edges) {
     const Point<2> &start = polygons.vertices[edge.start];
     const unsigned int loop = sides[edge.side].is_closed() ? edge.side : 0;
     chords.push_back({{start, polygons.vertices[edge.end]}, edge.side, loop});
@@ -259,21 +222,15 @@ void check_outline(const std::vector<Side<2>> &sides, const double size, const s
     for (const auto &[loop, ring] : loops)
       if (hole > 0 && loop != hole &&
           boost::geometry::within(sides[hole].start(), ring) != (loop == 0))
-        throw input_error(where,
-                          ": ",
-                          sides[hole].name(),
-                          " lies ",
+        throw input_error(where, ": ", sides[hole].name(), " lies ",
                           loop == 0 ? "outside of the body" : "inside of " + sides[loop].name(),
                           ", allowed: holes inside of the body, each by itself.");
 }
 
 /** Returns the mesh of make_outlined_body(), with chords of at most @p step (radians) on arcs; none
  * if chords cross or a cell comes out folded. */
-std::optional<CoarseMesh> mesh_outline(const std::vector<Side<2>> &sides,
-                                       const double mesh_size,
-                                       const double step,
-                                       const std::string &where)
-{
+std::optional<CoarseMesh> mesh_outline(const std::vector<Side<2>> &sides, const double mesh_size,
+                                       const double step, const std::string &where) {
   constexpr double min_ratio = 0.1;
   const CoarseMesh chords = make_chords(sides, step, mesh_size, max_coarse_cells);
   // A mesh of n vertices has fewer than 2 n triangles.
@@ -282,9 +239,7 @@ std::optional<CoarseMesh> mesh_outline(const std::vector<Side<2>> &sides,
   if (!triangles.too_many)
     triangles = triangulate(chords.vertices, chords.edges, mesh_size, max_coarse_cells / 6);
   if (triangles.too_many)
-    throw input_error(where,
-                      ": found more than ",
-                      max_coarse_cells,
+    throw input_error(where, ": found more than ", max_coarse_cells,
                       " coarse cells, allowed: a larger Mesh size, and sides that do not come very "
                       "close to each other.");
   CoarseMesh mesh = {triangles.points, triangles.triangles, {}};
@@ -292,8 +247,7 @@ std::optional<CoarseMesh> mesh_outline(const std::vector<Side<2>> &sides,
   for (const auto &[start, end] : triangles.boundary)
     next[start] = end;
   for (const CoarseMesh::Edge &chord : chords.edges)
-    for (unsigned int v = chord.start; v != chord.end; v = next[v])
-    {
+    for (unsigned int v = chord.start; v != chord.end; v = next[v]) {
       if (next.count(v) == 0 || mesh.edges.size() == next.size())
         return {};
       // Points that were added to a chord lie off its arc.
@@ -308,10 +262,8 @@ std::optional<CoarseMesh> mesh_outline(const std::vector<Side<2>> &sides,
 }
 } // namespace
 
-Geometry<2> make_outlined_body(const std::vector<Side<2>> &sides,
-                               const double mesh_size,
-                               const std::string &where)
-{
+Geometry<2> make_outlined_body(const std::vector<Side<2>> &sides, const double mesh_size,
+                               const std::string &where) {
   check_outline(sides, bounded_by(sides).diameter(), where);
   // With shorter chords the cells next to arcs are less bent.
   double step = 0.25 * numbers::PI;

@@ -15,22 +15,20 @@
 #include <set>
 #include <utility>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 constexpr unsigned int unnumbered = std::numeric_limits<unsigned int>::max();
 
 /** The data of a vertex: its number. */
-struct Number
-{
+struct Number {
   unsigned int value = unnumbered;
 };
 
-using VertexBase = CGAL::
-  Triangulation_vertex_base_with_info_2<Number, Kernel, CGAL::Delaunay_mesh_vertex_base_2<Kernel>>;
+using VertexBase =
+  CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel,
+                                              CGAL::Delaunay_mesh_vertex_base_2<Kernel>>;
 using FaceBase = CGAL::Delaunay_mesh_face_base_2<Kernel>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure>;
@@ -38,17 +36,14 @@ using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Delaunay>;
 using Mesher = CGAL::Delaunay_mesher_2<Delaunay, Criteria>;
 
 /** Marks the faces that a path from far away reaches by crossing an odd number of edges. */
-void mark_body(Delaunay &delaunay)
-{
+void mark_body(Delaunay &delaunay) {
   std::set<Delaunay::Face_handle> seen = {delaunay.infinite_face()};
   // Faces that are reached across an edge wait behind those of their own region.
   std::deque<Delaunay::Face_handle> waiting = {delaunay.infinite_face()};
-  while (!waiting.empty())
-  {
+  while (!waiting.empty()) {
     const Delaunay::Face_handle face = waiting.front();
     waiting.pop_front();
-    for (int i = 0; i < 3; ++i)
-    {
+    for (int i = 0; i < 3; ++i) {
       const Delaunay::Face_handle next = face->neighbor(i);
       if (!seen.insert(next).second)
         continue;
@@ -64,24 +59,18 @@ void mark_body(Delaunay &delaunay)
 } // namespace
 
 Triangles triangulate(const std::vector<Point<2>> &points,
-                      const std::vector<CoarseMesh::Edge> &edges,
-                      const double mesh_size,
-                      const std::size_t max_points)
-{
+                      const std::vector<CoarseMesh::Edge> &edges, const double mesh_size,
+                      const std::size_t max_points) {
   Delaunay delaunay;
   std::vector<Delaunay::Vertex_handle> vertices;
-  for (const Point<2> &x : points)
-  {
+  for (const Point<2> &x : points) {
     vertices.push_back(delaunay.insert(Kernel::Point_2(x[0], x[1])));
     vertices.back()->info().value = vertices.size() - 1;
   }
-  try
-  {
+  try {
     for (const CoarseMesh::Edge &edge : edges)
       delaunay.insert_constraint(vertices[edge.start], vertices[edge.end]);
-  }
-  catch (const Delaunay::Intersection_of_constraints_exception &)
-  {
+  } catch (const Delaunay::Intersection_of_constraints_exception &) {
     return {};
   }
   // sin²(20.7 degrees): Ruppert's method ends for angles up to that.
@@ -90,19 +79,16 @@ Triangles triangulate(const std::vector<Point<2>> &points,
   mesher.init(/*domain_specified=*/true);
   Triangles result = {points, {}, {}, false};
   while (mesher.try_one_step_refine_mesh())
-    if (delaunay.number_of_vertices() > max_points)
-    {
+    if (delaunay.number_of_vertices() > max_points) {
       result.too_many = true;
       return result;
     }
   for (const Delaunay::Vertex_handle vertex : delaunay.finite_vertex_handles())
-    if (vertex->info().value == unnumbered)
-    {
+    if (vertex->info().value == unnumbered) {
       vertex->info().value = result.points.size();
       result.points.emplace_back(vertex->point().x(), vertex->point().y());
     }
-  for (const Delaunay::Face_handle face : delaunay.finite_face_handles())
-  {
+  for (const Delaunay::Face_handle face : delaunay.finite_face_handles()) {
     const auto number = [&](const int i) { return face->vertex(i)->info().value; };
     if (face->is_in_domain())
       result.triangles.push_back({number(0), number(1), number(2)});

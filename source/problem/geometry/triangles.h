@@ -6,11 +6,9 @@
 #include <array>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A mesh of triangles, with the edges of its boundary, which have the body on their left. */
-struct Triangles
-{
+struct Triangles {
   std::vector<Point<2>> points;
   std::vector<std::vector<unsigned int>> triangles;
   std::vector<std::array<unsigned int, 2>> boundary;
@@ -27,7 +25,6 @@ struct Triangles
  * @return no triangles if edges cross, or if there would be more than @p max_points points.
  */
 Triangles triangulate(const std::vector<Point<2>> &points,
-                      const std::vector<CoarseMesh::Edge> &edges,
-                      double mesh_size,
+                      const std::vector<CoarseMesh::Edge> &edges, double mesh_size,
                       std::size_t max_points);
 } // namespace Signorini

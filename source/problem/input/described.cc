@@ -13,35 +13,23 @@
 
 #include "input.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Reads the entries of one parameter file that hold expressions. */
 template <int dim>
-class SceneReader
-{
+class SceneReader {
 public:
   explicit SceneReader(const Given<std::string> &constants)
-    : constants(read_constants(constants.value, constants.where()))
-  {
-  }
+    : constants(read_constants(constants.value, constants.where())) {}
 
   /** Reads the components of a vector, separated by ';'. @p text is all of the entry or a part of
    * it. */
-  std::vector<Expression<dim>> components(const std::string &text,
-                                          const unsigned int n,
-                                          const Entry &entry) const
-  {
+  std::vector<Expression<dim>> components(const std::string &text, const unsigned int n,
+                                          const Entry &entry) const {
     const std::vector<std::string> parts = split_list(text, ';');
     if (parts.size() != n)
-      throw error_at(entry,
-                     "found ",
-                     parts.size(),
-                     " component(s) in ",
-                     quote(text),
-                     ", allowed: ",
-                     n,
+      throw error_at(entry, "found ", parts.size(), " component(s) in ", quote(text),
+                     ", allowed: ", n,
                      (n == 1 ? " expression." : " expressions separated by ';'."));
     std::vector<Expression<dim>> expressions;
     expressions.reserve(n);
@@ -50,16 +38,13 @@ public:
     return expressions;
   }
   std::vector<Expression<dim>> components(const Given<std::string> &given,
-                                          const unsigned int n) const
-  {
+                                          const unsigned int n) const {
     return components(given.value, n, given);
   }
 
   /** Reads a function that is data of the problem. */
-  FunctionPointer<dim> function(const std::string &text,
-                                const unsigned int n,
-                                const Entry &entry) const
-  {
+  FunctionPointer<dim> function(const std::string &text, const unsigned int n,
+                                const Entry &entry) const {
     return std::make_shared<ExpressionFunction<dim>>(components(text, n, entry));
   }
 
@@ -69,8 +54,7 @@ public:
 template <int dim>
 std::shared_ptr<const Material<dim>> read_one_material(const MaterialParameters &given,
                                                        const SceneReader<dim> &reader,
-                                                       const Geometry<dim> &geometry)
-{
+                                                       const Geometry<dim> &geometry) {
   // Reads n expressions with plausible values on the body; entries across the plane may be empty.
   const auto moduli = [&](const Given<std::string> &entry, const unsigned int n) {
     if (&entry == &given.moduli_across && entry.value.empty())
@@ -81,17 +65,14 @@ std::shared_ptr<const Material<dim>> read_one_material(const MaterialParameters 
   };
   const Point<dim> reference = geometry.inner_point();
   if (given.law == MaterialLaw::general)
-    return make_general<dim>(
-      moduli(given.hooke_tensor, dim == 2 ? 6 : 21), moduli(given.moduli_across, 3), reference);
+    return make_general<dim>(moduli(given.hooke_tensor, dim == 2 ? 6 : 21),
+                             moduli(given.moduli_across, 3), reference);
   if constexpr (dim == 2)
     if (given.law == MaterialLaw::orthotropic)
-      return make_orthotropic(moduli(given.orthotropic_moduli, 4),
-                              given.orientation,
-                              moduli(given.moduli_across, 2),
-                              reference);
+      return make_orthotropic(moduli(given.orthotropic_moduli, 4), given.orientation,
+                              moduli(given.moduli_across, 2), reference);
   return make_isotropic<dim>(moduli(given.youngs_modulus, 1).front(),
-                             reader.components(given.poissons_ratio, 1).front(),
-                             given.plane_state,
+                             reader.components(given.poissons_ratio, 1).front(), given.plane_state,
                              reference);
 }
 
@@ -100,35 +81,30 @@ std::shared_ptr<const Material<dim>> read_one_material(const MaterialParameters 
 template <int dim>
 std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &given,
                                                    const SceneReader<dim> &reader,
-                                                   const Geometry<dim> &geometry)
-{
+                                                   const Geometry<dim> &geometry) {
   const MaterialLaw law = given.law;
   const std::string found = "Law = " + to_text(law);
   refuse_foreign_entries(law == MaterialLaw::isotropic,
                          {&given.youngs_modulus, &given.poissons_ratio, &given.plane_state},
-                         "Law = isotropic",
+                         "Law = isotropic", found);
+  refuse_foreign_entries(law == MaterialLaw::general, {&given.hooke_tensor}, "Law = general",
                          found);
-  refuse_foreign_entries(
-    law == MaterialLaw::general, {&given.hooke_tensor}, "Law = general", found);
   refuse_foreign_entries(law == MaterialLaw::orthotropic,
-                         {&given.orthotropic_moduli, &given.orientation},
-                         "Law = orthotropic",
+                         {&given.orthotropic_moduli, &given.orientation}, "Law = orthotropic",
                          found);
-  refuse_foreign_entries(
-    law != MaterialLaw::isotropic, {&given.moduli_across}, "Law = orthotropic", found);
+  refuse_foreign_entries(law != MaterialLaw::isotropic, {&given.moduli_across}, "Law = orthotropic",
+                         found);
   const std::vector<std::string> &regions = geometry.regions;
   std::map<std::string, MaterialParameters> parts;
   for (const std::string &region : regions)
     parts[region] = given;
   bool differ = false;
-  for (const auto entry : {&MaterialParameters::youngs_modulus,
-                           &MaterialParameters::poissons_ratio,
-                           &MaterialParameters::hooke_tensor,
-                           &MaterialParameters::orthotropic_moduli,
-                           &MaterialParameters::moduli_across})
+  for (const auto entry :
+       {&MaterialParameters::youngs_modulus, &MaterialParameters::poissons_ratio,
+        &MaterialParameters::hooke_tensor, &MaterialParameters::orthotropic_moduli,
+        &MaterialParameters::moduli_across})
     if (const Given<std::string> &text = given.*entry;
-        !regions.empty() && begins_with_a_name(text.value))
-    {
+        !regions.empty() && begins_with_a_name(text.value)) {
       differ = true;
       for (const auto &[region, value] : read_list_for(regions, text.value, text.where(), regions))
         (parts[region].*entry).value = value;
@@ -143,31 +119,20 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
 
 /** Gives sides their roles; a side has one role only. */
 template <int dim>
-void read_boundary(const BoundaryParameters &given,
-                   const LoadParameters &load,
-                   const SceneReader<dim> &reader,
-                   Scene<dim> &scene)
-{
+void read_boundary(const BoundaryParameters &given, const LoadParameters &load,
+                   const SceneReader<dim> &reader, Scene<dim> &scene) {
   const std::vector<std::string> sides = scene.geometry.side_names();
   scene.boundary.resize(sides.size());
   // The entry that named each side; null for a side without a role.
   std::vector<const Entry *> entries(sides.size());
-  const auto assign =
-    [&](const std::string &name, const Role role, const Entry &entry) -> BoundaryCondition<dim> & {
+  const auto assign = [&](const std::string &name, const Role role,
+                          const Entry &entry) -> BoundaryCondition<dim> & {
     const std::size_t side = scene.geometry.find_side(name);
     if (side == sides.size())
-      throw error_at(entry,
-                     "found the side ",
-                     quote(name),
-                     ", allowed: ",
-                     join(scene.geometry.described_sides()),
-                     ".");
+      throw error_at(entry, "found the side ", quote(name),
+                     ", allowed: ", join(scene.geometry.described_sides()), ".");
     if (entries[side] != nullptr)
-      throw error_at(entry,
-                     "the side '",
-                     name,
-                     "' is listed in ",
-                     entries[side]->name,
+      throw error_at(entry, "the side '", name, "' is listed in ", entries[side]->name,
                      " already; every side has exactly one role.");
     entries[side] = &entry;
     scene.boundary[side].role = role;
@@ -176,8 +141,7 @@ void read_boundary(const BoundaryParameters &given,
   for (const auto &[names, role] : {std::pair{&given.clamped, Role::clamped},
                                     {&given.rollers, Role::roller},
                                     {&given.contact, Role::contact}})
-    for (const std::string &name : split_words(*names))
-    {
+    for (const std::string &name : split_words(*names)) {
       const std::vector<std::string> called = sides_called(name, sides);
       for (const std::string &side : called.empty() ? std::vector<std::string>{name} : called)
         assign(side, role, *names);
@@ -186,47 +150,41 @@ void read_boundary(const BoundaryParameters &given,
        {std::pair{&given.displacement, Role::displacement}, {&given.traction, Role::traction}})
     for (const auto &[name, text] : read_side_list(list->value, list->where(), sides))
       assign(name, role, *list).data = reader.function(text, dim, *list);
-  if constexpr (dim == 2)
-  {
+  if constexpr (dim == 2) {
     scene.plates = read_plates(given.plates, load, scene.geometry);
     for (const Plate &plate : scene.plates)
       assign(sides[plate.side], Role::displacement, given.plates).data =
         plate_displacement(plate, PlateMotion{plate.travel, 0.});
   }
   if (scene.contact_sides().empty())
-    throw error_at(
-      given.contact, "no contact side is given, allowed: one or more of ", join(sides), ".");
+    throw error_at(given.contact, "no contact side is given, allowed: one or more of ", join(sides),
+                   ".");
 }
 
 /** Reads the gaps of all contact sides: rigid obstacles or expressions. */
 template <int dim>
-void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Scene<dim> &scene)
-{
+void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Scene<dim> &scene) {
   const ContactParameters &given = parameters.contact;
   SideTexts gaps;
-  if constexpr (dim == 2)
-  {
+  if constexpr (dim == 2) {
     const bool moves = parameters.load_cases.cases.value.find("shift") != std::string::npos;
     read_foundation(given, reader.constants, moves, scene);
     gaps = gaps_without_foundation(given, scene);
-  }
-  else
-    gaps = read_list_for(
-      contact_side_names(scene), given.gap.value, given.gap.where(), scene.geometry.side_names());
+  } else
+    gaps = read_list_for(contact_side_names(scene), given.gap.value, given.gap.where(),
+                         scene.geometry.side_names());
   for (const auto &[side, text] : gaps)
     scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, given.gap);
 }
 
 /** Reads one expression for all contact sides, or one per side. */
 template <int dim>
-void read_exact_pressure(const Given<std::string> &given,
-                         const SceneReader<dim> &reader,
-                         Scene<dim> &scene)
-{
+void read_exact_pressure(const Given<std::string> &given, const SceneReader<dim> &reader,
+                         Scene<dim> &scene) {
   if (given.value.empty())
     return;
-  for (const auto &[side, text] : read_list_for(
-         contact_side_names(scene), given.value, given.where(), scene.geometry.side_names()))
+  for (const auto &[side, text] : read_list_for(contact_side_names(scene), given.value,
+                                                given.where(), scene.geometry.side_names()))
     scene.boundary[scene.geometry.find_side(side)].exact_pressure =
       std::make_shared<ExpressionFunction<dim>>(reader.components(text, 1, given),
                                                 std::vector<Expression<dim>>(),
@@ -234,23 +192,19 @@ void read_exact_pressure(const Given<std::string> &given,
 }
 
 template <int dim>
-void read_exact_displacement(const ExactSolutionParameters &given,
-                             const SceneReader<dim> &reader,
-                             Scene<dim> &scene)
-{
-  if (given.displacement.value.empty())
-  {
+void read_exact_displacement(const ExactSolutionParameters &given, const SceneReader<dim> &reader,
+                             Scene<dim> &scene) {
+  if (given.displacement.value.empty()) {
     if (!given.displacement_gradient.value.empty())
-      throw error_at(
-        given.displacement_gradient, "it needs ", given.displacement.name, ", which is not given.");
+      throw error_at(given.displacement_gradient, "it needs ", given.displacement.name,
+                     ", which is not given.");
     return;
   }
   std::vector<Expression<dim>> gradients;
   if (!given.displacement_gradient.value.empty())
     gradients = reader.components(given.displacement_gradient, dim * dim);
   scene.exact_displacement = std::make_shared<ExpressionFunction<dim>>(
-    reader.components(given.displacement, dim),
-    gradients,
+    reader.components(given.displacement, dim), gradients,
     // The differences at slender bodies must not lead far away from them.
     1e-4 * scene.geometry.shortest_extent());
 }
@@ -258,8 +212,7 @@ void read_exact_displacement(const ExactSolutionParameters &given,
 } // namespace
 
 template <int dim>
-Scene<dim> make_described_scene(const Parameters &parameters)
-{
+Scene<dim> make_described_scene(const Parameters &parameters) {
   const SceneReader<dim> reader(parameters.constants.values);
   Scene<dim> scene;
   scene.name = "described";
@@ -270,8 +223,7 @@ Scene<dim> make_described_scene(const Parameters &parameters)
   read_gaps(parameters, reader, scene);
   read_exact_pressure(parameters.exact.pressure, reader, scene);
   const Given<std::string> &body_force = parameters.load.body_force;
-  if (dim == 2 || body_force.changed)
-  {
+  if (dim == 2 || body_force.changed) {
     const std::vector<Expression<dim>> force = reader.components(body_force, dim);
     // A force that is zero needs no integrals.
     if (std::any_of(force.begin(), force.end(), [](const Expression<dim> &component) {

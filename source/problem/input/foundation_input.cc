@@ -14,10 +14,8 @@
 
 #include "input.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The largest number of obstacles: every point of a contact side computes its distance to all. */
 constexpr std::size_t max_obstacles = 1000;
 
@@ -25,22 +23,19 @@ constexpr std::size_t max_obstacles = 1000;
 constexpr double max_gap = 10.;
 
 /** A word that begins a part of an obstacle, and the text up to the next one. */
-struct Part
-{
+struct Part {
   std::string word;
   std::string text;
 };
 
 /** Splits "circle 0,1 radius 2" into {circle: 0,1} {radius: 2}. Text before the first word counts
  * as an unknown word. */
-std::vector<Part> split_at_words(const std::string &text)
-{
+std::vector<Part> split_at_words(const std::string &text) {
   static const std::regex words("\\b(plane|circle|parabola|normal|radius|curvature|inside)\\b");
   std::vector<Part> parts(1);
   bool is_word = false;
   for (std::sregex_token_iterator piece(text.begin(), text.end(), words, {-1, 0}), end;
-       piece != end;
-       ++piece, is_word = !is_word)
+       piece != end; ++piece, is_word = !is_word)
     if (is_word)
       parts.push_back({*piece, ""});
     else
@@ -52,18 +47,14 @@ std::vector<Part> split_at_words(const std::string &text)
 }
 
 /** Reads the obstacles of one entry. */
-class ObstacleReader
-{
+class ObstacleReader {
 public:
   ObstacleReader(const Entry &entry, const Constants &constants, const Geometry<2> &geometry)
     : entry_(entry)
     , constants_(constants)
-    , geometry_(geometry)
-  {
-  }
+    , geometry_(geometry) {}
 
-  Obstacle read(const std::string &text) const
-  {
+  Obstacle read(const std::string &text) const {
     const std::vector<Part> parts = split_at_words(text);
     std::vector<std::string> words;
     for (const Part &part : parts)
@@ -83,26 +74,22 @@ public:
   }
 
   /** Reads "x, y". */
-  Tensor<1, 2> vector(const Part &part) const
-  {
+  Tensor<1, 2> vector(const Part &part) const {
     const std::vector<double> xy = numbers(part, 2);
     return Tensor<1, 2>({xy[0], xy[1]});
   }
 
 private:
-  [[noreturn]] void refuse(const std::string &found, const std::string &allowed) const
-  {
+  [[noreturn]] void refuse(const std::string &found, const std::string &allowed) const {
     throw error_at(entry_, "found ", found, ", allowed: ", allowed, ".");
   }
 
   /** Reads numbers separated by commas, each a formula of the constants. */
-  std::vector<double> numbers(const Part &part, const std::size_t n) const
-  {
+  std::vector<double> numbers(const Part &part, const std::size_t n) const {
     std::vector<double> numbers;
     const std::vector<std::string> texts = split_list(part.text, ',');
     bool is_understood = texts.size() == n;
-    for (std::size_t i = 0; is_understood && i < n; ++i)
-    {
+    for (std::size_t i = 0; is_understood && i < n; ++i) {
       const Expression<2> formula(texts[i], constants_, entry_.where());
       numbers.push_back(formula(Point<2>()));
       is_understood = formula.is_constant() && std::abs(numbers.back()) <= max_magnitude;
@@ -114,15 +101,13 @@ private:
     return numbers;
   }
 
-  Point<2> point(const Part &part) const
-  {
+  Point<2> point(const Part &part) const {
     const Point<2> x(vector(part));
     check_length(x.distance(geometry_.inner_point()), "a distance", part);
     return x;
   }
 
-  Tensor<1, 2> normal(const Part &part) const
-  {
+  Tensor<1, 2> normal(const Part &part) const {
     const Tensor<1, 2> n = vector(part);
     if (!(n.norm() >= min_magnitude))
       refuse("the normal " + quote(trim(part.text)),
@@ -130,8 +115,7 @@ private:
     return n;
   }
 
-  double radius(const Part &part) const
-  {
+  double radius(const Part &part) const {
     const double r = numbers(part, 1)[0];
     if (!(r >= min_magnitude))
       refuse("the radius " + number_text(r), "numbers from " + number_text(min_magnitude));
@@ -140,8 +124,7 @@ private:
   }
 
   /** Refuses large and far circles, whose gaps |x - c| - r lose digits. */
-  void check_length(const double length, const std::string &what, const Part &part) const
-  {
+  void check_length(const double length, const std::string &what, const Part &part) const {
     const double diameter = geometry_.diameter();
     if (!(length <= max_distance * diameter))
       refuse(quote(trim(part.text)) + " after '" + part.word + "', " + what + " of " +
@@ -156,12 +139,10 @@ private:
 };
 
 /** Returns some arc lengths of a side, with the one nearest to a point on every piece. */
-std::vector<double> sample(const Side<2> &side, const Point<2> &near)
-{
+std::vector<double> sample(const Side<2> &side, const Point<2> &near) {
   constexpr unsigned int n_samples = 16;
   std::vector<double> samples;
-  for (unsigned int k = 0; k < side.n_pieces(); ++k)
-  {
+  for (unsigned int k = 0; k < side.n_pieces(); ++k) {
     const double start = side.start_of(k), end = side.start_of(k + 1);
     for (unsigned int i = 0; i < n_samples; ++i)
       samples.push_back(start + (i + 0.5) / n_samples * (end - start));
@@ -172,12 +153,8 @@ std::vector<double> sample(const Side<2> &side, const Point<2> &near)
 
 /** Returns whether the normal somewhere on a side meets an obstacle; wherever it is, if load cases
  * move it. */
-bool can_touch(const Obstacle &obstacle,
-               const Side<2> &side,
-               const Tensor<1, 2> &position,
-               const double reach,
-               const bool moves)
-{
+bool can_touch(const Obstacle &obstacle, const Side<2> &side, const Tensor<1, 2> &position,
+               const double reach, const bool moves) {
   const std::vector<double> samples = sample(side, obstacle.anchor() + position);
   return std::any_of(samples.begin(), samples.end(), [&](const double s) {
     const Tensor<1, 2> n = side.normal(s);
@@ -190,8 +167,7 @@ bool can_touch(const Obstacle &obstacle,
 std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::string> &given,
                                                              const Constants &constants,
                                                              const Scene<2> &scene,
-                                                             const bool moves)
-{
+                                                             const bool moves) {
   const Geometry<2> &geometry = scene.geometry;
   const std::vector<std::string> texts = split_list(given, '|');
   if (texts.size() > max_obstacles)
@@ -199,8 +175,7 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
   const double reach = max_gap * geometry.diameter();
   const std::vector<std::string> names = contact_side_names(scene);
   std::map<unsigned int, std::vector<Obstacle>> obstacles;
-  for (const std::string &text : texts)
-  {
+  for (const std::string &text : texts) {
     SideTexts entries;
     if (begins_with_a_name(text))
       entries = read_side_list(text, given.where(), names);
@@ -210,44 +185,33 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
     const Obstacle obstacle =
       ObstacleReader(given, constants, geometry).read(entries.front().second);
     bool touches = false;
-    for (const auto &entry : entries)
-    {
+    for (const auto &entry : entries) {
       const unsigned int side = geometry.find_side(entry.first);
       obstacles[side].push_back(obstacle);
       touches = touches ||
                 can_touch(obstacle, geometry.sides[side], scene.foundation_position, reach, moves);
     }
     if (!touches)
-      throw error_at(given,
-                     "found ",
-                     quote(text),
+      throw error_at(given, "found ", quote(text),
                      ", which no outward normal of its contact sides can meet; allowed: things "
                      "ahead of a contact side, with normals towards the body, at a distance below ",
-                     reach,
-                     " (",
-                     max_gap,
-                     " times the size of the body).");
+                     reach, " (", max_gap, " times the size of the body).");
   }
   return obstacles;
 }
 } // namespace
 
-void read_foundation(const ContactParameters &given,
-                     const Constants &constants,
-                     const bool moves,
-                     Scene<2> &scene)
-{
-  if (given.foundation.value.empty())
-  {
+void read_foundation(const ContactParameters &given, const Constants &constants, const bool moves,
+                     Scene<2> &scene) {
+  if (given.foundation.value.empty()) {
     if (given.foundation_position.changed)
-      throw error_at(
-        given.foundation_position, "it needs ", given.foundation.name, ", which is not given.");
+      throw error_at(given.foundation_position, "it needs ", given.foundation.name,
+                     ", which is not given.");
     return;
   }
   scene.foundation_position = ObstacleReader(given.foundation_position, constants, scene.geometry)
                                 .vector({"", given.foundation_position});
-  for (const auto &[side, obstacles] : read_obstacles(given.foundation, constants, scene, moves))
-  {
+  for (const auto &[side, obstacles] : read_obstacles(given.foundation, constants, scene, moves)) {
     BoundaryCondition<2> &condition = scene.boundary[side];
     condition.foundation =
       std::make_shared<Foundation>(obstacles, max_gap * scene.geometry.diameter());
@@ -256,29 +220,19 @@ void read_foundation(const ContactParameters &given,
   }
 }
 
-SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2> &scene)
-{
+SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2> &scene) {
   const Given<std::string> &gap = given.gap;
   const std::vector<std::string> all = scene.geometry.side_names();
   std::vector<std::string> with, without;
   for (const unsigned int side : scene.contact_sides())
     (scene.boundary[side].foundation == nullptr ? without : with).push_back(all[side]);
   if (!with.empty() && gap.changed && (without.empty() || !begins_with_a_name(gap.value)))
-    throw error_at(gap,
-                   "found a gap for the side '",
-                   with.front(),
-                   "', which has a ",
-                   given.foundation.name,
-                   "; allowed: one of them for each contact side.");
+    throw error_at(gap, "found a gap for the side '", with.front(), "', which has a ",
+                   given.foundation.name, "; allowed: one of them for each contact side.");
   if (!with.empty() && !gap.changed && !without.empty())
-    throw error_at(given.foundation,
-                   "found nothing for the contact side '",
-                   without.front(),
-                   "', allowed: something for every contact side, here or in ",
-                   gap.name,
-                   " (",
-                   without.front(),
-                   ": 0).");
+    throw error_at(given.foundation, "found nothing for the contact side '", without.front(),
+                   "', allowed: something for every contact side, here or in ", gap.name, " (",
+                   without.front(), ": 0).");
   return read_list_for(without, gap.value, gap.where(), all);
 }
 } // namespace Signorini

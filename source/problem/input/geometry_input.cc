@@ -24,45 +24,32 @@
 
 #include "input.h"
 
-namespace Signorini
-{
-std::vector<double> read_coordinates(const std::string &text,
-                                     const unsigned int n,
-                                     const Entry &entry)
-{
+namespace Signorini {
+std::vector<double> read_coordinates(const std::string &text, const unsigned int n,
+                                     const Entry &entry) {
   std::vector<double> numbers;
   if (!read_numbers(text, numbers) || numbers.size() != n)
     throw error_at(
-      entry,
-      "found ",
-      quote(text),
-      ", allowed: ",
+      entry, "found ", quote(text), ", allowed: ",
       (n == 2 ? "two numbers separated by a comma." : "three numbers separated by commas."));
   return numbers;
 }
 
 template <int dim>
-Point<dim> read_point(const std::string &text, const Entry &entry)
-{
+Point<dim> read_point(const std::string &text, const Entry &entry) {
   const std::vector<double> numbers = read_coordinates(trim(text), dim, entry);
   Point<dim> x;
-  for (unsigned int d = 0; d < dim; ++d)
-  {
+  for (unsigned int d = 0; d < dim; ++d) {
     x[d] = numbers[d];
     if (!(std::abs(x[d]) <= max_magnitude))
-      throw error_at(entry,
-                     "found the coordinate ",
-                     x[d],
-                     ", allowed: coordinates up to ",
-                     max_magnitude,
-                     "; take other units.");
+      throw error_at(entry, "found the coordinate ", x[d], ", allowed: coordinates up to ",
+                     max_magnitude, "; take other units.");
   }
   return x;
 }
 
 template <int dim>
-void check_size(const Geometry<dim> &geometry, const std::string &where)
-{
+void check_size(const Geometry<dim> &geometry, const std::string &where) {
   const double size = geometry.diameter();
   const double distance = std::min(geometry.lower.norm(), geometry.upper.norm());
   double shortest = dim == 2 ? size : geometry.shortest_extent();
@@ -70,32 +57,15 @@ void check_size(const Geometry<dim> &geometry, const std::string &where)
     for (const Side<2> &side : geometry.sides)
       shortest = std::min(shortest, side.length());
   if (!(size >= min_magnitude && size <= max_magnitude))
-    throw input_error(where,
-                      ": found a body of the size ",
-                      size,
-                      ", allowed: sizes from ",
-                      min_magnitude,
-                      " to ",
-                      max_magnitude,
-                      "; take other units.");
+    throw input_error(where, ": found a body of the size ", size, ", allowed: sizes from ",
+                      min_magnitude, " to ", max_magnitude, "; take other units.");
   if (!(distance <= max_distance * size))
-    throw input_error(where,
-                      ": found a body of the size ",
-                      size,
-                      " at the distance ",
-                      distance,
-                      " from the origin, allowed: at most ",
-                      max_distance,
+    throw input_error(where, ": found a body of the size ", size, " at the distance ", distance,
+                      " from the origin, allowed: at most ", max_distance,
                       " times its size; put the origin near the body.");
   if (!(shortest * max_slenderness >= size))
-    throw input_error(where,
-                      ": found a side of the length ",
-                      shortest,
-                      " on a body of the size ",
-                      size,
-                      ", allowed: sides of at least ",
-                      1. / max_slenderness,
-                      " of the size.");
+    throw input_error(where, ": found a side of the length ", shortest, " on a body of the size ",
+                      size, ", allowed: sides of at least ", 1. / max_slenderness, " of the size.");
 }
 
 INSTANTIATE_FUNCTION(read_point);
@@ -103,73 +73,53 @@ INSTANTIATE_FUNCTION(check_size);
 
 // Entries that exist in 2-D or for one shape or law only.
 
-void refuse_foreign_entries(const bool belong,
-                            const std::vector<const Entry *> &entries,
-                            const std::string &owner,
-                            const std::string &found)
-{
+void refuse_foreign_entries(const bool belong, const std::vector<const Entry *> &entries,
+                            const std::string &owner, const std::string &found) {
   for (const Entry *entry : entries)
     if (!belong && entry->changed)
       throw error_at(*entry, "this entry belongs to ", owner, ", found ", found, ".");
 }
 
-namespace
-{
+namespace {
 template <typename Option>
-void refuse_option(const Given<Option> &given, const Option option, const std::string &allowed)
-{
+void refuse_option(const Given<Option> &given, const Option option, const std::string &allowed) {
   if (given == option)
-    throw error_at(
-      given, "found '", to_text(given.value), "' with Dimension = 3, allowed: ", allowed, ".");
+    throw error_at(given, "found '", to_text(given.value),
+                   "' with Dimension = 3, allowed: ", allowed, ".");
 }
 } // namespace
 
-void refuse_2d_entries(const Parameters &parameters)
-{
+void refuse_2d_entries(const Parameters &parameters) {
   refuse_foreign_entries(false,
-                         {&parameters.geometry.arcs,
-                          &parameters.material.plane_state,
-                          &parameters.material.orthotropic_moduli,
-                          &parameters.material.orientation,
-                          &parameters.material.moduli_across,
-                          &parameters.boundary.plates,
-                          &parameters.load.plate_force,
-                          &parameters.load.plate_moment,
-                          &parameters.load.plate_travel,
-                          &parameters.contact.foundation,
-                          &parameters.contact.foundation_position,
-                          &parameters.load_cases.cases,
-                          &parameters.load_cases.fields,
-                          &parameters.discretization.kinks_at_x,
-                          &parameters.discretization.kinks_at_y,
-                          &parameters.discretization.patches,
+                         {&parameters.geometry.arcs, &parameters.material.plane_state,
+                          &parameters.material.orthotropic_moduli, &parameters.material.orientation,
+                          &parameters.material.moduli_across, &parameters.boundary.plates,
+                          &parameters.load.plate_force, &parameters.load.plate_moment,
+                          &parameters.load.plate_travel, &parameters.contact.foundation,
+                          &parameters.contact.foundation_position, &parameters.load_cases.cases,
+                          &parameters.load_cases.fields, &parameters.discretization.kinks_at_x,
+                          &parameters.discretization.kinks_at_y, &parameters.discretization.patches,
                           &parameters.output.lemmas},
-                         "Dimension = 2",
-                         "Dimension = 3");
+                         "Dimension = 2", "Dimension = 3");
   refuse_option(parameters.material.law, MaterialLaw::orthotropic, "isotropic, general");
   refuse_option(parameters.discretization.strategy, Strategy::hp, to_text(Strategy::nested));
-  refuse_option(parameters.discretization.element,
-                Element::q1_b_bar,
+  refuse_option(parameters.discretization.element, Element::q1_b_bar,
                 to_text(Element::q1) + ", " + to_text(Element::q2));
   const Given<unsigned int> &ratio = parameters.discretization.patch_ratio;
   if (ratio < 2 && parameters.discretization.element != Element::q2)
-    throw error_at(ratio,
-                   "found '",
-                   ratio.value,
+    throw error_at(ratio, "found '", ratio.value,
                    "' with Dimension = 3, allowed: 2 or more; in space the inf-sup constant of "
                    "H = h falls like h^2.");
 }
 
 // Geometry/Shape = file: from the name of a mesh file to a body.
 
-namespace
-{
+namespace {
 /** The largest size of a mesh file in bytes: some millions of cells. */
 constexpr std::size_t max_mesh_file_size = 500000000;
 } // namespace
 
-std::string read_mesh_file(const GeometryParameters &given)
-{
+std::string read_mesh_file(const GeometryParameters &given) {
   const std::filesystem::path path(given.file.value);
   const std::string allowed =
     ", allowed: a file that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...).";
@@ -179,39 +129,33 @@ std::string read_mesh_file(const GeometryParameters &given)
     throw error_at(given.file, "found ''", allowed);
   std::error_code error;
   if (!std::filesystem::exists(path, error))
-    throw error_at(given.file,
-                   "found ",
-                   quote(given.file),
+    throw error_at(given.file, "found ", quote(given.file),
                    ", which is neither in the folder of the parameter file",
                    given.folder.empty() ? "" : " (" + shorten_path(given.folder) + ")",
-                   " nor in the working folder",
-                   allowed);
+                   " nor in the working folder", allowed);
   const std::string content =
     read_whole_file(path.string(), given.file.where() + ": ", "mesh file", max_mesh_file_size);
   if (is_gmsh_text(content))
     return content;
   if (content.empty() || !is_gmsh_ending(ending))
-    throw error_at(
-      given.file, "found ", quote(given.file), content.empty() ? ", which is empty" : "", allowed);
+    throw error_at(given.file, "found ", quote(given.file),
+                   content.empty() ? ", which is empty" : "", allowed);
   return convert_with_gmsh(content, ending, given.mesh_size, given.file.where() + ": ");
 }
 
 // The subsection Geometry: bodies from parameters, checked before they are made.
 
-namespace
-{
+namespace {
 /** Refuses entries that belong to another shape. */
-void refuse_other_shapes(const GeometryParameters &given, const Shape shape)
-{
+void refuse_other_shapes(const GeometryParameters &given, const Shape shape) {
   const bool is_round = shape == Shape::half_disc || shape == Shape::disc || shape == Shape::ring;
-  const auto refuse =
-    [found = "Shape = " + to_text(shape)](
-      const bool belong, const std::vector<const Entry *> &entries, const std::string &owner) {
-      refuse_foreign_entries(belong, entries, "Shape = " + owner, found);
-    };
+  const auto refuse = [found = "Shape = " + to_text(shape)](
+                        const bool belong, const std::vector<const Entry *> &entries,
+                        const std::string &owner) {
+    refuse_foreign_entries(belong, entries, "Shape = " + owner, found);
+  };
   refuse(shape == Shape::rectangle || shape == Shape::box,
-         {&given.lower_left, &given.upper_right, &given.cells},
-         "rectangle or box");
+         {&given.lower_left, &given.upper_right, &given.cells}, "rectangle or box");
   refuse(shape == Shape::polygon, {&given.vertices, &given.holes}, "polygon");
   refuse(is_round, {&given.centre, &given.radius}, "half disc, disc or ring");
   refuse(shape == Shape::ring, {&given.inner_radius}, "ring");
@@ -221,28 +165,21 @@ void refuse_other_shapes(const GeometryParameters &given, const Shape shape)
 
 /** Opposite corners and coarse cells of a rectangle or a box. */
 template <int dim>
-struct Block
-{
+struct Block {
   Point<dim> lower, upper;
   std::vector<unsigned int> cells;
 };
 
 template <int dim>
-Block<dim> read_block(const GeometryParameters &given)
-{
+Block<dim> read_block(const GeometryParameters &given) {
   Block<dim> block;
   const std::vector<double> cells = given.cells.changed
                                       ? read_coordinates(given.cells, dim, given.cells)
                                       : std::vector<double>(dim, 1.);
-  for (const double n : cells)
-  {
+  for (const double n : cells) {
     if (n < 1 || n > 10000 || n != std::floor(n))
-      throw error_at(given.cells,
-                     "found ",
-                     quote(given.cells),
-                     ", allowed: ",
-                     (dim == 2 ? "two" : "three"),
-                     " integers from 1 to 10000.");
+      throw error_at(given.cells, "found ", quote(given.cells),
+                     ", allowed: ", (dim == 2 ? "two" : "three"), " integers from 1 to 10000.");
     block.cells.push_back(static_cast<unsigned int>(n));
   }
   // What is not given is that of the unit square or cube.
@@ -254,45 +191,30 @@ Block<dim> read_block(const GeometryParameters &given)
     block.upper = read_point<dim>(given.upper_right, given.upper_right);
   for (unsigned int d = 0; d < dim; ++d)
     if (!(block.upper[d] > block.lower[d]))
-      throw error_at(given.upper_right,
-                     "found ",
-                     quote(given.upper_right),
+      throw error_at(given.upper_right, "found ", quote(given.upper_right),
                      ", allowed: a point to the right of and above ",
-                     (dim == 2 ? "" : "and behind "),
-                     "Lower left = ",
-                     given.lower_left.value,
-                     ".");
+                     (dim == 2 ? "" : "and behind "), "Lower left = ", given.lower_left.value, ".");
   return block;
 }
 
-Geometry<2> read_round_body(const GeometryParameters &given)
-{
+Geometry<2> read_round_body(const GeometryParameters &given) {
   const Point<2> centre = read_point<2>(given.centre, given.centre);
   if (given.shape == Shape::half_disc)
     return make_half_disc(given.radius, centre);
   if (given.shape == Shape::disc)
     return make_disc(given.radius, centre);
   if (!(given.inner_radius < given.radius * (1. - 1. / max_slenderness)))
-    throw error_at(given.inner_radius,
-                   "found ",
-                   given.inner_radius,
-                   ", allowed: less than Radius = ",
-                   given.radius,
-                   ".");
+    throw error_at(given.inner_radius, "found ", given.inner_radius,
+                   ", allowed: less than Radius = ", given.radius, ".");
   return make_ring(given.inner_radius, given.radius, centre);
 }
 } // namespace
 
 template <>
-Geometry<3> make_geometry(const GeometryParameters &given)
-{
+Geometry<3> make_geometry(const GeometryParameters &given) {
   if (given.shape != Shape::box && given.shape.changed)
-    throw error_at(given.shape,
-                   "found '",
-                   to_text(given.shape.value),
-                   "' with Dimension = 3, allowed: ",
-                   to_text(Shape::box),
-                   ".");
+    throw error_at(given.shape, "found '", to_text(given.shape.value),
+                   "' with Dimension = 3, allowed: ", to_text(Shape::box), ".");
   refuse_other_shapes(given, Shape::box);
   const Block<3> block = read_block<3>(given);
   Geometry<3> geometry = make_box(block.lower, block.upper, block.cells);
@@ -303,14 +225,11 @@ Geometry<3> make_geometry(const GeometryParameters &given)
 }
 
 template <>
-Geometry<2> make_geometry(const GeometryParameters &given)
-{
+Geometry<2> make_geometry(const GeometryParameters &given) {
   refuse_other_shapes(given, given.shape);
   Geometry<2> geometry;
-  switch (given.shape.value)
-  {
-  case Shape::rectangle:
-  {
+  switch (given.shape.value) {
+  case Shape::rectangle: {
     const Block<2> block = read_block<2>(given);
     geometry = make_rectangle(block.lower, block.upper, block.cells);
     check_size(geometry, given.upper_right.where());
@@ -336,8 +255,7 @@ Geometry<2> make_geometry(const GeometryParameters &given)
       read_gmsh(given.mesh.empty() ? read_mesh_file(given) : given.mesh,
                 given.file.where() + ": " +
                   shorten_path(std::filesystem::path(given.file.value).filename().string())),
-      split_words(given.arcs),
-      given.arcs.where());
+      split_words(given.arcs), given.arcs.where());
     check_size(geometry, given.file.where());
     break;
   }

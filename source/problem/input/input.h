@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The names of sides, and the texts that belong to them. */
 using SideTexts = std::vector<std::pair<std::string, std::string>>;
 
@@ -22,16 +21,14 @@ std::vector<std::string> sides_called(const std::string &name,
                                       const std::vector<std::string> &sides);
 
 /** Reads "left: tx; ty | right: tx; ty". @throws InputError if an entry names no side. */
-SideTexts read_side_list(const std::string &text,
-                         const std::string &where,
+SideTexts read_side_list(const std::string &text, const std::string &where,
                          const std::vector<std::string> &sides);
 
 /** Returns whether a text begins with a word and ':', so that it is for one side. */
 bool begins_with_a_name(const std::string &text);
 
 template <int dim>
-std::vector<std::string> contact_side_names(const Scene<dim> &scene)
-{
+std::vector<std::string> contact_side_names(const Scene<dim> &scene) {
   std::vector<std::string> names;
   for (const unsigned int side : scene.contact_sides())
     names.push_back(scene.geometry.sides[side].name());
@@ -43,15 +40,12 @@ std::vector<std::string> contact_side_names(const Scene<dim> &scene)
  * sides.
  * @throws InputError if one of them has none or two, or another side is named.
  */
-SideTexts read_list_for(const std::vector<std::string> &called,
-                        const std::string &text,
-                        const std::string &where,
-                        const std::vector<std::string> &sides);
+SideTexts read_list_for(const std::vector<std::string> &called, const std::string &text,
+                        const std::string &where, const std::vector<std::string> &sides);
 
 /** Reads Boundary/Plates with Load/Plate force, Plate moment and Plate travel. @throws InputError.
  */
-std::vector<Plate> read_plates(const Given<std::string> &given,
-                               const LoadParameters &load,
+std::vector<Plate> read_plates(const Given<std::string> &given, const LoadParameters &load,
                                const Geometry<2> &geometry);
 
 /**
@@ -60,9 +54,7 @@ std::vector<Plate> read_plates(const Given<std::string> &given,
  * where load cases make it move, in all.
  * @throws InputError
  */
-void read_foundation(const ContactParameters &given,
-                     const Constants &constants,
-                     bool moves,
+void read_foundation(const ContactParameters &given, const Constants &constants, bool moves,
                      Scene<2> &scene);
 
 /**
@@ -87,10 +79,8 @@ template <int dim>
 void check_size(const Geometry<dim> &geometry, const std::string &where);
 
 /** Refuses entries that are given, unless they belong to what is found. @throws InputError */
-void refuse_foreign_entries(bool belong,
-                            const std::vector<const Entry *> &entries,
-                            const std::string &owner,
-                            const std::string &found);
+void refuse_foreign_entries(bool belong, const std::vector<const Entry *> &entries,
+                            const std::string &owner, const std::string &found);
 
 /** Refuses, with Dimension = 3, entries that exist in 2-D only. @throws InputError */
 void refuse_2d_entries(const Parameters &parameters);

@@ -18,39 +18,28 @@
 
 #include "input.h"
 
-namespace Signorini
-{
+namespace Signorini {
 /** Reads the subsection Load cases. @throws InputError. */
 std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Scene<2> &scene);
 
-namespace
-{
+namespace {
 /** The name of the scene that the other entries describe. */
 const std::string described = "described";
 
 /** Refuses entries that describe a scene if a catalogue scene fixes them. */
-void refuse_description(const Parameters &parameters)
-{
+void refuse_description(const Parameters &parameters) {
   if (parameters.changes_of_scene.empty())
     return;
   const Given<std::string> &name = parameters.scene.name;
-  throw error_at(parameters.changes_of_scene.front(),
-                 "the catalogue scene '",
-                 name.value,
-                 "' fixes this entry; leave it out, or set ",
-                 name.name,
-                 " = ",
-                 described,
-                 ".");
+  throw error_at(parameters.changes_of_scene.front(), "the catalogue scene '", name.value,
+                 "' fixes this entry; leave it out, or set ", name.name, " = ", described, ".");
 }
 
 /** Returns whether anything could press the body onto the foundation. */
-bool is_loaded(const Scene<2> &scene)
-{
+bool is_loaded(const Scene<2> &scene) {
   constexpr unsigned int n_samples = 64;
   for (const unsigned int i : scene.contact_sides())
-    for (unsigned int k = 0; k < n_samples; ++k)
-    {
+    for (unsigned int k = 0; k < n_samples; ++k) {
       const Side<2> &side = scene.geometry.sides[i];
       if (scene.boundary[i].data->value(side.point((k + 0.5) / n_samples * side.length())) < 0.)
         return true;
@@ -60,15 +49,13 @@ bool is_loaded(const Scene<2> &scene)
 }
 
 /** Finds out whether contact alone holds the body, which needs a load. */
-void check_free_motions(Scene<2> &scene, const std::string &where)
-{
+void check_free_motions(Scene<2> &scene, const std::string &where) {
   scene.is_held_by_contact = !free_rigid_motions(scene, Plates::held).empty();
   std::vector<std::string> names;
   for (const RigidMotion &motion : free_rigid_motions(scene, Plates::released))
     names.push_back(motion.name());
   if (!names.empty() && !is_loaded(scene))
-    throw input_error(where,
-                      ": the clamped, prescribed and roller sides leave ",
+    throw input_error(where, ": the clamped, prescribed and roller sides leave ",
                       join(names, " and "),
                       " of the body free, and no load presses it onto the foundation; hold the "
                       "body with Clamped, Displacement or Rollers, or load it.");
@@ -79,40 +66,27 @@ void check_free_motions(Scene<2> &scene, const std::string &where)
 constexpr double min_kink_distance = 1e-3;
 
 /** Refuses kinks that are too close, and positions that miss the body and would have no effect. */
-void refuse_bad_kinks(const Geometry<2> &geometry,
-                      const Given<std::vector<double>> &given,
-                      const unsigned int d)
-{
+void refuse_bad_kinks(const Geometry<2> &geometry, const Given<std::vector<double>> &given,
+                      const unsigned int d) {
   const double lower = geometry.lower[d], upper = geometry.upper[d];
   const double min_distance = min_kink_distance * (upper - lower);
   std::vector<double> positions = given;
   std::sort(positions.begin(), positions.end());
   for (std::size_t i = 0; i + 1 < positions.size(); ++i)
     if (!(positions[i + 1] - positions[i] >= min_distance))
-      throw error_at(given,
-                     "found kinks at ",
-                     positions[i],
-                     " at a distance of ",
+      throw error_at(given, "found kinks at ", positions[i], " at a distance of ",
                      positions[i + 1] - positions[i],
-                     " from each other, allowed: distances of at least ",
-                     min_distance,
+                     " from each other, allowed: distances of at least ", min_distance,
                      " (a thousandth of the body).");
   for (const double position : given.value)
     if (!(position >= lower && position <= upper))
-      throw error_at(given,
-                     "found ",
-                     position,
-                     ", allowed: positions on the body, from ",
-                     lower,
-                     " to ",
-                     upper,
-                     ".");
+      throw error_at(given, "found ", position, ", allowed: positions on the body, from ", lower,
+                     " to ", upper, ".");
 }
 
 /** Refuses supports of which no displacement of finite energy satisfies all. */
 template <int dim>
-void refuse_contradiction(const Scene<dim> &scene, const std::string &where)
-{
+void refuse_contradiction(const Scene<dim> &scene, const std::string &where) {
   const std::string contradiction = find_contradiction(scene);
   if (!contradiction.empty())
     throw input_error(where, ": ", contradiction, ".");
@@ -120,14 +94,12 @@ void refuse_contradiction(const Scene<dim> &scene, const std::string &where)
 
 /** Returns the scene that the parameters name. */
 template <int dim>
-Scene<dim> read_scene(const Parameters &parameters)
-{
+Scene<dim> read_scene(const Parameters &parameters) {
   const std::string &name = parameters.scene.name;
   if (name == described)
     return make_described_scene<dim>(parameters);
   std::vector<std::string> names = {described};
-  for (const CatalogueEntry<dim> &entry : catalogue<dim>())
-  {
+  for (const CatalogueEntry<dim> &entry : catalogue<dim>()) {
     names.push_back(entry.name);
     if (entry.name != name)
       continue;
@@ -138,31 +110,23 @@ Scene<dim> read_scene(const Parameters &parameters)
     scene.description = entry.description;
     return scene;
   }
-  throw error_at(parameters.scene.name,
-                 "found ",
-                 quote(name),
-                 (dim == 2 ? "" : " with Dimension = 3"),
-                 ", allowed: ",
-                 join(names),
-                 ".");
+  throw error_at(parameters.scene.name, "found ", quote(name),
+                 (dim == 2 ? "" : " with Dimension = 3"), ", allowed: ", join(names), ".");
 }
 } // namespace
 
-unsigned int dimension_of(const Parameters &parameters)
-{
+unsigned int dimension_of(const Parameters &parameters) {
   if (parameters.dimension.changed)
     return parameters.dimension;
   const auto &entries = catalogue<3>();
-  return std::any_of(entries.begin(),
-                     entries.end(),
+  return std::any_of(entries.begin(), entries.end(),
                      [&](const auto &entry) { return entry.name == parameters.scene.name.value; })
            ? 3
            : parameters.dimension.value;
 }
 
 template <>
-Scene<2> make_scene(const Parameters &parameters)
-{
+Scene<2> make_scene(const Parameters &parameters) {
   Scene<2> scene = read_scene<2>(parameters);
   refuse_contradiction(scene, parameters.boundary.where);
   check_free_motions(scene, parameters.boundary.where);
@@ -181,16 +145,14 @@ Scene<2> make_scene(const Parameters &parameters)
 }
 
 template <>
-Scene<3> make_scene(const Parameters &parameters)
-{
+Scene<3> make_scene(const Parameters &parameters) {
   refuse_2d_entries(parameters);
   const Scene<3> scene = read_scene<3>(parameters);
   refuse_contradiction(scene, parameters.boundary.where);
   const std::vector<std::string> names = free_rigid_motions(scene);
   if (!names.empty())
     throw input_error(parameters.boundary.where,
-                      ": the clamped, prescribed and roller sides leave ",
-                      join(names, " and "),
+                      ": the clamped, prescribed and roller sides leave ", join(names, " and "),
                       " of the body free; in 3-D, hold the body with Clamped, Displacement or "
                       "Rollers.");
   return scene;
@@ -198,15 +160,13 @@ Scene<3> make_scene(const Parameters &parameters)
 
 // "force 0 to 3 in 100 cases, weight 1 | travel 2": lists and ranges of load cases.
 
-namespace
-{
+namespace {
 constexpr unsigned int max_cases = 100000;
 
-const std::vector<std::string> factor_names =
-  {"force", "weight", "travel", "gap", "shift x", "shift y"};
+const std::vector<std::string> factor_names = {"force", "weight",  "travel",
+                                               "gap",   "shift x", "shift y"};
 
-double &factor_of(LoadCase &load_case, const std::string &name)
-{
+double &factor_of(LoadCase &load_case, const std::string &name) {
   if (name == "force")
     return load_case.force;
   if (name == "weight")
@@ -219,8 +179,7 @@ double &factor_of(LoadCase &load_case, const std::string &name)
 }
 
 /** Returns why a factor could change nothing; empty if it could. */
-std::string uselessness(const std::string &name, const Scene<2> &scene)
-{
+std::string uselessness(const std::string &name, const Scene<2> &scene) {
   if (name == "shift x" || name == "shift y")
     for (const unsigned int side : scene.contact_sides())
       if (scene.boundary[side].foundation == nullptr)
@@ -236,24 +195,18 @@ std::string uselessness(const std::string &name, const Scene<2> &scene)
 }
 
 /** Reads a whole number from @p min to @p max; returns 0 if it is none. */
-unsigned int whole_number(const std::string &text, const double min, const double max)
-{
+unsigned int whole_number(const std::string &text, const double min, const double max) {
   double number = 0.;
   const bool is_whole = read_number(text, number) && number == std::floor(number);
   return is_whole && number >= min && number <= max ? static_cast<unsigned int>(number) : 0;
 }
 
 /** Reads one entry between '|': one case, or a range of them. */
-void read_cases(const std::string &entry,
-                const Given<std::string> &given,
-                const Scene<2> &scene,
-                std::vector<LoadCase> &cases)
-{
+void read_cases(const std::string &entry, const Given<std::string> &given, const Scene<2> &scene,
+                std::vector<LoadCase> &cases) {
   const auto require = [&](const bool is_understood) {
     if (!is_understood)
-      throw error_at(given,
-                     "found ",
-                     quote(entry),
+      throw error_at(given, "found ", quote(entry),
                      ", allowed: entries separated by '|' like force 0.5, weight 2 or force 0 to "
                      "3 in 100 cases, with the names ",
                      join(factor_names),
@@ -262,8 +215,7 @@ void read_cases(const std::string &entry,
   std::string text = entry;
   unsigned int n = 1;
   const std::vector<std::string> all = split_words(text);
-  if (all.size() >= 3 && all.back() == "cases" && all[all.size() - 3] == "in")
-  {
+  if (all.size() >= 3 && all.back() == "cases" && all[all.size() - 3] == "in") {
     n = whole_number(all[all.size() - 2], 2., max_cases);
     require(n > 0);
     text = text.substr(0, text.rfind("in "));
@@ -272,12 +224,10 @@ void read_cases(const std::string &entry,
     throw error_at(given, "found more than ", max_cases, " cases, allowed: at most that many.");
   const std::size_t first = cases.size();
   cases.resize(first + n);
-  for (const std::string &part : split_list(text, ','))
-  {
+  for (const std::string &part : split_list(text, ',')) {
     const auto name =
-      std::find_if(factor_names.begin(), factor_names.end(), [&](const std::string &known) {
-        return part.rfind(known + " ", 0) == 0;
-      });
+      std::find_if(factor_names.begin(), factor_names.end(),
+                   [&](const std::string &known) { return part.rfind(known + " ", 0) == 0; });
     require(name != factor_names.end());
     const std::string useless = uselessness(*name, scene);
     if (!useless.empty())
@@ -287,8 +237,7 @@ void read_cases(const std::string &entry,
     require((words.size() == 1 || (words.size() == 3 && words[1] == "to" && n > 1)) &&
             read_number(words.front(), from) && read_number(words.back(), to) &&
             std::max(std::abs(from), std::abs(to)) <= max_magnitude);
-    for (unsigned int i = 0; i < n; ++i)
-    {
+    for (unsigned int i = 0; i < n; ++i) {
       const double t = n > 1 ? static_cast<double>(i) / (n - 1) : 0.;
       factor_of(cases[first + i], *name) = (1. - t) * from + t * to;
     }
@@ -296,13 +245,11 @@ void read_cases(const std::string &entry,
 }
 } // namespace
 
-std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Scene<2> &scene)
-{
+std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Scene<2> &scene) {
   std::vector<LoadCase> cases;
   for (const std::string &entry : split_list(given.cases, '|'))
     read_cases(entry, given.cases, scene, cases);
-  for (const std::string &word : split_words(given.fields))
-  {
+  for (const std::string &word : split_words(given.fields)) {
     const unsigned int number = whole_number(word, 1., static_cast<double>(cases.size()));
     if (number == 0)
       throw input_error(

@@ -21,24 +21,20 @@
 
 #include "input.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using numbers::PI;
 
 /** The largest number of vertices: a longer list belongs into a mesh file. */
 constexpr std::size_t max_vertices = 200;
 
-struct PolygonArc
-{
+struct PolygonArc {
   Point<2> centre;
   bool counter_clockwise;
 };
 
 /** A vertex of a loop, and the edge from there to the next one. */
-struct PolygonVertex
-{
+struct PolygonVertex {
   Point<2> x;
   /** The radius that rounds the corner; 0: none. */
   double fillet;
@@ -50,67 +46,47 @@ struct PolygonVertex
 };
 using PolygonLoop = std::vector<PolygonVertex>;
 
-double cross_product(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-{
+double cross_product(const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
   return a * cross_product_2d(b);
 }
 
 /** Returns the edge from a to b, or from b to a. The centre of an arc is moved so that both are on
  * it to rounding. */
-Curve edge_between(const PolygonVertex &a,
-                   const PolygonVertex &b,
-                   const bool forwards,
-                   const std::string &where)
-{
+Curve edge_between(const PolygonVertex &a, const PolygonVertex &b, const bool forwards,
+                   const std::string &where) {
   constexpr double allowed_difference = 1e-6;
   const Point<2> &start = forwards ? a.x : b.x, &end = forwards ? b.x : a.x;
   if (!a.arc)
     return {start, end};
   const double from = a.arc->centre.distance(a.x), to = a.arc->centre.distance(b.x);
   if (!(std::abs(from - to) <= allowed_difference * std::max(from, to)) || from == 0.)
-    throw input_error(where,
-                      ": the centre of the arc from ",
-                      a.name,
-                      " to ",
-                      b.name,
-                      " is at the distances ",
-                      from,
-                      " and ",
-                      to,
+    throw input_error(where, ": the centre of the arc from ", a.name, " to ", b.name,
+                      " is at the distances ", from, " and ", to,
                       " from them, allowed: equal ones, to 1e-6.");
   const Tensor<1, 2> chord = b.x - a.x, off = a.arc->centre - (a.x + 0.5 * chord);
-  return Curve::arc_between(start,
-                            end,
+  return Curve::arc_between(start, end,
                             a.arc->centre - ((off * chord) / chord.norm_square()) * chord,
                             a.arc->counter_clockwise == forwards);
 }
 
-void refuse_equal_vertices(const PolygonLoop &loop, const std::string &where)
-{
+void refuse_equal_vertices(const PolygonLoop &loop, const std::string &where) {
   double size = 0.;
   for (const PolygonVertex &vertex : loop)
     size = std::max(size, vertex.x.distance(loop[0].x));
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
+  for (std::size_t i = 0; i < loop.size(); ++i) {
     const PolygonVertex &next = loop[(i + 1) % loop.size()];
     if (!(loop[i].x.distance(next.x) > 1e-9 * size))
-      throw input_error(where,
-                        ": ",
-                        loop[i].name,
-                        " and ",
-                        next.name,
+      throw input_error(where, ": ", loop[i].name, " and ", next.name,
                         " are the same point, allowed: sides that have a length.");
   }
 }
 
 /** Returns the loop with an arc in place of each corner that has a fillet. */
-PolygonLoop round_corners(const PolygonLoop &loop, const std::string &where)
-{
+PolygonLoop round_corners(const PolygonLoop &loop, const std::string &where) {
   const std::size_t n = loop.size();
   std::vector<double> cuts(n, 0.);
   PolygonLoop rounded;
-  for (std::size_t i = 0; i < n; ++i)
-  {
+  for (std::size_t i = 0; i < n; ++i) {
     const PolygonVertex &vertex = loop[i], &before = loop[(i + n - 1) % n];
     rounded.push_back(vertex);
     if (vertex.fillet == 0.)
@@ -119,9 +95,7 @@ PolygonLoop round_corners(const PolygonLoop &loop, const std::string &where)
     const Tensor<1, 2> u = to_last / to_last.norm(), v = to_next / to_next.norm();
     const double half = 0.5 * std::atan2(std::abs(cross_product(u, v)), u * v);
     if (vertex.arc || before.arc || !(half > 1e-3 && half < 0.5 * PI - 1e-3))
-      throw input_error(where,
-                        ": found a fillet at ",
-                        vertex.name,
+      throw input_error(where, ": found a fillet at ", vertex.name,
                         ", where no corner of straight sides is, allowed: fillets between straight "
                         "sides that form a corner.");
     cuts[i] = vertex.fillet / std::tan(half);
@@ -133,21 +107,12 @@ PolygonLoop round_corners(const PolygonLoop &loop, const std::string &where)
     rounded.push_back(vertex);
     rounded.back().x = vertex.x + cuts[i] * v;
   }
-  for (std::size_t i = 0; i < n; ++i)
-  {
+  for (std::size_t i = 0; i < n; ++i) {
     const PolygonVertex &next = loop[(i + 1) % n];
     const double length = loop[i].x.distance(next.x), taken = cuts[i] + cuts[(i + 1) % n];
     if (!(length - taken > 1e-6 * length))
-      throw input_error(where,
-                        ": the fillets at ",
-                        loop[i].name,
-                        " and ",
-                        next.name,
-                        " need ",
-                        taken,
-                        " of a side of the length ",
-                        length,
-                        ", allowed: smaller radii.");
+      throw input_error(where, ": the fillets at ", loop[i].name, " and ", next.name, " need ",
+                        taken, " of a side of the length ", length, ", allowed: smaller radii.");
   }
   return rounded;
 }
@@ -157,16 +122,13 @@ PolygonLoop round_corners(const PolygonLoop &loop, const std::string &where)
  * @p is_outer. Lists in the other direction are turned round; names keep the numbers of the list.
  * @throws InputError if an arc does not fit its ends or a fillet its edges.
  */
-std::vector<Side<2>> sides_of(const PolygonLoop &given,
-                              const bool is_outer,
-                              const std::string &where)
-{
+std::vector<Side<2>> sides_of(const PolygonLoop &given, const bool is_outer,
+                              const std::string &where) {
   refuse_equal_vertices(given, where);
   const PolygonLoop loop = round_corners(given, where);
   const std::size_t n = loop.size();
   double area = 0.;
-  for (std::size_t i = 0; i < n; ++i)
-  {
+  for (std::size_t i = 0; i < n; ++i) {
     const PolygonVertex &a = loop[i], &b = loop[(i + 1) % n];
     const Curve edge = edge_between(a, b, true, where);
     area += 0.5 * cross_product(a.x - loop[0].x, b.x - loop[0].x);
@@ -175,8 +137,7 @@ std::vector<Side<2>> sides_of(const PolygonLoop &given,
   }
   const bool forwards = (area > 0.) == is_outer;
   std::vector<Side<2>> sides;
-  for (std::size_t i = 0; i < n; ++i)
-  {
+  for (std::size_t i = 0; i < n; ++i) {
     const std::size_t e = forwards ? i : (2 * n - 2 - i) % n;
     sides.emplace_back(loop[e].edge_name,
                        edge_between(loop[e], loop[(e + 1) % n], forwards, where));
@@ -186,29 +147,24 @@ std::vector<Side<2>> sides_of(const PolygonLoop &given,
 
 // From texts to loops.
 
-void check_number(const std::size_t n, const std::string &where)
-{
+void check_number(const std::size_t n, const std::string &where) {
   if (n > max_vertices)
     throw input_error(where, ": found ", n, " vertices, allowed: at most ", max_vertices, ".");
 }
 
 /** Reads "arc cx,cy ccw". */
-PolygonArc read_arc(const std::string &text, const Entry &entry)
-{
+PolygonArc read_arc(const std::string &text, const Entry &entry) {
   const std::string rest = trim(text.substr(3));
   const std::size_t blank = rest.find_last_of(" \t");
   const std::string direction = blank == std::string::npos ? "" : rest.substr(blank + 1);
   if (direction != "cw" && direction != "ccw")
-    throw error_at(entry,
-                   "found ",
-                   quote(text),
+    throw error_at(entry, "found ", quote(text),
                    ", allowed: 'arc cx,cy ccw' (counter-clockwise) or 'arc cx,cy cw'.");
   return {read_point<2>(rest.substr(0, blank), entry), direction == "ccw"};
 }
 
 /** Reads "x,y" or "x,y fillet r". */
-PolygonVertex read_vertex(const std::string &text, const std::size_t number, const Entry &entry)
-{
+PolygonVertex read_vertex(const std::string &text, const std::size_t number, const Entry &entry) {
   const std::size_t word = text.find("fillet");
   PolygonVertex vertex = {read_point<2>(text.substr(0, word), entry),
                           0.,
@@ -217,65 +173,51 @@ PolygonVertex read_vertex(const std::string &text, const std::size_t number, con
                           {}};
   if (word != std::string::npos &&
       (!read_number(trim(text.substr(word + 6)), vertex.fillet) || !(vertex.fillet > 0.)))
-    throw error_at(
-      entry, "found ", quote(text), ", allowed: 'x,y fillet r' with a positive radius r.");
+    throw error_at(entry, "found ", quote(text),
+                   ", allowed: 'x,y fillet r' with a positive radius r.");
   return vertex;
 }
 
-PolygonLoop read_loop(const std::string &text, const Entry &entry)
-{
+PolygonLoop read_loop(const std::string &text, const Entry &entry) {
   PolygonLoop loop;
   const std::vector<std::string> parts = split_list(text, ';');
   check_number(parts.size(), entry.where());
   for (const std::string &part : parts)
-    if (part.compare(0, 3, "arc") == 0)
-    {
+    if (part.compare(0, 3, "arc") == 0) {
       if (loop.empty() || loop.back().arc)
-        throw error_at(entry,
-                       "found ",
-                       quote(part),
+        throw error_at(entry, "found ", quote(part),
                        " without a vertex before it, "
                        "allowed: one arc between two vertices, or after the last.");
       loop.back().arc = read_arc(part, entry);
-    }
-    else
+    } else
       loop.push_back(read_vertex(part, loop.size(), entry));
   const std::size_t n = loop.size();
   if (n < 2 || (n == 2 && !loop[0].arc && !loop[1].arc))
-    throw error_at(entry,
-                   "found ",
-                   n,
-                   (n == 1 ? " vertex" : " vertices"),
+    throw error_at(entry, "found ", n, (n == 1 ? " vertex" : " vertices"),
                    ", allowed: three or more, x0,y0; x1,y1; ...");
   return loop;
 }
 
 /** Reads "circle cx,cy,r"; the circle runs clockwise. */
-Curve read_circle(const std::string &text, const Entry &entry)
-{
+Curve read_circle(const std::string &text, const Entry &entry) {
   const Point<3> circle = read_point<3>(text.substr(6), entry);
   if (!(circle[2] > 0.))
-    throw error_at(
-      entry, "found ", quote(text), ", allowed: 'circle cx,cy,r' with a positive radius r.");
+    throw error_at(entry, "found ", quote(text),
+                   ", allowed: 'circle cx,cy,r' with a positive radius r.");
   return Curve::arc({circle[0], circle[1]}, circle[2], PI, -PI, Body::outside);
 }
 
-void add_holes(const Given<std::string> &given, std::vector<Side<2>> &sides)
-{
+void add_holes(const Given<std::string> &given, std::vector<Side<2>> &sides) {
   const std::vector<std::string> holes = split_list(given, '|');
   check_number(holes.size(), given.where());
-  for (std::size_t k = 0; k < holes.size(); ++k)
-  {
+  for (std::size_t k = 0; k < holes.size(); ++k) {
     const std::string name = "hole" + std::to_string(k);
-    if (holes[k].compare(0, 6, "circle") == 0)
-    {
+    if (holes[k].compare(0, 6, "circle") == 0) {
       sides.emplace_back(name, read_circle(holes[k], given));
       continue;
     }
     if (!holes[k].empty() && std::isalpha(static_cast<unsigned char>(holes[k][0])) != 0)
-      throw error_at(given,
-                     "found ",
-                     quote(holes[k]),
+      throw error_at(given, "found ", quote(holes[k]),
                      ", allowed: 'circle cx,cy,r' or vertices 'x0,y0; x1,y1; ...'.");
     const std::vector<Side<2>> pieces = sides_of(read_loop(holes[k], given), false, given.where());
     sides.emplace_back(name, Curve::chain({pieces.begin(), pieces.end()}));
@@ -284,13 +226,11 @@ void add_holes(const Given<std::string> &given, std::vector<Side<2>> &sides)
 
 /** Returns the vertices counter-clockwise, if they are those of a convex polygon of straight sides:
  * every corner turns left, by a visible angle, and all together turn once. */
-std::optional<std::vector<Point<2>>> convex_polygon(const PolygonLoop &loop)
-{
+std::optional<std::vector<Point<2>>> convex_polygon(const PolygonLoop &loop) {
   const std::size_t n = loop.size();
   std::vector<Point<2>> x;
   double turning = 0.;
-  for (std::size_t i = 0; i < n; ++i)
-  {
+  for (std::size_t i = 0; i < n; ++i) {
     const Tensor<1, 2> in = loop[(i + 1) % n].x - loop[i].x,
                        out = loop[(i + 2) % n].x - loop[(i + 1) % n].x;
     const double sine = cross_product(in, out);
@@ -305,8 +245,7 @@ std::optional<std::vector<Point<2>>> convex_polygon(const PolygonLoop &loop)
 }
 } // namespace
 
-Geometry<2> read_polygon(const GeometryParameters &given)
-{
+Geometry<2> read_polygon(const GeometryParameters &given) {
   const PolygonLoop loop = read_loop(given.vertices, given.vertices);
   const bool has_holes = !trim(given.holes.value).empty();
   if (!has_holes && given.mesh_size == 0.)
@@ -316,7 +255,7 @@ Geometry<2> read_polygon(const GeometryParameters &given)
   check_size(bounded_by(sides), given.vertices.where());
   if (has_holes)
     add_holes(given.holes, sides);
-  return make_outlined_body(
-    sides, given.mesh_size, has_holes ? given.holes.where() : given.vertices.where());
+  return make_outlined_body(sides, given.mesh_size,
+                            has_holes ? given.holes.where() : given.vertices.where());
 }
 } // namespace Signorini

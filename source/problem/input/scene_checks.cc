@@ -17,18 +17,15 @@
 
 #include "input.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 template <int dim>
 using Points = std::vector<Point<dim>>;
 
 /** Returns points of the unit cube: products of Gauss points and points close to the ends, or the
  * ends. An even number of Gauss points leaves out lines of symmetry, on which kinks lie. */
 template <int dim>
-Points<dim> unit_points(const unsigned int n_gauss, const bool with_ends = false)
-{
+Points<dim> unit_points(const unsigned int n_gauss, const bool with_ends = false) {
   Points<1> line = {Point<1>(1e-4), Point<1>(1. - 1e-4)};
   const QGauss<1> gauss(n_gauss);
   line.insert(line.end(), gauss.get_points().begin(), gauss.get_points().end());
@@ -38,8 +35,7 @@ Points<dim> unit_points(const unsigned int n_gauss, const bool with_ends = false
 }
 
 /** Returns points inside of a side and, for what is evaluated at nodes, at its ends. */
-Points<2> sample_side(const Side<2> &side, const bool with_ends)
-{
+Points<2> sample_side(const Side<2> &side, const bool with_ends) {
   // A side of very many pieces has short ones.
   const unsigned int n_gauss = side.n_pieces() > 100 ? 1 : 12;
   Points<2> points;
@@ -48,8 +44,7 @@ Points<2> sample_side(const Side<2> &side, const bool with_ends)
       points.push_back(side.piece(k).point(share[0] * side.piece(k).length()));
   return points;
 }
-Points<3> sample_side(const Side<3> &side, const bool with_ends)
-{
+Points<3> sample_side(const Side<3> &side, const bool with_ends) {
   const auto lengths = side.lengths();
   Points<3> points;
   for (const Point<2> &share : unit_points<2>(12, with_ends))
@@ -60,11 +55,9 @@ Points<3> sample_side(const Side<3> &side, const bool with_ends)
 /** Returns points of the segments from the middle of a body to its sides; of other bodies, points
  * of the cells of the coarse mesh, or of some cells if there are very many. */
 template <int dim>
-Points<dim> sample_body(const Geometry<dim> &geometry)
-{
+Points<dim> sample_body(const Geometry<dim> &geometry) {
   Points<dim> points;
-  if (geometry.star_shaped)
-  {
+  if (geometry.star_shaped) {
     const Point<dim> inside = geometry.inner_point();
     for (const Side<dim> &side : geometry.sides)
       for (const Point<dim> &x : sample_side(side, false))
@@ -86,10 +79,8 @@ Points<dim> sample_body(const Geometry<dim> &geometry)
 
 /** Refuses values that are no numbers, or too large. */
 template <int dim>
-void check_finite(const FunctionPointer<dim> &function,
-                  const Points<dim> &points,
-                  const std::string &where)
-{
+void check_finite(const FunctionPointer<dim> &function, const Points<dim> &points,
+                  const std::string &where) {
   if (function == nullptr)
     return;
   for (const Point<dim> &x : points)
@@ -99,10 +90,8 @@ void check_finite(const FunctionPointer<dim> &function,
 
 /** Refuses a positive pressure: contact cannot pull. */
 template <int dim>
-void check_pressure(const FunctionPointer<dim> &pressure,
-                    const Points<dim> &points,
-                    const std::string &where)
-{
+void check_pressure(const FunctionPointer<dim> &pressure, const Points<dim> &points,
+                    const std::string &where) {
   if (pressure == nullptr)
     return;
   check_finite(pressure, points, where);
@@ -111,9 +100,7 @@ void check_pressure(const FunctionPointer<dim> &pressure,
     largest = std::max(largest, std::abs(pressure->value(x)));
   for (const Point<dim> &x : points)
     if (pressure->value(x) > 1e-6 * largest)
-      refuse_value(where,
-                   "the tension " + number_text(pressure->value(x)),
-                   x,
+      refuse_value(where, "the tension " + number_text(pressure->value(x)), x,
                    "p = sigma_n <= 0, negative in compression");
 }
 
@@ -123,10 +110,8 @@ void check_pressure(const FunctionPointer<dim> &pressure,
  * @throws InputError if it is wrong at three points.
  */
 template <int dim>
-void check_exact_gradient(const ExactSolutionParameters &exact,
-                          const Scene<dim> &scene,
-                          const Points<dim> &points)
-{
+void check_exact_gradient(const ExactSolutionParameters &exact, const Scene<dim> &scene,
+                          const Points<dim> &points) {
   if (exact.displacement_gradient.value.empty())
     return;
   const Function<dim> &u = *scene.exact_displacement;
@@ -136,15 +121,13 @@ void check_exact_gradient(const ExactSolutionParameters &exact,
     for (unsigned int c = 0; c < dim; ++c)
       max_u = std::max(max_u, std::abs(u.value(x, c)));
   for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int d = 0; d < dim; ++d)
-    {
+    for (unsigned int d = 0; d < dim; ++d) {
       const auto difference = [&, c = c, d = d](const Point<dim> &x, const double step) {
         const Tensor<1, dim> to = step * Point<dim>::unit_vector(d);
         return (u.value(x + to, c) - u.value(x - to, c)) / (2. * step);
       };
       unsigned int n_objections = 0;
-      for (const Point<dim> &x : points)
-      {
+      for (const Point<dim> &x : points) {
         const double given = u.gradient(x, c)[d], found = difference(x, h);
         const double tolerance = 1e-4 * max_u / extent + 1e-3 * std::abs(found);
         n_objections += std::abs(found - difference(x, 2. * h)) <= 0.1 * tolerance &&
@@ -165,11 +148,8 @@ void check_exact_gradient(const ExactSolutionParameters &exact,
  * @throws InputError
  */
 template <int dim>
-void check_exact_on_side(const ExactSolutionParameters &exact,
-                         const Scene<dim> &scene,
-                         const unsigned int i,
-                         const Points<dim> &points)
-{
+void check_exact_on_side(const ExactSolutionParameters &exact, const Scene<dim> &scene,
+                         const unsigned int i, const Points<dim> &points) {
   if (scene.exact_displacement == nullptr)
     return;
   const Side<dim> &side = scene.geometry.sides[i];
@@ -185,24 +165,20 @@ void check_exact_on_side(const ExactSolutionParameters &exact,
     size = std::max(size, u_at(x).norm());
   // Constants may have few digits.
   constexpr double share = 1e-4;
-  for (const Point<dim> &x : points)
-  {
-    const auto refuse =
-      [&](const std::string &name, const double found, const std::string &allowed) {
-        refuse_value(exact.displacement.where(),
-                     name + " = " + number_text(found) + " on the side " + side.name(),
-                     x,
-                     allowed);
-      };
+  for (const Point<dim> &x : points) {
+    const auto refuse = [&](const std::string &name, const double found,
+                            const std::string &allowed) {
+      refuse_value(exact.displacement.where(),
+                   name + " = " + number_text(found) + " on the side " + side.name(), x, allowed);
+    };
     const Tensor<1, dim> u = u_at(x);
     const double u_n = u * side.normal(side.coordinates(x));
     if (condition.role == Role::clamped || condition.role == Role::displacement)
-      for (unsigned int c = 0; c < dim; ++c)
-      {
+      for (unsigned int c = 0; c < dim; ++c) {
         const double given = condition.data == nullptr ? 0. : condition.data->value(x, c);
         if (!(std::abs(u[c] - given) <= share * (size + std::abs(given))))
-          refuse(
-            "u" + std::to_string(c + 1), u[c], number_text(given) + ", which is prescribed there");
+          refuse("u" + std::to_string(c + 1), u[c],
+                 number_text(given) + ", which is prescribed there");
       }
     if (condition.role == Role::roller && !(std::abs(u_n) <= share * size))
       refuse("u.n", u_n, "0 on rollers");
@@ -213,26 +189,21 @@ void check_exact_on_side(const ExactSolutionParameters &exact,
 } // namespace
 
 template <int dim>
-void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim> &geometry)
-{
-  for (const Point<dim> &x : sample_body(geometry))
-  {
+void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim> &geometry) {
+  for (const Point<dim> &x : sample_body(geometry)) {
     double largest = 0.;
     for (const Expression<dim> &modulus : moduli)
       largest = std::max(largest, std::abs(modulus(x)));
     // The material checks signs, and refuses what is no number.
     if (largest > max_magnitude || (largest > 0. && largest < min_magnitude))
-      refuse_value(moduli[0].where(),
-                   number_text(largest),
-                   x,
+      refuse_value(moduli[0].where(), number_text(largest), x,
                    "moduli from " + number_text(min_magnitude) + " to " +
                      number_text(max_magnitude) + "; take other units");
   }
 }
 
 template <int dim>
-void check_described_scene(const ExactSolutionParameters &exact, const Scene<dim> &scene)
-{
+void check_described_scene(const ExactSolutionParameters &exact, const Scene<dim> &scene) {
   const Points<dim> body = sample_body(scene.geometry);
   for (const Point<dim> &x : body)
     scene.material->hooke(x);
@@ -240,8 +211,7 @@ void check_described_scene(const ExactSolutionParameters &exact, const Scene<dim
   check_finite(scene.body_force, body, "");
   check_finite(scene.exact_displacement, body, exact.displacement.where());
   check_exact_gradient(exact, scene, body);
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-  {
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     const BoundaryCondition<dim> &condition = scene.boundary[i];
     const Side<dim> &side = scene.geometry.sides[i];
     check_finite(condition.data, sample_side(side, condition.role != Role::traction), "");

@@ -15,11 +15,9 @@
 
 #include "input.h"
 
-namespace Signorini
-{
+namespace Signorini {
 // Expressions may contain a ':' of their own (c ? a : b).
-bool begins_with_a_name(const std::string &text)
-{
+bool begins_with_a_name(const std::string &text) {
   const auto colon = text.find(':');
   const std::string name = trim(text.substr(0, colon));
   return colon != std::string::npos && !name.empty() &&
@@ -29,11 +27,9 @@ bool begins_with_a_name(const std::string &text)
 }
 
 std::vector<std::string> sides_called(const std::string &name,
-                                      const std::vector<std::string> &sides)
-{
+                                      const std::vector<std::string> &sides) {
   std::vector<std::string> parts;
-  for (const std::string &side : sides)
-  {
+  for (const std::string &side : sides) {
     if (side == name)
       return {name};
     if (side.rfind(name + ".", 0) == 0 && side.size() > name.size() + 1 &&
@@ -43,29 +39,23 @@ std::vector<std::string> sides_called(const std::string &name,
   return parts;
 }
 
-SideTexts read_side_list(const std::string &text,
-                         const std::string &where,
-                         const std::vector<std::string> &sides)
-{
+SideTexts read_side_list(const std::string &text, const std::string &where,
+                         const std::vector<std::string> &sides) {
   SideTexts entries;
-  for (const std::string &part : split_list(text, '|'))
-  {
+  for (const std::string &part : split_list(text, '|')) {
     const auto colon = part.find(':');
     const std::vector<std::string> called = sides_called(trim(part.substr(0, colon)), sides);
     if (colon == std::string::npos || called.empty())
-      throw input_error(
-        where, ": found ", quote(part), ", allowed: one of ", join(sides), ", ':' and its value.");
+      throw input_error(where, ": found ", quote(part), ", allowed: one of ", join(sides),
+                        ", ':' and its value.");
     for (const std::string &side : called)
       entries.emplace_back(side, trim(part.substr(colon + 1)));
   }
   return entries;
 }
 
-SideTexts read_list_for(const std::vector<std::string> &called,
-                        const std::string &text,
-                        const std::string &where,
-                        const std::vector<std::string> &sides)
-{
+SideTexts read_list_for(const std::vector<std::string> &called, const std::string &text,
+                        const std::string &where, const std::vector<std::string> &sides) {
   SideTexts entries;
   if (!begins_with_a_name(text))
     for (const std::string &side : called)
@@ -78,27 +68,17 @@ SideTexts read_list_for(const std::vector<std::string> &called,
   for (const std::string &name : sides)
     if (const bool belongs = std::count(called.begin(), called.end(), name) > 0;
         names.count(name) != (belongs ? 1U : 0U))
-      throw input_error(where,
-                        ": the number of entries for '",
-                        name,
-                        "' is ",
-                        names.count(name),
-                        ", allowed: one for each of ",
-                        join(called),
-                        ".");
+      throw input_error(where, ": the number of entries for '", name, "' is ", names.count(name),
+                        ", allowed: one for each of ", join(called), ".");
   return entries;
 }
 
 // Rigid plates: their sides and directions, and what drives them.
 
-namespace
-{
+namespace {
 /** Reads "dx, dy", perhaps with the word "turning" behind it. */
-Plate read_plate(const std::string &name,
-                 const std::string &text,
-                 const Entry &entry,
-                 const Geometry<2> &geometry)
-{
+Plate read_plate(const std::string &name, const std::string &text, const Entry &entry,
+                 const Geometry<2> &geometry) {
   const std::string word = "turning";
   Plate plate;
   std::string numbers = text;
@@ -108,11 +88,7 @@ Plate read_plate(const std::string &name,
     numbers = trim(text.substr(0, place));
   std::vector<double> d;
   if (!read_numbers(numbers, d) || d.size() != 2 || !(std::hypot(d[0], d[1]) > 0.))
-    throw error_at(entry,
-                   "found ",
-                   quote(text),
-                   " for the side '",
-                   name,
+    throw error_at(entry, "found ", quote(text), " for the side '", name,
                    "', allowed: a direction dx, dy, perhaps followed by the word turning.");
   plate.side = geometry.find_side(name);
   const Side<2> &side = geometry.sides[plate.side];
@@ -123,55 +99,40 @@ Plate read_plate(const std::string &name,
 
 /** Reads "side: number" entries for plates, by their names. */
 std::map<std::string, double> read_numbers_of(const Given<std::string> &given,
-                                              const std::vector<std::string> &plates)
-{
+                                              const std::vector<std::string> &plates) {
   std::map<std::string, double> numbers;
   if (!given.value.empty() && plates.empty())
     throw error_at(given, "found ", quote(given.value), ", but Boundary/Plates names no plate.");
   for (const auto &[name, text] : read_side_list(given.value, given.where(), plates))
     if (!read_number(text, numbers[name]) || !(std::abs(numbers[name]) <= max_magnitude))
-      throw error_at(given,
-                     "found ",
-                     quote(text),
-                     " for the plate '",
-                     name,
-                     "', allowed: one number up to ",
-                     max_magnitude,
-                     ".");
+      throw error_at(given, "found ", quote(text), " for the plate '", name,
+                     "', allowed: one number up to ", max_magnitude, ".");
   return numbers;
 }
 } // namespace
 
-std::vector<Plate> read_plates(const Given<std::string> &given,
-                               const LoadParameters &load,
-                               const Geometry<2> &geometry)
-{
+std::vector<Plate> read_plates(const Given<std::string> &given, const LoadParameters &load,
+                               const Geometry<2> &geometry) {
   std::vector<Plate> plates;
   std::vector<std::string> names;
-  for (const auto &[name, text] : read_side_list(given.value, given.where(), geometry.side_names()))
-  {
+  for (const auto &[name, text] :
+       read_side_list(given.value, given.where(), geometry.side_names())) {
     plates.push_back(read_plate(name, text, given, geometry));
     names.push_back(name);
   }
   const auto forces = read_numbers_of(load.plate_force, names),
              travels = read_numbers_of(load.plate_travel, names),
              moments = read_numbers_of(load.plate_moment, names);
-  for (std::size_t p = 0; p < plates.size(); ++p)
-  {
+  for (std::size_t p = 0; p < plates.size(); ++p) {
     const auto force = forces.find(names[p]), travel = travels.find(names[p]),
                moment = moments.find(names[p]);
     plates[p].is_pushed = force != forces.end();
     if (plates[p].is_pushed == (travel != travels.end()))
-      throw error_at(given,
-                     "the plate '",
-                     names[p],
-                     "' has ",
+      throw error_at(given, "the plate '", names[p], "' has ",
                      plates[p].is_pushed ? "both" : "none",
                      " of Load/Plate force and Load/Plate travel, allowed: one of the two.");
     if (moment != moments.end() && !plates[p].turns)
-      throw error_at(load.plate_moment,
-                     "the plate '",
-                     names[p],
+      throw error_at(load.plate_moment, "the plate '", names[p],
                      "' does not turn; allowed: moments of plates with the word turning in "
                      "Boundary/Plates.");
     (plates[p].is_pushed ? plates[p].force : plates[p].travel) =

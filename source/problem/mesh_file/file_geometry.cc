@@ -18,10 +18,8 @@
 #include <set>
 #include <tuple>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using Chain = std::vector<FileMesh::Edge>;
 using Nodes = std::vector<const FileMesh::Node *>;
 
@@ -36,11 +34,9 @@ constexpr double min_rise = 1e-6;
 
 /** Returns where a closed chain begins: at its leftmost corner, or without a corner at its leftmost
  * vertex. */
-std::size_t start_of_loop(const FileMesh &mesh, const Chain &loop)
-{
+std::size_t start_of_loop(const FileMesh &mesh, const Chain &loop) {
   std::vector<std::tuple<bool, double, double>> ranks;
-  for (std::size_t i = 0, n = loop.size(); i < n; ++i)
-  {
+  for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
     const Point<2> &x = mesh.nodes[loop[i].start].x;
     const Tensor<1, 2> in = x - mesh.nodes[loop[(i + n - 1) % n].start].x;
     const Tensor<1, 2> out = mesh.nodes[loop[i].end].x - x;
@@ -51,11 +47,9 @@ std::size_t start_of_loop(const FileMesh &mesh, const Chain &loop)
 }
 
 /** Returns all chains of edges with one name, by name, and those of one name from left to right. */
-std::vector<Chain> find_chains(const FileMesh &mesh)
-{
+std::vector<Chain> find_chains(const FileMesh &mesh) {
   std::vector<Chain> chains;
-  for (Chain loop : mesh.loops)
-  {
+  for (Chain loop : mesh.loops) {
     std::size_t first = 0;
     while (first < loop.size() &&
            loop[first].name == loop[(first + loop.size() - 1) % loop.size()].name)
@@ -63,8 +57,7 @@ std::vector<Chain> find_chains(const FileMesh &mesh)
     if (first == loop.size())
       first = start_of_loop(mesh, loop);
     std::rotate(loop.begin(), loop.begin() + static_cast<std::ptrdiff_t>(first), loop.end());
-    for (std::size_t i = 0; i < loop.size(); ++i)
-    {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
       if (i == 0 || loop[i].name != loop[i - 1].name)
         chains.emplace_back();
       chains.back().push_back(loop[i]);
@@ -74,18 +67,15 @@ std::vector<Chain> find_chains(const FileMesh &mesh)
     const Point<2> &x = mesh.nodes[chain[0].start].x;
     return std::make_tuple(chain[0].name, x[0], x[1]);
   };
-  std::sort(chains.begin(), chains.end(), [&](const Chain &a, const Chain &b) {
-    return rank(a) < rank(b);
-  });
+  std::sort(chains.begin(), chains.end(),
+            [&](const Chain &a, const Chain &b) { return rank(a) < rank(b); });
   return chains;
 }
 
 /** Returns the names of the sides that chains make. @throws InputError if two are the same. */
-std::vector<std::string> names_of(const FileMesh &mesh, const std::vector<Chain> &chains)
-{
+std::vector<std::string> names_of(const FileMesh &mesh, const std::vector<Chain> &chains) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < chains.size(); ++i)
-  {
+  for (std::size_t i = 0; i < chains.size(); ++i) {
     const std::string &name = chains[i][0].name;
     std::size_t number = 1;
     while (number <= i && chains[i - number][0].name == name)
@@ -95,29 +85,22 @@ std::vector<std::string> names_of(const FileMesh &mesh, const std::vector<Chain>
   }
   for (std::size_t i = 0; i < names.size(); ++i)
     if (std::count(names.begin(), names.end(), names[i]) > 1)
-      throw input_error(mesh.name,
-                        ": two sides have the name '",
-                        names[i],
+      throw input_error(mesh.name, ": two sides have the name '", names[i],
                         "', which also numbers the parts of a side, allowed: another name.");
   return names;
 }
 
-bool is_bent(const FileMesh &mesh, const FileMesh::Edge &edge)
-{
+bool is_bent(const FileMesh &mesh, const FileMesh::Edge &edge) {
   const Tensor<1, 2> chord = mesh.nodes[edge.end].x - mesh.nodes[edge.start].x;
   const Tensor<1, 2> to_middle = mesh.nodes[edge.middle].x - mesh.nodes[edge.start].x;
   return std::abs(chord * cross_product_2d(to_middle)) > min_rise * chord.norm_square();
 }
 
 /** Returns the nodes along the edges [first, last) of a chain. */
-Nodes nodes_along(const FileMesh &mesh,
-                  const Chain &chain,
-                  const std::size_t first,
-                  const std::size_t last)
-{
+Nodes nodes_along(const FileMesh &mesh, const Chain &chain, const std::size_t first,
+                  const std::size_t last) {
   Nodes nodes = {&mesh.nodes[chain[first].start]};
-  for (std::size_t i = first; i < last; ++i)
-  {
+  for (std::size_t i = first; i < last; ++i) {
     if (chain[i].middle != chain[i].start)
       nodes.push_back(&mesh.nodes[chain[i].middle]);
     nodes.push_back(&mesh.nodes[chain[i].end]);
@@ -127,8 +110,7 @@ Nodes nodes_along(const FileMesh &mesh,
 
 /** Returns the arc through the first node, one in the middle and the last, or of a closed chain one
  * at each third. It is flat if they are on a line. */
-Curve arc_through(const Nodes &nodes)
-{
+Curve arc_through(const Nodes &nodes) {
   const bool is_closed = nodes.front() == nodes.back();
   const std::size_t last = nodes.size() - 1;
   const Point<2> &start = nodes[0]->x;
@@ -144,19 +126,16 @@ Curve arc_through(const Nodes &nodes)
 }
 
 /** The edges [first, last) of a chain, which are one segment or one arc. */
-struct Piece
-{
+struct Piece {
   std::size_t first, last;
   Curve curve;
 };
 
 /** Divides a chain into segments and arcs, as long as possible: edges of second order that are bent
  * are parts of arcs, and so are all edges of a side that is declared one. */
-std::vector<Piece> divide_chain(const FileMesh &mesh, const Chain &chain, const bool is_declared)
-{
+std::vector<Piece> divide_chain(const FileMesh &mesh, const Chain &chain, const bool is_declared) {
   std::vector<Piece> pieces;
-  for (std::size_t first = 0, last = 0; first < chain.size(); first = last)
-  {
+  for (std::size_t first = 0, last = 0; first < chain.size(); first = last) {
     const bool is_arc = is_declared || is_bent(mesh, chain[first]);
     const auto curve_along = [&](const std::size_t end) {
       const Nodes nodes = nodes_along(mesh, chain, first, end);
@@ -180,11 +159,9 @@ std::vector<Piece> divide_chain(const FileMesh &mesh, const Chain &chain, const 
 }
 
 /** Moves the vertices inside of a piece onto it, by less than 1e-6 of the length or radius. */
-void move_onto(const Piece &piece, const Chain &chain, FileMesh &mesh)
-{
+void move_onto(const Piece &piece, const Chain &chain, FileMesh &mesh) {
   const bool is_closed = piece.curve.is_closed();
-  for (std::size_t i = piece.first; i < piece.last; ++i)
-  {
+  for (std::size_t i = piece.first; i < piece.last; ++i) {
     Point<2> &x = mesh.nodes[chain[i].start].x;
     if (i > piece.first || is_closed)
       x = piece.curve.point(piece.curve.arc_length(x));
@@ -192,14 +169,10 @@ void move_onto(const Piece &piece, const Chain &chain, FileMesh &mesh)
 }
 
 /** Returns whether each side is declared an arc, by its own name or by that of all its chains. */
-std::vector<bool> find_arcs(const std::vector<Chain> &chains,
-                            const std::vector<std::string> &names,
-                            const std::vector<std::string> &arcs,
-                            const std::string &where)
-{
+std::vector<bool> find_arcs(const std::vector<Chain> &chains, const std::vector<std::string> &names,
+                            const std::vector<std::string> &arcs, const std::string &where) {
   std::vector<bool> is_arc(chains.size(), false);
-  for (const std::string &arc : arcs)
-  {
+  for (const std::string &arc : arcs) {
     bool found = false;
     for (std::size_t i = 0; i < chains.size(); ++i)
       if (names[i] == arc || chains[i][0].name == arc)
@@ -211,21 +184,18 @@ std::vector<bool> find_arcs(const std::vector<Chain> &chains,
 }
 
 /** The cells of a mesh with their regions, by their places. */
-struct RegionMap
-{
+struct RegionMap {
   std::vector<boost::geometry::model::ring<Point<2>, false, false>> cells;
   std::vector<unsigned int> regions;
   RTree<std::pair<BoundingBox<2>, unsigned int>> boxes;
 
   /** Returns the region of a point. Beyond chords of arcs no cell has it: the nearest one counts.
    */
-  unsigned int region_at(const Point<2> &x) const
-  {
+  unsigned int region_at(const Point<2> &x) const {
     constexpr unsigned int n_near = 8;
     std::pair<double, unsigned int> nearest(HUGE_VAL, 0);
     for (auto entry = boxes.qbegin(boost::geometry::index::nearest(x, n_near));
-         entry != boxes.qend() && nearest.first > 0.;
-         ++entry)
+         entry != boxes.qend() && nearest.first > 0.; ++entry)
       nearest =
         std::min(nearest, {boost::geometry::distance(x, cells[entry->second]), entry->second});
     return regions[nearest.second];
@@ -233,8 +203,7 @@ struct RegionMap
 };
 
 /** Names the regions of a body, and finds them by points. */
-void add_regions(const FileMesh &mesh, Geometry<2> &geometry)
-{
+void add_regions(const FileMesh &mesh, Geometry<2> &geometry) {
   std::set<std::string> names;
   for (const FileMesh::Element &cell : mesh.cells)
     names.insert(mesh.name_of(cell, 2));
@@ -244,8 +213,7 @@ void add_regions(const FileMesh &mesh, Geometry<2> &geometry)
     return;
   const auto map = std::make_shared<RegionMap>();
   std::vector<std::pair<BoundingBox<2>, unsigned int>> boxes;
-  for (const FileMesh::Element &cell : mesh.cells)
-  {
+  for (const FileMesh::Element &cell : mesh.cells) {
     std::vector<Point<2>> corners;
     for (unsigned int i = 0; i < cell.n_corners; ++i)
       corners.push_back(mesh.nodes[cell.nodes[i]].x);
@@ -258,10 +226,8 @@ void add_regions(const FileMesh &mesh, Geometry<2> &geometry)
 }
 } // namespace
 
-Geometry<2> make_geometry(FileMesh mesh,
-                          const std::vector<std::string> &arcs,
-                          const std::string &where)
-{
+Geometry<2> make_geometry(FileMesh mesh, const std::vector<std::string> &arcs,
+                          const std::string &where) {
   const unsigned int n_vertices = check_and_sort(mesh);
   const std::vector<Chain> chains = find_chains(mesh);
   const std::vector<std::string> names = names_of(mesh, chains);
@@ -269,19 +235,14 @@ Geometry<2> make_geometry(FileMesh mesh,
   std::vector<Side<2>> sides;
   std::vector<std::vector<Piece>> pieces;
   CoarseMesh coarse;
-  for (unsigned int i = 0; i < chains.size(); ++i)
-  {
+  for (unsigned int i = 0; i < chains.size(); ++i) {
     pieces.push_back(divide_chain(mesh, chains[i], is_arc[i]));
     if (is_arc[i] && (pieces[i].size() > 1 || pieces[i][0].curve.is_flat()))
-      throw input_error(where,
-                        ": the side ",
-                        quote(names[i]),
-                        " is not one arc, allowed: nodes on one circle, to ",
-                        arc_tolerance,
+      throw input_error(where, ": the side ", quote(names[i]),
+                        " is not one arc, allowed: nodes on one circle, to ", arc_tolerance,
                         " of its radius.");
     std::vector<Curve> curves;
-    for (const Piece &piece : pieces[i])
-    {
+    for (const Piece &piece : pieces[i]) {
       move_onto(piece, chains[i], mesh);
       curves.push_back(piece.curve);
       for (std::size_t e = piece.first; e < piece.last; ++e)
@@ -293,8 +254,7 @@ Geometry<2> make_geometry(FileMesh mesh,
     coarse.vertices.push_back(mesh.nodes[v].x);
   std::size_t n_triangles = 0;
   std::vector<std::size_t> tags;
-  for (const FileMesh::Element &cell : mesh.cells)
-  {
+  for (const FileMesh::Element &cell : mesh.cells) {
     coarse.cells.emplace_back(cell.nodes.begin(), cell.nodes.begin() + cell.n_corners);
     n_triangles += cell.n_corners == 3 ? 1 : 0;
   }
@@ -304,9 +264,7 @@ Geometry<2> make_geometry(FileMesh mesh,
     tags.insert(tags.end(), n_triangles > 0 ? cell.n_corners : 1, cell.tag);
   if (const auto folded = find_folded_cell(coarse, 0.))
     throw input_error(
-      mesh.name,
-      ": the element ",
-      tags[*folded],
+      mesh.name, ": the element ", tags[*folded],
       " is turned inside out by its edge on a circle, allowed: a finer mesh there.");
   Geometry<2> geometry = make_body(sides, coarse);
   add_regions(mesh, geometry);

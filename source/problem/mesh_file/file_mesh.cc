@@ -15,10 +15,8 @@
 #include <numeric>
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The smallest sine of the angle in a corner of a cell. */
 constexpr double min_sine = 1e-6;
 
@@ -33,16 +31,14 @@ using FileElement = FileMesh::Element;
 
 /** Checks that the corners of cells, the first nodes, have the same z, and that no two are at one
  * place, which would be a crack. */
-void check_nodes(const FileMesh &mesh, const unsigned int n_corners)
-{
+void check_nodes(const FileMesh &mesh, const unsigned int n_corners) {
   std::vector<const Node *> nodes;
   for (unsigned int i = 0; i < n_corners; ++i)
     nodes.push_back(&mesh.nodes[i]);
   // In an oblique direction few nodes of a mesh lie beside one another.
   const Tensor<1, 2> oblique({0.8191520442889918, 0.5735764363510461});
-  std::stable_sort(nodes.begin(), nodes.end(), [&](const Node *a, const Node *b) {
-    return a->x * oblique < b->x * oblique;
-  });
+  std::stable_sort(nodes.begin(), nodes.end(),
+                   [&](const Node *a, const Node *b) { return a->x * oblique < b->x * oblique; });
   const auto [lowest, highest] = std::minmax_element(
     nodes.begin(), nodes.end(), [](const Node *a, const Node *b) { return a->z < b->z; });
   double size = 0.;
@@ -50,51 +46,33 @@ void check_nodes(const FileMesh &mesh, const unsigned int n_corners)
     size = std::max(size, node->x.distance(nodes[0]->x));
   const double tolerance = min_node_distance * size;
   if ((*highest)->z - (*lowest)->z > tolerance)
-    throw input_error(mesh.place((*highest)->line),
-                      "node ",
-                      (*highest)->tag,
-                      " has z = ",
-                      (*highest)->z,
-                      ", node ",
-                      (*lowest)->tag,
-                      " z = ",
-                      (*lowest)->z,
+    throw input_error(mesh.place((*highest)->line), "node ", (*highest)->tag,
+                      " has z = ", (*highest)->z, ", node ", (*lowest)->tag, " z = ", (*lowest)->z,
                       ", allowed: a plane body in x and y, with the same z everywhere.");
   for (auto a = nodes.begin(); a != nodes.end(); ++a)
     for (auto b = a + 1; b != nodes.end() && ((*b)->x - (*a)->x) * oblique < tolerance; ++b)
-      if ((*a)->x.distance((*b)->x) < tolerance)
-      {
+      if ((*a)->x.distance((*b)->x) < tolerance) {
         const auto [first, second] = std::minmax((*a)->tag, (*b)->tag);
         throw input_error(
-          mesh.place(std::max((*a)->line, (*b)->line)),
-          "nodes ",
-          first,
-          " and ",
-          second,
-          " lie both at (",
-          (*a)->x[0],
-          ", ",
-          (*a)->x[1],
+          mesh.place(std::max((*a)->line, (*b)->line)), "nodes ", first, " and ", second,
+          " lie both at (", (*a)->x[0], ", ", (*a)->x[1],
           "), which is a crack, allowed: one node for every place (Gmsh: Coherence Mesh).");
       }
 }
 
 /** Turns a clockwise cell round. @throws InputError if it is not convex. */
-void make_counter_clockwise(const FileMesh &mesh, FileElement &cell)
-{
+void make_counter_clockwise(const FileMesh &mesh, FileElement &cell) {
   const unsigned int n = cell.n_corners;
   const auto corner = [&](const unsigned int i) { return mesh.nodes[cell.nodes[i % n]].x; };
   std::array<double, 4> sines;
   unsigned int n_left = 0, n_right = 0, wrong = 0;
-  for (unsigned int i = 0; i < n; ++i)
-  {
+  for (unsigned int i = 0; i < n; ++i) {
     const Tensor<1, 2> next = corner(i + 1) - corner(i), last = corner(i + n - 1) - corner(i);
     sines[i] = next * cross_product_2d(last) / (next.norm() * last.norm());
     n_left += sines[i] > min_sine ? 1 : 0;
     n_right += sines[i] < -min_sine ? 1 : 0;
   }
-  if (n_right == n)
-  {
+  if (n_right == n) {
     std::reverse(cell.nodes.begin() + 1, cell.nodes.begin() + n);
     if (cell.is_quadratic)
       std::reverse(cell.nodes.begin() + n, cell.nodes.begin() + 2 * n);
@@ -104,27 +82,21 @@ void make_counter_clockwise(const FileMesh &mesh, FileElement &cell)
   for (unsigned int i = 0; i < n; ++i)
     if (!((n_left >= n_right ? sines[i] : -sines[i]) > min_sine))
       wrong = i;
-  throw input_error(mesh.place(cell.line),
-                    "the element ",
-                    cell.tag,
-                    " is not convex at node ",
+  throw input_error(mesh.place(cell.line), "the element ", cell.tag, " is not convex at node ",
                     mesh.nodes[cell.nodes[wrong]].tag,
                     ", allowed: convex elements, all angles below 180 degrees.");
 }
 
 /** Lets a cell begin with the corner whose edge to the next one points most to the right (of two
  * the one that points upwards): then cells of a regular mesh are translations of one another. */
-void turn_to_first_corner(const FileMesh &mesh, FileElement &cell)
-{
+void turn_to_first_corner(const FileMesh &mesh, FileElement &cell) {
   const unsigned int n = cell.n_corners;
   unsigned int first = 0;
   Tensor<1, 2> best({-2., 0.});
-  for (unsigned int i = 0; i < n; ++i)
-  {
+  for (unsigned int i = 0; i < n; ++i) {
     Tensor<1, 2> d = mesh.nodes[cell.nodes[(i + 1) % n]].x - mesh.nodes[cell.nodes[i]].x;
     d /= d.norm();
-    if (d[0] > best[0] + 1e-6 || (d[0] > best[0] - 1e-6 && d[1] > best[1]))
-    {
+    if (d[0] > best[0] + 1e-6 || (d[0] > best[0] - 1e-6 && d[1] > best[1])) {
       first = i;
       best = d;
     }
@@ -137,11 +109,9 @@ void turn_to_first_corner(const FileMesh &mesh, FileElement &cell)
 
 /** Sorts the cells in the order of Hilbert's curve through their centres: neighbours in the body
  * are neighbours in memory. */
-void sort_cells(FileMesh &mesh)
-{
+void sort_cells(FileMesh &mesh) {
   std::vector<Point<2>> centres;
-  for (FileElement &cell : mesh.cells)
-  {
+  for (FileElement &cell : mesh.cells) {
     centres.emplace_back();
     for (unsigned int i = 0; i < cell.n_corners; ++i)
       centres.back() += mesh.nodes[cell.nodes[i]].x / static_cast<double>(cell.n_corners);
@@ -149,9 +119,8 @@ void sort_cells(FileMesh &mesh)
   const auto keys = Utilities::inverse_Hilbert_space_filling_curve<2>(centres, 24);
   std::vector<unsigned int> order(mesh.cells.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b) {
-    return keys[a] < keys[b];
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const unsigned int a, const unsigned int b) { return keys[a] < keys[b]; });
   std::vector<FileElement> sorted;
   for (const unsigned int i : order)
     sorted.push_back(mesh.cells[i]);
@@ -160,14 +129,12 @@ void sort_cells(FileMesh &mesh)
 
 /** Gives the nodes new indices, the corners of cells first, in the order of the cells. @return the
  * number of corners. */
-unsigned int number_nodes(FileMesh &mesh)
-{
+unsigned int number_nodes(FileMesh &mesh) {
   constexpr unsigned int unused = std::numeric_limits<unsigned int>::max();
   std::vector<unsigned int> number(mesh.nodes.size(), unused);
   std::vector<Node> nodes;
   const auto take = [&](const unsigned int i) {
-    if (number[i] == unused)
-    {
+    if (number[i] == unused) {
       number[i] = nodes.size();
       nodes.push_back(mesh.nodes[i]);
     }
@@ -186,27 +153,23 @@ unsigned int number_nodes(FileMesh &mesh)
 }
 
 /** An edge of a cell in the direction that is counter-clockwise there. */
-struct HalfEdge
-{
+struct HalfEdge {
   unsigned int start, end, middle;
   const FileElement *cell;
 
-  bool operator<(const HalfEdge &other) const
-  {
+  bool operator<(const HalfEdge &other) const {
     return std::tie(start, end) < std::tie(other.start, other.end);
   }
 };
 
-std::string edge_text(const FileMesh &mesh, const unsigned int start, const unsigned int end)
-{
+std::string edge_text(const FileMesh &mesh, const unsigned int start, const unsigned int end) {
   return " between nodes " + std::to_string(mesh.nodes[start].tag) + " and " +
          std::to_string(mesh.nodes[end].tag);
 }
 
 /** Returns the edges of all cells, sorted. @throws InputError if two cells have one edge on the
  * same side. */
-std::vector<HalfEdge> find_edges(const FileMesh &mesh)
-{
+std::vector<HalfEdge> find_edges(const FileMesh &mesh) {
   std::vector<HalfEdge> edges;
   for (const FileElement &cell : mesh.cells)
     for (unsigned int i = 0, n = cell.n_corners; i < n; ++i)
@@ -218,25 +181,18 @@ std::vector<HalfEdge> find_edges(const FileMesh &mesh)
   if (twin == edges.end())
     return edges;
   const auto [first, second] = std::minmax(twin->cell->tag, (twin + 1)->cell->tag);
-  throw input_error(mesh.place(std::max(twin->cell->line, (twin + 1)->cell->line)),
-                    "the edge",
-                    edge_text(mesh, twin->start, twin->end),
-                    " has the elements ",
-                    first,
-                    " and ",
-                    second,
-                    " on the same side, allowed: elements that do not lie on one another.");
+  throw input_error(mesh.place(std::max(twin->cell->line, (twin + 1)->cell->line)), "the edge",
+                    edge_text(mesh, twin->start, twin->end), " has the elements ", first, " and ",
+                    second, " on the same side, allowed: elements that do not lie on one another.");
 }
 
 using Ends = std::pair<unsigned int, unsigned int>;
 
 /** Returns the lines of the file by their ends, the smaller one first. */
 std::map<Ends, const FileElement *> find_lines(const FileMesh &mesh,
-                                               const std::vector<HalfEdge> &edges)
-{
+                                               const std::vector<HalfEdge> &edges) {
   std::map<Ends, const FileElement *> lines;
-  for (const FileElement &line : mesh.lines)
-  {
+  for (const FileElement &line : mesh.lines) {
     const unsigned int a = line.nodes[0], b = line.nodes[1];
     const auto has = [&](const unsigned int start, const unsigned int end) {
       return std::binary_search(edges.begin(), edges.end(), HalfEdge{start, end, 0, nullptr});
@@ -244,8 +200,7 @@ std::map<Ends, const FileElement *> find_lines(const FileMesh &mesh,
     const auto refuse = [&](const std::string &what) {
       throw input_error(mesh.place(line.line), "the line ", line.tag, edge_text(mesh, a, b), what);
     };
-    if (!has(a, b) && !has(b, a))
-    {
+    if (!has(a, b) && !has(b, a)) {
       // Curves that helped to construct a body have no names.
       if (line.group != 0)
         refuse(" is not an edge of an element, allowed: lines along edges.");
@@ -262,38 +217,31 @@ std::map<Ends, const FileElement *> find_lines(const FileMesh &mesh,
 }
 
 /** Joins the edges with one cell to loops. */
-void find_loops(FileMesh &mesh)
-{
+void find_loops(FileMesh &mesh) {
   const std::vector<HalfEdge> edges = find_edges(mesh);
   const auto lines = find_lines(mesh, edges);
   std::map<unsigned int, FileMesh::Edge> edge_from;
-  for (const HalfEdge &edge : edges)
-  {
+  for (const HalfEdge &edge : edges) {
     if (std::binary_search(edges.begin(), edges.end(), HalfEdge{edge.end, edge.start, 0, nullptr}))
       continue;
     const auto line = lines.find(std::minmax(edge.start, edge.end));
     FileMesh::Edge found = {edge.start, edge.end, edge.middle, unnamed};
-    if (line != lines.end())
-    {
+    if (line != lines.end()) {
       found.name = mesh.name_of(*line->second, 1);
       if (line->second->is_quadratic)
         found.middle = line->second->nodes[2];
     }
     if (!edge_from.emplace(edge.start, found).second)
-      throw input_error(mesh.name,
-                        ": the body touches itself at node ",
-                        mesh.nodes[edge.start].tag,
+      throw input_error(mesh.name, ": the body touches itself at node ", mesh.nodes[edge.start].tag,
                         ", allowed: a body whose parts share edges.");
   }
   std::vector<unsigned int> outer;
-  while (!edge_from.empty())
-  {
+  while (!edge_from.empty()) {
     mesh.loops.emplace_back();
     double area = 0.;
     const Point<2> &first = mesh.nodes[edge_from.begin()->first].x;
     for (auto edge = edge_from.begin(); edge != edge_from.end();
-         edge = edge_from.find(mesh.loops.back().back().end))
-    {
+         edge = edge_from.find(mesh.loops.back().back().end)) {
       const Tensor<1, 2> a = mesh.nodes[edge->second.start].x - first,
                          b = mesh.nodes[edge->second.end].x - first;
       area += a * cross_product_2d(b);
@@ -304,17 +252,13 @@ void find_loops(FileMesh &mesh)
       outer.push_back(mesh.loops.back()[0].start);
   }
   if (outer.size() > 1)
-    throw input_error(mesh.name,
-                      ": nodes ",
-                      mesh.nodes[outer[0]].tag,
-                      " and ",
+    throw input_error(mesh.name, ": nodes ", mesh.nodes[outer[0]].tag, " and ",
                       mesh.nodes[outer[1]].tag,
                       " belong to parts that no edges connect, allowed: one body.");
 }
 } // namespace
 
-std::string FileMesh::name_of(const Element &element, const unsigned int dim) const
-{
+std::string FileMesh::name_of(const Element &element, const unsigned int dim) const {
   if (element.group == 0)
     return has_groups[dim] ? unnamed : std::to_string(element.entity);
   const auto found = group_names.find({dim, element.group});
@@ -326,24 +270,18 @@ std::string FileMesh::name_of(const Element &element, const unsigned int dim) co
   });
   if (!is_word)
     throw input_error(
-      name,
-      ": found the physical name ",
-      quote(group),
+      name, ": found the physical name ", quote(group),
       ", allowed: names of letters, digits, '_', '-' and '.', because the parameter "
       "file separates names by blanks.");
   if (group == unnamed)
-    throw input_error(name,
-                      ": found the physical name ",
-                      quote(group),
+    throw input_error(name, ": found the physical name ", quote(group),
                       ", allowed: another one, because this is the name of all that have none.");
   return group;
 }
 
-unsigned int check_and_sort(FileMesh &mesh)
-{
+unsigned int check_and_sort(FileMesh &mesh) {
   check_nodes(mesh, number_nodes(mesh));
-  for (FileElement &cell : mesh.cells)
-  {
+  for (FileElement &cell : mesh.cells) {
     make_counter_clockwise(mesh, cell);
     turn_to_first_corner(mesh, cell);
   }

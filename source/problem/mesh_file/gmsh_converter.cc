@@ -20,34 +20,27 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 constexpr rlim_t max_seconds = 30, max_memory = 4ULL << 30, max_file_size = 500000000;
 
 /** Shapes, which Gmsh has to mesh, and meshes. */
 const std::set<std::string> shapes = {"geo", "step", "stp", "iges", "igs", "brep"};
-const std::set<std::string> meshes =
-  {"msh", "unv", "bdf", "nas", "inp", "mesh", "vtk", "su2", "med"};
+const std::set<std::string> meshes = {"msh",  "unv", "bdf", "nas", "inp",
+                                      "mesh", "vtk", "su2", "med"};
 
 /** A folder that is removed with all that it contains. */
-struct TemporaryFolder
-{
-  explicit TemporaryFolder(const std::string &where)
-  {
+struct TemporaryFolder {
+  explicit TemporaryFolder(const std::string &where) {
     std::string name = (std::filesystem::temp_directory_path() / "signorini-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
-      throw input_error(where,
-                        "no temporary folder can be made in ",
-                        std::filesystem::temp_directory_path().string(),
-                        ".");
+      throw input_error(where, "no temporary folder can be made in ",
+                        std::filesystem::temp_directory_path().string(), ".");
     path = name;
   }
   TemporaryFolder(const TemporaryFolder &) = delete;
   TemporaryFolder &operator=(const TemporaryFolder &) = delete;
-  ~TemporaryFolder()
-  {
+  ~TemporaryFolder() {
     std::error_code ignored;
     std::filesystem::remove_all(path, ignored);
   }
@@ -56,8 +49,7 @@ struct TemporaryFolder
 };
 
 /** A script is a program: refuses words by which it runs others, or reads and writes files. */
-void check_script(const std::string &text, const std::string &where)
-{
+void check_script(const std::string &text, const std::string &where) {
   static const std::set<std::string> refused = {"SystemCall",
                                                 "System",
                                                 "NonBlockingSystemCall",
@@ -78,20 +70,14 @@ void check_script(const std::string &text, const std::string &where)
                                                 "Structured"};
   std::size_t line = 1;
   std::string word;
-  for (const char c : text + "\n")
-  {
-    if (std::isalpha(static_cast<unsigned char>(c)) != 0)
-    {
+  for (const char c : text + "\n") {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
       word += c;
       continue;
     }
     if (refused.count(word) > 0)
       throw input_error(
-        where,
-        "found ",
-        quote(word),
-        " in line ",
-        line,
+        where, "found ", quote(word), " in line ", line,
         ", allowed: shapes, sizes and physical groups; statements that run programs "
         "or read or write other files are not run.");
     word.clear();
@@ -100,8 +86,8 @@ void check_script(const std::string &text, const std::string &where)
 }
 
 /** Becomes Gmsh, with limits that it inherits. Only calls that are safe behind fork(). */
-[[noreturn]] void become_gmsh(const char *folder, char *const *arguments, char *const *environment)
-{
+[[noreturn]] void become_gmsh(const char *folder, char *const *arguments,
+                              char *const *environment) {
   const auto limit = [](const auto resource, const rlim_t most) {
     const rlimit both = {most, most};
     setrlimit(resource, &both);
@@ -121,11 +107,10 @@ void check_script(const std::string &text, const std::string &where)
 }
 
 /** Runs Gmsh in a folder. @return its status, as of waitpid(). */
-int run_gmsh(const std::string &folder, std::vector<std::string> arguments)
-{
+int run_gmsh(const std::string &folder, std::vector<std::string> arguments) {
   const char *const path = std::getenv("PATH");
-  std::vector<std::string> environment = {
-    "HOME=" + folder, "LC_ALL=C", std::string("PATH=") + (path == nullptr ? "" : path)};
+  std::vector<std::string> environment = {"HOME=" + folder, "LC_ALL=C",
+                                          std::string("PATH=") + (path == nullptr ? "" : path)};
   const auto pointers = [](std::vector<std::string> &texts) {
     std::vector<char *> found;
     for (std::string &text : texts)
@@ -138,22 +123,19 @@ int run_gmsh(const std::string &folder, std::vector<std::string> arguments)
   if (child == 0)
     become_gmsh(folder.c_str(), argv.data(), envp.data());
   int status = -1;
-  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR)
-  {
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return status;
 }
 
 /** Returns what became of Gmsh, with its first complaint. */
-std::string describe_failure(const int status, const std::filesystem::path &log)
-{
+std::string describe_failure(const int status, const std::filesystem::path &log) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM)
     return "Gmsh did not end within " + std::to_string(max_seconds) + " seconds";
   std::ifstream lines(log);
   for (std::string line; std::getline(lines, line);)
-    if (line.rfind("Error", 0) == 0)
-    {
+    if (line.rfind("Error", 0) == 0) {
       std::replace_if(
         line.begin(), line.end(), [](const unsigned char c) { return std::isprint(c) == 0; }, '?');
       return "Gmsh says " + quote(trim(line.substr(std::min(line.size(), line.find(':') + 1))));
@@ -163,16 +145,12 @@ std::string describe_failure(const int status, const std::filesystem::path &log)
 }
 } // namespace
 
-bool is_gmsh_ending(const std::string &ending)
-{
+bool is_gmsh_ending(const std::string &ending) {
   return shapes.count(ending) + meshes.count(ending) > 0;
 }
 
-std::string convert_with_gmsh(const std::string &content,
-                              const std::string &ending,
-                              const double mesh_size,
-                              const std::string &where)
-{
+std::string convert_with_gmsh(const std::string &content, const std::string &ending,
+                              const double mesh_size, const std::string &where) {
   // Gmsh runs what it does not know as a script.
   if (ending == "geo")
     check_script(content, where);
@@ -189,12 +167,9 @@ std::string convert_with_gmsh(const std::string &content,
     arguments.emplace_back("-save");
   // Algorithm 6, blossom and a division of all cells give quadrilaterals for every outline that was
   // tried; algorithm 8 crashes in Gmsh 4.8.4, and sizes by curvature may not end.
-  for (const char *const option : {"Mesh.Algorithm 6",
-                                   "Mesh.RecombineAll 1",
-                                   "Mesh.SubdivisionAlgorithm 1",
-                                   "Mesh.SaveAll 1",
-                                   "Mesh.Binary 0"})
-  {
+  for (const char *const option :
+       {"Mesh.Algorithm 6", "Mesh.RecombineAll 1", "Mesh.SubdivisionAlgorithm 1", "Mesh.SaveAll 1",
+        "Mesh.Binary 0"}) {
     arguments.emplace_back("-setnumber");
     for (const std::string &word : split_words(option))
       arguments.push_back(word);
@@ -205,10 +180,9 @@ std::string convert_with_gmsh(const std::string &content,
                    {"-nopopup", "-nt", "1", "-v", "2", "-format", "msh41", "-o", "result.msh"});
   const int status = run_gmsh(folder.path.string(), arguments);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
-    throw input_error(where,
-                      "files of this kind are read by Gmsh, and no program gmsh is found, "
-                      "allowed: to install it (Debian: apt install gmsh), or a mesh file of "
-                      "text of Gmsh, version 2.2 or 4.1.");
+    throw input_error(where, "files of this kind are read by Gmsh, and no program gmsh is found, "
+                             "allowed: to install it (Debian: apt install gmsh), or a mesh file of "
+                             "text of Gmsh, version 2.2 or 4.1.");
   // After an error Gmsh writes an empty mesh, without elements.
   const std::string result = (folder.path / "result.msh").string();
   std::error_code error;
@@ -216,8 +190,7 @@ std::string convert_with_gmsh(const std::string &content,
   if (status == 0 && std::filesystem::exists(result, error))
     text = read_whole_file(result, where, "mesh file", max_file_size);
   if (text.find("$Elements") == std::string::npos)
-    throw input_error(where,
-                      describe_failure(status, folder.path / "log"),
+    throw input_error(where, describe_failure(status, folder.path / "log"),
                       ", allowed: a file from which Gmsh makes a mesh (gmsh -2).");
   return text;
 }

@@ -16,30 +16,24 @@
 #include <type_traits>
 #include <unordered_map>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Goes through the words of a mesh file and counts its lines. */
-class GmshScanner
-{
+class GmshScanner {
 public:
   /** Begins with the text, which must outlive the scanner. */
   GmshScanner(const std::string &text, std::string name)
     : text_(text)
-    , name_(std::move(name))
-  {
-  }
+    , name_(std::move(name)) {}
 
   /** Returns whether no word is left. */
-  bool is_at_end()
-  {
+  bool is_at_end() {
     skip_blanks();
     return position_ == text_.size();
   }
 
   /** Returns the next word; @p what is its meaning in messages. @throws InputError at the end of
    * the file. */
-  std::string_view word(const char *what)
-  {
+  std::string_view word(const char *what) {
     if (is_at_end())
       throw input_error(name_, ": the file ends where ", what, " should be.");
     const std::size_t start = position_;
@@ -50,22 +44,19 @@ public:
 
   /** Returns the next word as a number. @throws InputError if it is none. */
   template <typename Number>
-  Number number(const char *what)
-  {
+  Number number(const char *what) {
     const std::string_view found = word(what);
     Number value = 0;
     const auto [end, error] = std::from_chars(found.data(), found.data() + found.size(), value);
     if (error != std::errc() || end != found.data() + found.size())
-      refuse(found,
-             std::string(what) + (std::is_unsigned_v<Number>   ? " (0, 1, 2, ...)"
-                                  : std::is_integral_v<Number> ? " (an integer)"
-                                                               : " (a number)"));
+      refuse(found, std::string(what) + (std::is_unsigned_v<Number>   ? " (0, 1, 2, ...)"
+                                         : std::is_integral_v<Number> ? " (an integer)"
+                                                                      : " (a number)"));
     return value;
   }
 
   /** Returns how many of something follow: a number that the rest of the file can hold. */
-  std::size_t count(const char *what)
-  {
+  std::size_t count(const char *what) {
     const auto n = number<std::size_t>(what);
     if (n > text_.size() - position_)
       refuse("found the number " + std::to_string(n) + " as " + what +
@@ -75,8 +66,7 @@ public:
   }
 
   /** Returns the next words between quotation marks. */
-  std::string quoted(const char *what)
-  {
+  std::string quoted(const char *what) {
     if (is_at_end() || text_[position_] != '"')
       refuse(word(what), what);
     const std::size_t end = text_.find_first_of("\"\n", position_ + 1);
@@ -88,43 +78,35 @@ public:
   }
 
   /** Reads the next word, which must be this one. */
-  void expect(const std::string &expected)
-  {
+  void expect(const std::string &expected) {
     const std::string_view found = word(expected.c_str());
     if (found != expected)
       refuse(found, expected.c_str());
   }
 
   /** Skips the text up to the next @p mark, and the mark. */
-  void skip_behind(const std::string &mark)
-  {
-    while (word(mark.c_str()) != mark)
-    {
+  void skip_behind(const std::string &mark) {
+    while (word(mark.c_str()) != mark) {
     }
   }
 
-  std::size_t line() const
-  {
+  std::size_t line() const {
     return line_;
   }
   /** Throws an error at the line of the last word. */
-  [[noreturn]] void refuse(const std::string &message) const
-  {
+  [[noreturn]] void refuse(const std::string &message) const {
     throw input_error(name_, ":", line_, ": ", message);
   }
-  [[noreturn]] void refuse(const std::string_view found, const std::string &allowed) const
-  {
+  [[noreturn]] void refuse(const std::string_view found, const std::string &allowed) const {
     refuse("found " + quote(std::string(found)) + ", allowed: " + allowed + ".");
   }
 
 private:
-  static bool is_blank(const char c)
-  {
+  static bool is_blank(const char c) {
     return c == ' ' || c == '\n' || c == '\r' || c == '\t';
   }
 
-  void skip_blanks()
-  {
+  void skip_blanks() {
     for (; position_ < text_.size() && is_blank(text_[position_]); ++position_)
       line_ += text_[position_] == '\n' ? 1 : 0;
   }
@@ -135,34 +117,24 @@ private:
   std::size_t line_ = 1;
 };
 
-namespace
-{
+namespace {
 /** The numbers of nodes and of corners of the elements that are read, by Gmsh's number of their
  * type: points, lines, triangles and quadrilaterals. */
-const std::map<unsigned int, std::pair<unsigned int, unsigned int>> element_types = {{15, {1, 1}},
-                                                                                     {1, {2, 2}},
-                                                                                     {8, {3, 2}},
-                                                                                     {2, {3, 3}},
-                                                                                     {9, {6, 3}},
-                                                                                     {3, {4, 4}},
-                                                                                     {16, {8, 4}},
-                                                                                     {10, {9, 4}}};
+const std::map<unsigned int, std::pair<unsigned int, unsigned int>> element_types = {
+  {15, {1, 1}}, {1, {2, 2}}, {8, {3, 2}},  {2, {3, 3}},
+  {9, {6, 3}},  {3, {4, 4}}, {16, {8, 4}}, {10, {9, 4}}};
 
 /** Reads the sections of one file. */
-class GmshReader
-{
+class GmshReader {
 public:
   GmshReader(const std::string &text, const std::string &name)
-    : scanner_(text, name)
-  {
+    : scanner_(text, name) {
     mesh_.name = name;
   }
 
-  FileMesh read()
-  {
+  FileMesh read() {
     read_format();
-    while (!scanner_.is_at_end())
-    {
+    while (!scanner_.is_at_end()) {
       const std::string section(scanner_.word("the name of a section"));
       if (section.size() < 2 || section[0] != '$')
         scanner_.refuse(section, "the name of a section, which begins with $");
@@ -175,8 +147,7 @@ public:
         read_nodes();
       else if (section == "$Elements")
         read_elements();
-      else
-      {
+      else {
         scanner_.skip_behind(end);
         continue;
       }
@@ -190,14 +161,12 @@ public:
 
 private:
   template <typename Number>
-  void skip(const unsigned int n, const char *what)
-  {
+  void skip(const unsigned int n, const char *what) {
     for (unsigned int i = 0; i < n; ++i)
       scanner_.number<Number>(what);
   }
 
-  void read_format()
-  {
+  void read_format() {
     scanner_.expect("$MeshFormat");
     const std::string version(scanner_.word("the version of the format"));
     is_old_ = version == "2.2";
@@ -209,10 +178,8 @@ private:
     scanner_.expect("$EndMeshFormat");
   }
 
-  void read_names()
-  {
-    for (std::size_t i = scanner_.count("the number of physical names"); i > 0; --i)
-    {
+  void read_names() {
+    for (std::size_t i = scanner_.count("the number of physical names"); i > 0; --i) {
       const auto dim = scanner_.number<unsigned int>("the dimension of a physical group");
       const int group = scanner_.number<int>("the number of a physical group");
       mesh_.group_names[{dim, group}] = scanner_.quoted("a name between quotation marks");
@@ -220,14 +187,12 @@ private:
   }
 
   /** Reads the entities, and keeps the physical groups of curves and surfaces. */
-  void read_entities()
-  {
+  void read_entities() {
     std::array<std::size_t, 4> n = {};
     for (std::size_t &n_of_dim : n)
       n_of_dim = scanner_.count("a number of entities");
     for (unsigned int dim = 0; dim < 4; ++dim)
-      for (std::size_t i = n[dim]; i > 0; --i)
-      {
+      for (std::size_t i = n[dim]; i > 0; --i) {
         const int tag = scanner_.number<int>("the number of an entity");
         skip<double>(dim == 0 ? 3 : 6, "a coordinate of an entity");
         const std::size_t n_groups = scanner_.count("the number of physical groups");
@@ -242,11 +207,9 @@ private:
       }
   }
 
-  void read_node(const std::size_t tag)
-  {
+  void read_node(const std::size_t tag) {
     std::array<double, 3> x = {};
-    for (double &coordinate : x)
-    {
+    for (double &coordinate : x) {
       coordinate = scanner_.number<double>("a coordinate of a node");
       if (!(std::abs(coordinate) <= max_magnitude))
         scanner_.refuse("found the coordinate " + number_text(coordinate) + " of node " +
@@ -260,59 +223,48 @@ private:
   }
 
   /** Reads the nodes, in version 2.2 like one block of version 4.1 with numbers beside nodes. */
-  void read_nodes()
-  {
+  void read_nodes() {
     const std::size_t n_blocks = is_old_ ? 1 : scanner_.count("the number of blocks");
     skip<std::size_t>(is_old_ ? 0 : 3, "a number of nodes");
-    for (std::size_t block = 0; block < n_blocks; ++block)
-    {
+    for (std::size_t block = 0; block < n_blocks; ++block) {
       unsigned int n_parameters = 0;
-      if (!is_old_)
-      {
+      if (!is_old_) {
         n_parameters = scanner_.number<unsigned int>("the dimension of an entity");
         skip<int>(1, "the number of an entity");
         n_parameters *= scanner_.number<int>("0 or 1") != 0 ? 1 : 0;
       }
       std::vector<std::size_t> tags(scanner_.count("the number of nodes"));
-      for (std::size_t &tag : tags)
-      {
+      for (std::size_t &tag : tags) {
         tag = scanner_.number<std::size_t>("the number of a node");
         if (is_old_)
           read_node(tag);
       }
-      for (std::size_t i = 0; i < tags.size() && !is_old_; ++i)
-      {
+      for (std::size_t i = 0; i < tags.size() && !is_old_; ++i) {
         read_node(tags[i]);
         skip<double>(n_parameters, "a parameter of a node");
       }
     }
   }
 
-  void read_elements()
-  {
+  void read_elements() {
     const std::size_t n_blocks = is_old_ ? 1 : scanner_.count("the number of blocks");
     skip<std::size_t>(is_old_ ? 0 : 3, "a number of elements");
-    for (std::size_t block = 0; block < n_blocks; ++block)
-    {
+    for (std::size_t block = 0; block < n_blocks; ++block) {
       unsigned int dim = 0, type = 0;
       FileMesh::Element element = {};
-      if (!is_old_)
-      {
+      if (!is_old_) {
         dim = scanner_.number<unsigned int>("the dimension of an entity");
         element.entity = scanner_.number<int>("the number of an entity");
         type = scanner_.number<unsigned int>("the type of an element");
         const auto group = groups_.find({dim, element.entity});
         element.group = group == groups_.end() ? 0 : group->second;
       }
-      for (std::size_t i = scanner_.count("the number of elements"); i > 0; --i)
-      {
+      for (std::size_t i = scanner_.count("the number of elements"); i > 0; --i) {
         element.tag = scanner_.number<std::size_t>("the number of an element");
-        if (is_old_)
-        {
+        if (is_old_) {
           type = scanner_.number<unsigned int>("the type of an element");
           const std::size_t n_tags = scanner_.count("a number of tags");
-          for (std::size_t t = 0; t < n_tags; ++t)
-          {
+          for (std::size_t t = 0; t < n_tags; ++t) {
             const int value = std::abs(scanner_.number<int>("a tag of an element"));
             if (t < 2)
               (t == 0 ? element.group : element.entity) = value;
@@ -323,8 +275,7 @@ private:
     }
   }
 
-  void read_element(const unsigned int type, FileMesh::Element element)
-  {
+  void read_element(const unsigned int type, FileMesh::Element element) {
     element.line = scanner_.line();
     const auto found = element_types.find(type);
     if (found == element_types.end())
@@ -334,8 +285,7 @@ private:
     const auto [n_nodes, n_corners] = found->second;
     element.n_corners = n_corners;
     element.is_quadratic = n_nodes > n_corners;
-    for (unsigned int i = 0; i < n_nodes; ++i)
-    {
+    for (unsigned int i = 0; i < n_nodes; ++i) {
       const auto node = scanner_.number<std::size_t>("the number of a node");
       const auto index = index_of_tag_.find(node);
       if (index == index_of_tag_.end())
@@ -358,16 +308,14 @@ private:
 };
 } // namespace
 
-bool is_gmsh_text(const std::string &text)
-{
+bool is_gmsh_text(const std::string &text) {
   std::istringstream beginning(text.substr(0, 100));
   std::string section, version, type;
   beginning >> section >> version >> type;
   return section == "$MeshFormat" && (version == "2.2" || version == "4.1") && type == "0";
 }
 
-FileMesh read_gmsh(const std::string &text, const std::string &name)
-{
+FileMesh read_gmsh(const std::string &text, const std::string &name) {
   return GmshReader(text, name).read();
 }
 } // namespace Signorini

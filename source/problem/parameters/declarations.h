@@ -17,16 +17,14 @@
 #include <string>
 #include <type_traits>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * Binds the entries of a ParameterHandler to the members of a Parameters value.
  *
  * deal.II's handler keeps patterns, defaults and help; this class adds the two things a good
  * message needs: the set of known paths, and the allowed values in words.
  */
-class Declarations
-{
+class Declarations {
 public:
   /** Declares every entry, with its name, and with the file as its place. */
   explicit Declarations(Parameters &parameters);
@@ -48,8 +46,7 @@ public:
 
 private:
   /** The data of an entry that deal.II's handler does not store. */
-  struct Declared
-  {
+  struct Declared {
     /** The allowed values in words. */
     std::string allowed;
     std::string default_text;
@@ -64,30 +61,19 @@ private:
   void add(const std::string &path, Given<std::vector<double>> &given, const std::string &help);
   /** Adds a number between two bounds. */
   template <typename Number>
-  void add(const std::string &path,
-           Given<Number> &given,
-           const std::string &help,
-           Number min,
-           Number max,
-           std::string allowed = "");
+  void add(const std::string &path, Given<Number> &given, const std::string &help, Number min,
+           Number max, std::string allowed = "");
   /** Adds an option, which is one of its names. */
   template <typename Option>
   void add(const std::string &path, Given<Option> &given, const std::string &help);
   /** Adds an entry whose value @p set takes from a text. */
-  void add(const std::string &path,
-           Entry &entry,
-           const std::string &default_text,
-           const std::string &help,
-           const Patterns::PatternBase &pattern,
-           const std::string &allowed,
-           const std::function<void(const std::string &)> &set);
+  void add(const std::string &path, Entry &entry, const std::string &default_text,
+           const std::string &help, const Patterns::PatternBase &pattern,
+           const std::string &allowed, const std::function<void(const std::string &)> &set);
   /** Adds an entry whose values deal.II reads by its pattern. */
   template <typename T>
-  void add(const std::string &path,
-           Given<T> &given,
-           const std::string &help,
-           const Patterns::PatternBase &pattern,
-           const std::string &allowed);
+  void add(const std::string &path, Given<T> &given, const std::string &help,
+           const Patterns::PatternBase &pattern, const std::string &allowed);
   /** Calls @p act with the name of an entry inside of its subsection. */
   void in_section(const std::string &path,
                   const std::function<void(const std::string &)> &act) const;
@@ -108,13 +94,8 @@ private:
 };
 
 template <typename Number>
-void Declarations::add(const std::string &path,
-                       Given<Number> &given,
-                       const std::string &help,
-                       const Number min,
-                       const Number max,
-                       std::string allowed)
-{
+void Declarations::add(const std::string &path, Given<Number> &given, const std::string &help,
+                       const Number min, const Number max, std::string allowed) {
   constexpr bool is_integer = std::is_integral_v<Number>;
   if (allowed.empty())
     allowed = concatenate(is_integer ? "an integer" : "a number", " from ", min, " to ", max);
@@ -123,33 +104,18 @@ void Declarations::add(const std::string &path,
 }
 
 template <typename T>
-void Declarations::add(const std::string &path,
-                       Given<T> &given,
-                       const std::string &help,
-                       const Patterns::PatternBase &pattern,
-                       const std::string &allowed)
-{
+void Declarations::add(const std::string &path, Given<T> &given, const std::string &help,
+                       const Patterns::PatternBase &pattern, const std::string &allowed) {
   using Convert = Patterns::Tools::Convert<T>;
   const std::shared_ptr<const Patterns::PatternBase> form(pattern.clone());
-  add(path,
-      given,
-      Convert::to_string(given.value, pattern),
-      help,
-      pattern,
-      allowed,
+  add(path, given, Convert::to_string(given.value, pattern), help, pattern, allowed,
       [&given, form](const std::string &text) { given.value = Convert::to_value(text, *form); });
 }
 
 template <typename Option>
-void Declarations::add(const std::string &path, Given<Option> &given, const std::string &help)
-{
+void Declarations::add(const std::string &path, Given<Option> &given, const std::string &help) {
   const std::vector<std::string> &names = option_names(typeid(Option));
-  add(path,
-      given,
-      to_text(given.value),
-      help,
-      Patterns::Selection(join(names, "|")),
-      join(names),
+  add(path, given, to_text(given.value), help, Patterns::Selection(join(names, "|")), join(names),
       [&](const std::string &text) {
         given.value =
           static_cast<Option>(std::find(names.begin(), names.end(), text) - names.begin());

@@ -5,10 +5,8 @@
 
 #include <map>
 
-namespace Signorini
-{
-const std::vector<std::string> &option_names(const std::type_index &option)
-{
+namespace Signorini {
+const std::vector<std::string> &option_names(const std::type_index &option) {
   static const std::map<std::type_index, std::vector<std::string>> names = {
     {typeid(Shape), {"rectangle", "box", "polygon", "half disc", "disc", "ring", "file"}},
     {typeid(MaterialLaw), {"isotropic", "orthotropic", "general"}},

@@ -20,25 +20,19 @@
 
 #include "declarations.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The largest size of a parameter file in bytes. */
 constexpr std::size_t max_file_size = 1000000;
 
 /** Reads line after line and stores the open subsection. */
-class Scanner
-{
+class Scanner {
 public:
   Scanner(std::string file_name, const std::set<std::string> &known_sections)
     : file_name_(std::move(file_name))
-    , known_sections_(known_sections)
-  {
-  }
+    , known_sections_(known_sections) {}
 
-  void read_line(const std::string &line, const unsigned int number)
-  {
+  void read_line(const std::string &line, const unsigned int number) {
     place_ = file_name_ + ":" + std::to_string(number);
     const auto blank = std::min(line.find_first_of(" \t"), line.size());
     const std::string keyword = line.substr(0, blank), rest = trim(line.substr(blank));
@@ -49,64 +43,45 @@ public:
     else if (keyword == "set" && rest.find('=') != std::string::npos && rest[0] != '=')
       add(rest);
     else
-      throw input_error(place_,
-                        ": found ",
-                        quote(line),
+      throw input_error(place_, ": found ", quote(line),
                         ", but a line must be 'set Name = value', 'subsection Name' or 'end'.");
   }
 
-  std::vector<Assignment> finish() const
-  {
+  std::vector<Assignment> finish() const {
     if (!section_.empty())
-      throw input_error(
-        section_place_, ": subsection ", quote(section_), " is not closed by 'end'.");
+      throw input_error(section_place_, ": subsection ", quote(section_),
+                        " is not closed by 'end'.");
     return assignments_;
   }
 
 private:
-  void enter_section(const std::string &name)
-  {
+  void enter_section(const std::string &name) {
     if (!section_.empty())
-      throw input_error(place_,
-                        ": found the subsection ",
-                        quote(name),
-                        " inside of ",
-                        quote(section_),
-                        " (",
-                        section_place_,
+      throw input_error(place_, ": found the subsection ", quote(name), " inside of ",
+                        quote(section_), " (", section_place_,
                         "), allowed: one after the other, each closed by 'end'.");
     section_ = name;
     section_place_ = place_;
     is_empty_ = true;
   }
 
-  void leave_section()
-  {
+  void leave_section() {
     if (section_.empty())
       throw input_error(place_, ": found 'end' without an open subsection.");
     if (is_empty_ && known_sections_.count(section_) == 0)
-      throw input_error(section_place_,
-                        ": found the subsection ",
-                        quote(section_),
-                        ", allowed: ",
-                        join({known_sections_.begin(), known_sections_.end()}),
-                        ".");
+      throw input_error(section_place_, ": found the subsection ", quote(section_),
+                        ", allowed: ", join({known_sections_.begin(), known_sections_.end()}), ".");
     section_.clear();
   }
 
-  void add(const std::string &text)
-  {
+  void add(const std::string &text) {
     const auto equals = text.find('=');
     const std::string path =
       (section_.empty() ? "" : section_ + "/") + trim(text.substr(0, equals));
     is_empty_ = false;
     const auto earlier = places_.emplace(path, place_);
     if (!earlier.second)
-      throw input_error(place_,
-                        ": ",
-                        shorten(path),
-                        " was set already at ",
-                        earlier.first->second,
+      throw input_error(place_, ": ", shorten(path), " was set already at ", earlier.first->second,
                         "; set every parameter only once.");
     assignments_.push_back({path, trim(text.substr(equals + 1)), place_});
   }
@@ -119,14 +94,12 @@ private:
   std::vector<Assignment> assignments_;
 };
 
-bool is_control(const unsigned char c)
-{
+bool is_control(const unsigned char c) {
   return std::iscntrl(c) != 0;
 }
 
 /** Returns the text without a byte-order mark, and with the line ends of Unix. */
-std::string with_plain_line_ends(std::string text)
-{
+std::string with_plain_line_ends(std::string text) {
   const std::string byte_order_mark = "\xEF\xBB\xBF";
   if (text.rfind(byte_order_mark, 0) == 0)
     text.erase(0, byte_order_mark.size());
@@ -136,10 +109,8 @@ std::string with_plain_line_ends(std::string text)
 }
 } // namespace
 
-std::vector<Assignment> scan_parameter_text(const std::string &text,
-                                            const std::string &file_name,
-                                            const std::set<std::string> &known_sections)
-{
+std::vector<Assignment> scan_parameter_text(const std::string &text, const std::string &file_name,
+                                            const std::set<std::string> &known_sections) {
   Scanner scanner(file_name, known_sections);
   std::istringstream stream(with_plain_line_ends(text));
   std::string line, logical_line;
@@ -149,17 +120,12 @@ std::vector<Assignment> scan_parameter_text(const std::string &text,
       scanner.read_line(trim(logical_line), first_number);
     logical_line.clear();
   };
-  while (std::getline(stream, line))
-  {
+  while (std::getline(stream, line)) {
     ++number;
     for (const unsigned char c : line)
       if (is_control(c) && c != '\t')
-        throw input_error(file_name,
-                          ":",
-                          number,
-                          ": found the control character number ",
-                          std::to_string(c),
-                          ", allowed: plain text.");
+        throw input_error(file_name, ":", number, ": found the control character number ",
+                          std::to_string(c), ", allowed: plain text.");
     const auto comment = line.find('#');
     line = trim(line.substr(0, comment));
     // A line that is nothing but a comment may stand between the parts of a continued line.
@@ -176,23 +142,19 @@ std::vector<Assignment> scan_parameter_text(const std::string &text,
   return scanner.finish();
 }
 
-Assignment scan_override(const std::string &argument)
-{
+Assignment scan_override(const std::string &argument) {
   // An override is one line, like the file it stands in for.
   std::string line = argument;
   std::replace_if(line.begin(), line.end(), is_control, ' ');
   const auto equals = line.find('=');
   if (equals == std::string::npos || trim(line.substr(0, equals)).empty())
-    throw input_error(
-      "--set: found ", quote(line), ", but 'Subsection/Parameter=value' is expected.");
+    throw input_error("--set: found ", quote(line),
+                      ", but 'Subsection/Parameter=value' is expected.");
   return {trim(line.substr(0, equals)), trim(line.substr(equals + 1)), "--set"};
 }
 
-std::string read_whole_file(const std::string &file_name,
-                            const std::string &where,
-                            const std::string &kind,
-                            const std::size_t max_size)
-{
+std::string read_whole_file(const std::string &file_name, const std::string &where,
+                            const std::string &kind, const std::size_t max_size) {
   namespace fs = std::filesystem;
   const std::string name = where + shorten_path(file_name);
   std::error_code error;
@@ -216,8 +178,7 @@ std::string read_whole_file(const std::string &file_name,
   return text;
 }
 
-std::string read_text_file(const std::string &file_name)
-{
+std::string read_text_file(const std::string &file_name) {
   const std::string text = read_whole_file(file_name, "", "parameter file", max_file_size);
   if (text.find('\0') != std::string::npos)
     throw input_error(shorten_path(file_name), ": this is not a text file.");
@@ -226,19 +187,15 @@ std::string read_text_file(const std::string &file_name)
 
 // A value for a declared parameter, or one sentence that says why not.
 
-namespace
-{
+namespace {
 /** Returns Levenshtein's distance, for "did you mean". */
-std::size_t edit_distance(const std::string &a, const std::string &b)
-{
+std::size_t edit_distance(const std::string &a, const std::string &b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 1; i <= a.size(); ++i)
-  {
+  for (std::size_t i = 1; i <= a.size(); ++i) {
     std::size_t diagonal = row[0];
     row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j)
-    {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
       const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
       diagonal = row[j];
       row[j] = std::min({substituted, row[j] + 1, row[j - 1] + 1});
@@ -248,8 +205,7 @@ std::size_t edit_distance(const std::string &a, const std::string &b)
 }
 
 /** Returns whether two values mean the same, however blanks and digits are written. */
-bool is_same_value(std::string a, std::string b)
-{
+bool is_same_value(std::string a, std::string b) {
   double first = 0., second = 0.;
   if (read_number(a, first) && read_number(b, second))
     return first == second;
@@ -259,41 +215,31 @@ bool is_same_value(std::string a, std::string b)
 }
 } // namespace
 
-void Declarations::assign(const Assignment &assignment)
-{
+void Declarations::assign(const Assignment &assignment) {
   const std::string &path = assignment.path, &value = assignment.value;
   const auto known = declared_.find(path);
-  if (known == declared_.end())
-  {
+  if (known == declared_.end()) {
     const auto nearest =
       std::min_element(declared_.begin(), declared_.end(), [&](const auto &a, const auto &b) {
         return edit_distance(a.first, path) < edit_distance(b.first, path);
       });
-    throw input_error(assignment.place,
-                      ": ",
-                      shorten(path),
-                      ": unknown parameter; did you mean '",
-                      nearest->first,
-                      "'? (--print-parameters lists all)");
+    throw input_error(assignment.place, ": ", shorten(path), ": unknown parameter; did you mean '",
+                      nearest->first, "'? (--print-parameters lists all)");
   }
   const Declared &declared = known->second;
   Entry &entry = *declared.entry;
   entry.place = assignment.place;
   entry.changed = !value.empty() && !is_same_value(value, declared.default_text);
-  try
-  {
+  try {
     in_section(path, [&](const std::string &name) {
       handler_.set(name, value.empty() ? declared.default_text : value);
     });
-  }
-  catch (const ExceptionBase &)
-  {
+  } catch (const ExceptionBase &) {
     throw error_at(entry, "found ", quote(value), ", allowed: ", declared.allowed, ".");
   }
 }
 
-std::set<std::string> Declarations::sections() const
-{
+std::set<std::string> Declarations::sections() const {
   std::set<std::string> names;
   for (const auto &declared : declared_)
     if (declared.first.find('/') != std::string::npos)
@@ -301,8 +247,7 @@ std::set<std::string> Declarations::sections() const
   return names;
 }
 
-std::vector<Entry> Declarations::changes(const std::vector<std::string> &sections) const
-{
+std::vector<Entry> Declarations::changes(const std::vector<std::string> &sections) const {
   std::vector<Entry> changes;
   for (const std::string &section : sections)
     for (const auto &declared : declared_)
@@ -311,8 +256,7 @@ std::vector<Entry> Declarations::changes(const std::vector<std::string> &section
   return changes;
 }
 
-std::string Declarations::print(const bool with_help) const
-{
+std::string Declarations::print(const bool with_help) const {
   std::ostringstream text;
   handler_.print_parameters(text,
                             (with_help ? ParameterHandler::Text : ParameterHandler::ShortText) |

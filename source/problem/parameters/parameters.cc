@@ -12,33 +12,28 @@
 
 #include "declarations.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The subsections that describe a scene, and that a catalogue scene fixes. */
-const std::vector<std::string> sections_of_scene =
-  {"Constants", "Geometry", "Material", "Boundary", "Load", "Contact", "Exact solution"};
+const std::vector<std::string> sections_of_scene = {
+  "Constants", "Geometry", "Material", "Boundary", "Load", "Contact", "Exact solution"};
 
 const std::string constants_section = "Constants/", constants_path = "Constants/Values";
 
 const std::string mesh_file_path = "Geometry/File";
 
 /** Returns whether an override changes one constant of the list: Constants/NAME=value. */
-bool names_a_constant(const Assignment &assignment)
-{
+bool names_a_constant(const Assignment &assignment) {
   return assignment.path.rfind(constants_section, 0) == 0 && assignment.path != constants_path;
 }
 
 /** Returns the list "E=1, nu=0.3" with another value of one name. @throws InputError if it lacks
  * it. */
-std::string with_constant(const std::string &list, const Assignment &assignment)
-{
+std::string with_constant(const std::string &list, const Assignment &assignment) {
   const std::string name = trim(assignment.path.substr(constants_section.size()));
   std::vector<std::string> parts = split_list(list, ','), names;
   bool found = false;
-  for (std::string &part : parts)
-  {
+  for (std::string &part : parts) {
     names.push_back(trim(part.substr(0, part.find('='))));
     if (names.back() != name)
       continue;
@@ -49,24 +44,17 @@ std::string with_constant(const std::string &list, const Assignment &assignment)
     throw input_error(assignment.place + ": found the constant " + quote(name) + ", allowed: " +
                       (names.empty() ? constants_path + ", which is empty" : join(names)) + ".");
   if (split_list(assignment.value, ',').size() != 1)
-    throw input_error(assignment.place,
-                      ": ",
-                      assignment.path,
-                      ": found ",
-                      quote(assignment.value),
+    throw input_error(assignment.place, ": ", assignment.path, ": found ", quote(assignment.value),
                       ", allowed: one value.");
   return join(parts);
 }
 
 /** Returns the assignments of the file with the overrides behind them. */
 std::vector<Assignment> add_overrides(std::vector<Assignment> assignments,
-                                      const std::vector<std::string> &overrides)
-{
-  for (const std::string &argument : overrides)
-  {
+                                      const std::vector<std::string> &overrides) {
+  for (const std::string &argument : overrides) {
     Assignment override = scan_override(argument);
-    if (names_a_constant(override))
-    {
+    if (names_a_constant(override)) {
       std::string list;
       for (const Assignment &assignment : assignments)
         if (assignment.path == constants_path)
@@ -81,13 +69,11 @@ std::vector<Assignment> add_overrides(std::vector<Assignment> assignments,
 
 /** Returns where a named file is: in @p folder or in the working folder. The name is unchanged if
  * the file is in neither. */
-std::string find_file(const std::string &name, const std::string &folder)
-{
+std::string find_file(const std::string &name, const std::string &folder) {
   namespace fs = std::filesystem;
   std::error_code error;
   for (const fs::path &candidate : {fs::path(folder) / name, fs::path(name)})
-    if (!name.empty() && fs::exists(candidate, error))
-    {
+    if (!name.empty() && fs::exists(candidate, error)) {
       const fs::path absolute = fs::absolute(candidate, error).lexically_normal();
       return error ? candidate.string() : absolute.string();
     }
@@ -95,40 +81,28 @@ std::string find_file(const std::string &name, const std::string &folder)
 }
 
 /** Checks plain values for contradictions that do not depend on the scene. */
-void check(const Parameters &parameters)
-{
+void check(const Parameters &parameters) {
   const DiscretizationParameters &discretization = parameters.discretization;
   if (discretization.strategy == Strategy::nested &&
       discretization.finest_level < discretization.coarsest_level)
-    throw error_at(discretization.finest_level,
-                   "found '",
-                   discretization.finest_level,
-                   "', allowed: an integer not below ",
-                   discretization.coarsest_level.name,
-                   " = ",
-                   discretization.coarsest_level,
-                   ".");
+    throw error_at(discretization.finest_level, "found '", discretization.finest_level,
+                   "', allowed: an integer not below ", discretization.coarsest_level.name, " = ",
+                   discretization.coarsest_level, ".");
   if (parameters.output.lemmas && !parameters.output.errors)
-    throw error_at(parameters.output.lemmas,
-                   "found 'true' beside ",
-                   parameters.output.errors.name,
+    throw error_at(parameters.output.lemmas, "found 'true' beside ", parameters.output.errors.name,
                    " = false, allowed: both, or false.");
 }
 } // namespace
 
-Parameters parse_parameters(const std::string &text,
-                            const std::string &file_name,
-                            const std::vector<std::string> &overrides,
-                            const std::string &folder)
-{
+Parameters parse_parameters(const std::string &text, const std::string &file_name,
+                            const std::vector<std::string> &overrides, const std::string &folder) {
   Parameters parameters;
   parameters.file_name = file_name;
   parameters.geometry.folder = folder;
   Declarations declarations(parameters);
   std::vector<Assignment> assignments =
     add_overrides(scan_parameter_text(text, file_name, declarations.sections()), overrides);
-  for (Assignment &assignment : assignments)
-  {
+  for (Assignment &assignment : assignments) {
     if (assignment.path == mesh_file_path)
       assignment.value = find_file(assignment.value, folder);
     declarations.assign(assignment);
@@ -139,16 +113,13 @@ Parameters parse_parameters(const std::string &text,
   return parameters;
 }
 
-Parameters read_parameters(const std::string &file_name, const std::vector<std::string> &overrides)
-{
-  return parse_parameters(read_text_file(file_name),
-                          shorten_path(file_name),
-                          overrides,
+Parameters read_parameters(const std::string &file_name,
+                           const std::vector<std::string> &overrides) {
+  return parse_parameters(read_text_file(file_name), shorten_path(file_name), overrides,
                           std::filesystem::path(file_name).parent_path().string());
 }
 
-std::string describe_parameters()
-{
+std::string describe_parameters() {
   Parameters defaults;
   return Declarations(defaults).print(true);
 }

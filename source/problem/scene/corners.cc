@@ -15,25 +15,20 @@
 #include <utility>
 #include <vector>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using Complex = std::complex<double>;
 
 /** The function constant + linear z + square z^2 + sine sin(frequency z) + cosine cos(frequency z);
  * its roots z are exponents. */
-struct CornerFunction
-{
+struct CornerFunction {
   double constant, linear, square, sine, cosine, frequency;
 
-  Complex value(const Complex z) const
-  {
+  Complex value(const Complex z) const {
     return constant + z * (linear + square * z) + sine * std::sin(frequency * z) +
            cosine * std::cos(frequency * z);
   }
-  Complex derivative(const Complex z) const
-  {
+  Complex derivative(const Complex z) const {
     return linear + 2. * square * z +
            frequency * (sine * std::cos(frequency * z) - cosine * std::sin(frequency * z));
   }
@@ -41,11 +36,8 @@ struct CornerFunction
 
 /** Returns the functions of (W1) to (W6). Functions that are products are given by their factors,
  * so that roots are simple at straight angles and at cracks. */
-std::vector<CornerFunction> corner_functions(const double angle,
-                                             const EdgeSupport first,
-                                             const EdgeSupport second,
-                                             const double kappa)
-{
+std::vector<CornerFunction> corner_functions(const double angle, const EdgeSupport first,
+                                             const EdgeSupport second, const double kappa) {
   const double s = std::sin(angle), s2 = std::sin(2. * angle);
   const auto either = [&](const EdgeSupport support) {
     return first == support || second == support;
@@ -66,11 +58,9 @@ std::vector<CornerFunction> corner_functions(const double angle,
 }
 
 /** Returns the root that Newton's method finds from z, or nothing. */
-std::optional<Complex> root_near(const CornerFunction &f, Complex z)
-{
+std::optional<Complex> root_near(const CornerFunction &f, Complex z) {
   Complex step = 1.;
-  for (unsigned int i = 0; i < 60 && std::abs(step) >= 1e-15 * std::abs(z); ++i)
-  {
+  for (unsigned int i = 0; i < 60 && std::abs(step) >= 1e-15 * std::abs(z); ++i) {
     step = f.value(z) / f.derivative(z);
     z -= step;
     // Far from all roots steps may lead to where the sine overflows.
@@ -84,8 +74,7 @@ std::optional<Complex> root_near(const CornerFunction &f, Complex z)
  * polynomials. Newton's method finds them from the points of a grid. With |frequency Im z| > 6 +
  * log(1 + kappa) a sine or cosine is larger than all other terms; roots come in pairs z, conj(z).
  */
-double min_real_part(const CornerFunction &f, const double kappa)
-{
+double min_real_part(const CornerFunction &f, const double kappa) {
   const double spacing = 0.5 / f.frequency;
   const double highest = (6. + std::log(1. + kappa)) / f.frequency;
   double smallest = max_corner_exponent;
@@ -98,11 +87,8 @@ double min_real_part(const CornerFunction &f, const double kappa)
 }
 } // namespace
 
-double corner_exponent(const double angle,
-                       const EdgeSupport first,
-                       const EdgeSupport second,
-                       const double kappa)
-{
+double corner_exponent(const double angle, const EdgeSupport first, const EdgeSupport second,
+                       const double kappa) {
   Assert(angle > 0. && angle < 2. * numbers::PI + 1e-6,
          ExcMessage("The angle of a corner lies between 0 and 2 pi."));
   Assert(kappa > 1. - 1e-6, ExcMessage("Kolosov's constant is at least one."));
@@ -112,9 +98,8 @@ double corner_exponent(const double angle,
   return smallest;
 }
 
-double
-min_corner_exponent(const double angle, const Role first, const Role second, const double kappa)
-{
+double min_corner_exponent(const double angle, const Role first, const Role second,
+                           const double kappa) {
   double smallest = max_corner_exponent;
   for (const EdgeSupport one : possible_supports(first))
     for (const EdgeSupport other : possible_supports(second))
@@ -122,13 +107,11 @@ min_corner_exponent(const double angle, const Role first, const Role second, con
   return smallest;
 }
 
-double kolosov_constant(const SymmetricTensor<4, 2> &hooke)
-{
+double kolosov_constant(const SymmetricTensor<4, 2> &hooke) {
   // E_iijj = 4 (lambda + mu) and E_ijij = 2 lambda + 6 mu do not change with the axes.
   double traces = 0., squares = 0.;
   for (unsigned int i = 0; i < 2; ++i)
-    for (unsigned int j = 0; j < 2; ++j)
-    {
+    for (unsigned int j = 0; j < 2; ++j) {
       traces += hooke[i][i][j][j];
       squares += hooke[i][j][i][j];
     }
@@ -137,13 +120,11 @@ double kolosov_constant(const SymmetricTensor<4, 2> &hooke)
 
 // Where the sides of a 2-D body meet, and how rough a displacement may be there.
 
-namespace
-{
+namespace {
 using numbers::PI;
 
 /** An end of a smooth part of a side, with the direction in which the side leaves it. */
-struct SideEnd
-{
+struct SideEnd {
   unsigned int side;
   Point<2> position;
   Tensor<1, 2> direction;
@@ -152,9 +133,8 @@ struct SideEnd
 };
 
 /** Returns the end at s of the part that lies in the direction of @p towards. */
-SideEnd
-side_end(const Side<2> &side, const unsigned int number, const double s, const double towards)
-{
+SideEnd side_end(const Side<2> &side, const unsigned int number, const double s,
+                 const double towards) {
   const Tensor<1, 2> normal = side.normal(s, towards);
   const Tensor<1, 2> along_walk({-normal[1], normal[0]});
   const Tensor<1, 2> direction = (towards > s ? 1. : -1.) * side.tangent(s, towards);
@@ -163,8 +143,7 @@ side_end(const Side<2> &side, const unsigned int number, const double s, const d
 }
 
 /** Returns the ends of a side, and those of its smooth parts at corners inside. */
-std::vector<SideEnd> ends_of(const Side<2> &side, const unsigned int number)
-{
+std::vector<SideEnd> ends_of(const Side<2> &side, const unsigned int number) {
   std::vector<SideEnd> ends;
   const double length = side.length();
   if (!side.is_closed())
@@ -177,8 +156,7 @@ std::vector<SideEnd> ends_of(const Side<2> &side, const unsigned int number)
 
 /** Returns the angle from the direction of one end counter-clockwise to that of the other, in (0, 2
  * pi]. */
-double opening(const SideEnd &first, const SideEnd &second)
-{
+double opening(const SideEnd &first, const SideEnd &second) {
   const Tensor<1, 2> &a = first.direction, &b = second.direction;
   const double angle = std::atan2(a[0] * b[1] - a[1] * b[0], a * b);
   // A body does not end in a cusp: parallel sides are those of a crack.
@@ -186,15 +164,13 @@ double opening(const SideEnd &first, const SideEnd &second)
 }
 } // namespace
 
-std::vector<Corner> corners(const Geometry<2> &geometry)
-{
+std::vector<Corner> corners(const Geometry<2> &geometry) {
   std::vector<SideEnd> leaving, arriving;
   for (unsigned int i = 0; i < geometry.sides.size(); ++i)
     for (const SideEnd &end : ends_of(geometry.sides[i], i))
       (end.leaves ? leaving : arriving).push_back(end);
   std::vector<Corner> found;
-  for (const SideEnd &first : leaving)
-  {
+  for (const SideEnd &first : leaving) {
     // Where the body touches itself, it lies between a side and the next one.
     std::vector<Corner> here;
     for (const SideEnd &second : arriving)
@@ -208,8 +184,7 @@ std::vector<Corner> corners(const Geometry<2> &geometry)
   return found;
 }
 
-std::vector<EdgeSupport> possible_supports(const Role role)
-{
+std::vector<EdgeSupport> possible_supports(const Role role) {
   if (role == Role::clamped || role == Role::displacement)
     return {EdgeSupport::held};
   if (role == Role::roller)
@@ -219,25 +194,22 @@ std::vector<EdgeSupport> possible_supports(const Role role)
   return {EdgeSupport::free};
 }
 
-double corner_exponent(const Scene<2> &scene, const Corner &corner)
-{
-  return min_corner_exponent(corner.angle,
-                             scene.boundary[corner.sides[0]].role,
+double corner_exponent(const Scene<2> &scene, const Corner &corner) {
+  return min_corner_exponent(corner.angle, scene.boundary[corner.sides[0]].role,
                              scene.boundary[corner.sides[1]].role,
                              kolosov_constant(scene.material->relative_hooke(corner.position)));
 }
 
 // Sides that prescribe different displacements where they meet.
 
-namespace
-{
+namespace {
 /** The share of the prescribed displacements, and of the directions of plates and normals, below
  * which a difference is rounding. */
 constexpr double rounding = 1e-6;
 
 /** Returns the common points of each two sides: corners, and points of the edges of a box. */
-std::vector<std::pair<Point<2>, std::array<unsigned int, 2>>> meetings(const Geometry<2> &geometry)
-{
+std::vector<std::pair<Point<2>, std::array<unsigned int, 2>>>
+meetings(const Geometry<2> &geometry) {
   std::vector<std::pair<Point<2>, std::array<unsigned int, 2>>> found;
   for (const Corner &corner : corners(geometry))
     if (corner.sides[0] != corner.sides[1])
@@ -247,16 +219,14 @@ std::vector<std::pair<Point<2>, std::array<unsigned int, 2>>> meetings(const Geo
 
 constexpr std::array<double, 9> shares = {{0., 1e-3, 0.2, 0.37, 0.5, 0.71, 0.9, 1. - 1e-3, 1.}};
 
-std::vector<Point<2>> samples(const Side<2> &side)
-{
+std::vector<Point<2>> samples(const Side<2> &side) {
   std::vector<Point<2>> points;
   for (const double share : shares)
     points.push_back(side.point(share * side.length()));
   return points;
 }
 
-std::vector<Point<3>> samples(const Side<3> &side)
-{
+std::vector<Point<3>> samples(const Side<3> &side) {
   std::vector<Point<3>> points;
   for (const double r : shares)
     for (const double s : shares)
@@ -264,8 +234,8 @@ std::vector<Point<3>> samples(const Side<3> &side)
   return points;
 }
 
-std::vector<std::pair<Point<3>, std::array<unsigned int, 2>>> meetings(const Geometry<3> &geometry)
-{
+std::vector<std::pair<Point<3>, std::array<unsigned int, 2>>>
+meetings(const Geometry<3> &geometry) {
   std::vector<std::pair<Point<3>, std::array<unsigned int, 2>>> found;
   for (unsigned int i = 0; i < geometry.sides.size(); ++i)
     for (const Point<3> &x : samples(geometry.sides[i]))
@@ -277,8 +247,7 @@ std::vector<std::pair<Point<3>, std::array<unsigned int, 2>>> meetings(const Geo
 }
 
 template <int dim>
-std::string text_of(const Tensor<1, dim> &vector)
-{
+std::string text_of(const Tensor<1, dim> &vector) {
   std::vector<std::string> numbers;
   for (unsigned int d = 0; d < dim; ++d)
     numbers.push_back(number_text(vector[d] + 0.)); // no -0
@@ -286,15 +255,13 @@ std::string text_of(const Tensor<1, dim> &vector)
 }
 
 /** Returns whether all components of u are prescribed, not u.n alone. */
-bool prescribes_all(const Role role)
-{
+bool prescribes_all(const Role role) {
   return role == Role::clamped || role == Role::displacement;
 }
 
 /** Returns the given part of the displacement of a side; zero where nothing is given. */
 template <int dim>
-Tensor<1, dim> given_displacement(const BoundaryCondition<dim> &condition, const Point<dim> &x)
-{
+Tensor<1, dim> given_displacement(const BoundaryCondition<dim> &condition, const Point<dim> &x) {
   Tensor<1, dim> u;
   if (condition.role == Role::displacement)
     for (unsigned int c = 0; c < dim; ++c)
@@ -306,13 +273,11 @@ Tensor<1, dim> given_displacement(const BoundaryCondition<dim> &condition, const
 template <int dim>
 std::vector<std::pair<Tensor<1, dim>, std::string>> motions_at(const Scene<dim> &scene,
                                                                const unsigned int side,
-                                                               const Point<dim> &x)
-{
+                                                               const Point<dim> &x) {
   std::vector<std::pair<Tensor<1, dim>, std::string>> found;
   if constexpr (dim == 2)
     for (const Plate &plate : scene.plates)
-      if (plate.side == side)
-      {
+      if (plate.side == side) {
         if (plate.is_pushed)
           found.emplace_back(plate.direction, "move along " + text_of(plate.direction));
         if (plate.turns)
@@ -324,12 +289,8 @@ std::vector<std::pair<Tensor<1, dim>, std::string>> motions_at(const Scene<dim> 
 /** Returns why the second side contradicts the first one at a common point, or nothing. @param size
  * the largest prescribed displacement. */
 template <int dim>
-std::string contradiction_at(const Scene<dim> &scene,
-                             const Point<dim> &x,
-                             const unsigned int i,
-                             const unsigned int j,
-                             const double size)
-{
+std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const unsigned int i,
+                             const unsigned int j, const double size) {
   const bool second_holds_all = prescribes_all(scene.boundary[j].role);
   if (!prescribes_all(scene.boundary[i].role) ||
       !(second_holds_all || scene.boundary[j].role == Role::roller))
@@ -361,8 +322,7 @@ std::string contradiction_at(const Scene<dim> &scene,
 } // namespace
 
 template <int dim>
-std::string find_contradiction(const Scene<dim> &scene)
-{
+std::string find_contradiction(const Scene<dim> &scene) {
   double size = 1e-14 * scene.geometry.diameter();
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
     for (const Point<dim> &x : samples(scene.geometry.sides[i]))

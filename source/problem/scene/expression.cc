@@ -18,10 +18,8 @@
 
 #include "formulas.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 constexpr std::array<const char *, 3> coordinate_names = {{"x", "y", "z"}};
 
 /** The largest number of constants. Every formula stores all of them, so that time grows like their
@@ -33,12 +31,10 @@ constexpr std::size_t max_constants = 1000;
  * is (0.2<x)<0.4.
  * @return what is wrong, or nothing.
  */
-std::string find_misuse(const std::string &text)
-{
+std::string find_misuse(const std::string &text) {
   // The number of comparisons since the last operator that ends one, by depth of parentheses.
   std::vector<unsigned int> comparisons = {0};
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
+  for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : ' ';
     if (c == ',' && comparisons.size() == 1)
       return "a comma stands outside of a function's parentheses";
@@ -61,8 +57,7 @@ std::string find_misuse(const std::string &text)
 }
 
 /** Returns muParser's message without its full stop, with at most a part of a long token. */
-std::string reason_of(const mu::ParserError &error)
-{
+std::string reason_of(const mu::ParserError &error) {
   std::string reason = error.GetMsg();
   const std::string &token = error.GetToken();
   const auto found = token.empty() ? std::string::npos : reason.find('"' + token + '"');
@@ -74,20 +69,17 @@ std::string reason_of(const mu::ParserError &error)
 }
 
 /** Returns whether formulas use this name already, so that a constant cannot have it. */
-bool is_taken(const std::string &name)
-{
+bool is_taken(const std::string &name) {
   mu::Parser parser;
   define_functions(parser);
   return name == "x" || name == "y" || name == "z" || name == "pi" ||
          parser.GetFunDef().count(name) > 0 || parser.GetConst().count(name) > 0;
 }
 
-bool is_name(const std::string &text)
-{
+bool is_name(const std::string &text) {
   return !text.empty() && std::isdigit(static_cast<unsigned char>(text[0])) == 0 &&
-         std::all_of(text.begin(), text.end(), [](const unsigned char c) {
-           return std::isalnum(c) != 0 || c == '_';
-         });
+         std::all_of(text.begin(), text.end(),
+                     [](const unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
 }
 
 /** The operators that rewrite_powers() puts in. */
@@ -99,8 +91,7 @@ constexpr const char *square_operator = "'", *cube_operator = "~";
  * else, which costs more than the rest of a typical formula. The formula must be one that muParser
  * accepts. A digit that begins a longer number, or a tower a^2^b = a^(2^b), stays.
  */
-std::string rewrite_powers(const std::string &text)
-{
+std::string rewrite_powers(const std::string &text) {
   static const std::regex squares(R"(\)\s*\^\s*2(?![\w.]|\s*\^))"),
     cubes(R"(\)\s*\^\s*3(?![\w.]|\s*\^))");
   const std::string once = std::regex_replace(text, squares, std::string(")") + square_operator);
@@ -108,8 +99,7 @@ std::string rewrite_powers(const std::string &text)
 }
 } // namespace
 
-void define_functions(mu::Parser &parser)
-{
+void define_functions(mu::Parser &parser) {
   parser.DefineFun("floor", static_cast<double (*)(double)>(std::floor));
   parser.DefineFun("ceil", static_cast<double (*)(double)>(std::ceil));
   parser.DefineFun("pow", static_cast<double (*)(double, double)>(std::pow));
@@ -123,18 +113,15 @@ void define_functions(mu::Parser &parser)
 
 /** One muParser bound to its own coordinates. */
 template <int dim>
-class Expression<dim>::Parser
-{
+class Expression<dim>::Parser {
 public:
   /** @param text a formula as the user wrote it, or as rewrite_powers() returns it. */
-  Parser(const std::string &text, const Constants &constants, const bool rewritten)
-  {
+  Parser(const std::string &text, const Constants &constants, const bool rewritten) {
     parser_.DefineConst("pi", numbers::PI);
     for (const auto &constant : constants)
       parser_.DefineConst(constant.first, constant.second);
     define_functions(parser_);
-    if (rewritten)
-    {
+    if (rewritten) {
       parser_.DefinePostfixOprt(
         square_operator, +[](const double x) { return x * x; });
       parser_.DefinePostfixOprt(
@@ -149,8 +136,7 @@ public:
   Parser(const Parser &) = delete;
   Parser &operator=(const Parser &) = delete;
 
-  double evaluate(const Point<dim> &x)
-  {
+  double evaluate(const Point<dim> &x) {
     std::copy(x.begin_raw(), x.end_raw(), coordinates_.begin());
     return parser_.Eval();
   }
@@ -163,43 +149,30 @@ private:
 };
 
 template <int dim>
-Expression<dim>::Expression(const std::string &text,
-                            const Constants &constants,
+Expression<dim>::Expression(const std::string &text, const Constants &constants,
                             const std::string &where)
   : text_(trim(text))
   , constants_(constants)
-  , where_(where)
-{
+  , where_(where) {
   const std::string misuse = find_misuse(text_);
   if (!misuse.empty())
-    throw input_error(where_,
-                      ": the expression ",
-                      quote(text_),
-                      " cannot be used: ",
-                      misuse,
+    throw input_error(where_, ": the expression ", quote(text_), " cannot be used: ", misuse,
                       "; allowed: a formula in x, y, the constants and pi.");
-  try
-  {
+  try {
     Parser parser(text_, constants_, false);
     if (parser.uses_coordinates)
       parsers_ = std::make_shared<Threads::ThreadLocalStorage<std::shared_ptr<Parser>>>();
     else
       constant_ = parser.evaluate(Point<dim>());
-  }
-  catch (const mu::ParserError &error)
-  {
-    throw input_error(where_,
-                      ": the expression ",
-                      quote(text_),
-                      " cannot be parsed: ",
-                      reason_of(error),
+  } catch (const mu::ParserError &error) {
+    throw input_error(where_, ": the expression ", quote(text_),
+                      " cannot be parsed: ", reason_of(error),
                       "; allowed: a formula in x, y, the constants and pi.");
   }
 }
 
 template <int dim>
-typename Expression<dim>::Parser &Expression<dim>::thread_parser() const
-{
+typename Expression<dim>::Parser &Expression<dim>::thread_parser() const {
   std::shared_ptr<Parser> &parser = parsers_->get();
   if (parser == nullptr)
     parser = std::make_shared<Parser>(rewrite_powers(text_), constants_, true);
@@ -207,8 +180,7 @@ typename Expression<dim>::Parser &Expression<dim>::thread_parser() const
 }
 
 template <int dim>
-double Expression<dim>::operator()(const Point<dim> &x) const
-{
+double Expression<dim>::operator()(const Point<dim> &x) const {
   return constant_ ? *constant_ : thread_parser().evaluate(x);
 }
 
@@ -216,46 +188,35 @@ double Expression<dim>::operator()(const Point<dim> &x) const
 // that.
 template <int dim>
 void Expression<dim>::evaluate(const std::vector<Point<dim>> &points,
-                               std::vector<double> &values) const
-{
+                               std::vector<double> &values) const {
   if (constant_)
     values.assign(points.size(), *constant_);
   else
-    std::transform(points.begin(),
-                   points.end(),
-                   values.begin(),
+    std::transform(points.begin(), points.end(), values.begin(),
                    [&parser = thread_parser()](const Point<dim> &x) { return parser.evaluate(x); });
 }
 
-Constants read_constants(const std::string &text, const std::string &where)
-{
+Constants read_constants(const std::string &text, const std::string &where) {
   Constants constants;
   const std::vector<std::string> parts = split_list(text, ',');
   if (parts.size() > max_constants)
-    throw input_error(
-      where, ": found ", parts.size(), " constants, allowed: at most ", max_constants, ".");
-  for (const std::string &part : parts)
-  {
+    throw input_error(where, ": found ", parts.size(), " constants, allowed: at most ",
+                      max_constants, ".");
+  for (const std::string &part : parts) {
     const auto equals = part.find('=');
     const std::string name = trim(part.substr(0, equals));
     if (equals == std::string::npos || !is_name(name))
-      throw input_error(
-        where, ": found ", quote(part), ", allowed: name=number, separated by commas.");
+      throw input_error(where, ": found ", quote(part),
+                        ", allowed: name=number, separated by commas.");
     if (is_taken(name) || constants.count(name) > 0)
-      throw input_error(where,
-                        ": the name ",
-                        quote(name),
+      throw input_error(where, ": the name ", quote(name),
                         " is taken; x, y, z, pi and the functions are known, and a constant is set "
                         "once.");
     const Expression<1> value(part.substr(equals + 1), constants, where);
     const double number = value(Point<1>(0.));
     if (!value.is_constant() || !std::isfinite(number))
-      throw input_error(where,
-                        ": the value of ",
-                        quote(name),
-                        " must be a finite number, found ",
-                        quote(value.text()),
-                        ".");
+      throw input_error(where, ": the value of ", quote(name), " must be a finite number, found ",
+                        quote(value.text()), ".");
     constants[name] = number;
   }
   return constants;

@@ -3,8 +3,7 @@
 
 #include <muParser.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Defines the functions that muParser lacks. */
 void define_functions(mu::Parser &parser);
 } // namespace Signorini

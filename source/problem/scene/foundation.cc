@@ -7,18 +7,15 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The angle (radians) to a plane below which a line is parallel to it but for rounding. */
 constexpr double parallel = 1e-12;
 
 } // namespace
 
 /** The polynomial phi(t) = a t² + 2 b t + c. */
-struct Obstacle::LinePolynomial
-{
+struct Obstacle::LinePolynomial {
   double a, b, c;
   /** The discriminant b² - a c, from a formula without cancellation. */
   double discriminant;
@@ -31,8 +28,7 @@ struct Obstacle::LinePolynomial
    * obstacle or has left it. Then the result is sqrt(c/a), the geometric mean of the roots, a
    * continuous extension: on a line that touches, both roots have this value.
    */
-  std::optional<double> entry() const
-  {
+  std::optional<double> entry() const {
     const bool is_inside = c <= 0.;
     const double w = discriminant > 0. ? std::sqrt(discriminant) : 0.;
     if (w > 0. && b <= 0.)
@@ -44,39 +40,30 @@ struct Obstacle::LinePolynomial
     return -(b + w) / a;
   }
   /** Returns whether entry() is not a root but its continuation. */
-  bool misses() const
-  {
+  bool misses() const {
     return a > 0. && c > 0. && !(discriminant > 0. && b <= 0.);
   }
 };
 
 Obstacle::Obstacle(std::variant<Parabola, Circle> shape)
-  : shape_(shape)
-{
-}
+  : shape_(shape) {}
 
-Obstacle Obstacle::plane(const Point<2> &point, const Tensor<1, 2> &normal)
-{
+Obstacle Obstacle::plane(const Point<2> &point, const Tensor<1, 2> &normal) {
   return parabola(point, normal, 0.);
 }
 
-Obstacle Obstacle::parabola(const Point<2> &point,
-                            const Tensor<1, 2> &normal,
-                            const double curvature)
-{
+Obstacle Obstacle::parabola(const Point<2> &point, const Tensor<1, 2> &normal,
+                            const double curvature) {
   return Obstacle(Parabola{point, normal / normal.norm(), curvature});
 }
 
-Obstacle Obstacle::circle(const Point<2> &centre, const double radius, const Body body)
-{
+Obstacle Obstacle::circle(const Point<2> &centre, const double radius, const Body body) {
   return Obstacle(Circle{centre, radius, body});
 }
 
-Obstacle::LinePolynomial Obstacle::along(const Point<2> &x, const Tensor<1, 2> &n) const
-{
+Obstacle::LinePolynomial Obstacle::along(const Point<2> &x, const Tensor<1, 2> &n) const {
   const Tensor<1, 2> d = x - anchor();
-  if (const auto *circle = std::get_if<Circle>(&shape_))
-  {
+  if (const auto *circle = std::get_if<Circle>(&shape_)) {
     // phi = ±(|d + t n|² - r²); b² - a c = r² - h² with the distance h of the line from the centre.
     const double sign = circle->body == Body::outside ? 1. : -1.;
     const double r = circle->radius, h = std::abs(cross_product_2d(d) * n);
@@ -90,31 +77,26 @@ Obstacle::LinePolynomial Obstacle::along(const Point<2> &x, const Tensor<1, 2> &
   const double d_tau = d * tau, n_tau = n * tau, d_nu = d * nu;
   const double n_nu = std::abs(n * nu) < parallel ? 0. : n * nu;
   // b² - a c = (n_nu² - 2 k n_tau (d_tau n_nu - n_tau d_nu))/4
-  return {-0.5 * k * n_tau * n_tau,
-          0.5 * (n_nu - k * d_tau * n_tau),
+  return {-0.5 * k * n_tau * n_tau, 0.5 * (n_nu - k * d_tau * n_tau),
           d_nu - 0.5 * k * d_tau * d_tau,
           0.25 * (n_nu * n_nu - 2. * k * n_tau * (d_tau * n_nu - n_tau * d_nu))};
 }
 
-std::optional<double> Obstacle::distance(const Point<2> &x, const Tensor<1, 2> &n) const
-{
+std::optional<double> Obstacle::distance(const Point<2> &x, const Tensor<1, 2> &n) const {
   return along(x, n).entry();
 }
 
-bool Obstacle::is_hit_by_line(const Point<2> &x, const Tensor<1, 2> &n, const double reach) const
-{
+bool Obstacle::is_hit_by_line(const Point<2> &x, const Tensor<1, 2> &n, const double reach) const {
   const LinePolynomial phi = along(x, n);
   return !phi.misses() && phi.entry().value_or(reach) < reach;
 }
 
-bool Obstacle::can_be_hit_along(const Tensor<1, 2> &n) const
-{
+bool Obstacle::can_be_hit_along(const Tensor<1, 2> &n) const {
   const auto *parabola = std::get_if<Parabola>(&shape_);
   return parabola == nullptr || parabola->curvature != 0. || n * parabola->normal < -parallel;
 }
 
-const Point<2> &Obstacle::anchor() const
-{
+const Point<2> &Obstacle::anchor() const {
   if (const auto *circle = std::get_if<Circle>(&shape_))
     return circle->centre;
   return std::get<Parabola>(shape_).point;
@@ -122,12 +104,9 @@ const Point<2> &Obstacle::anchor() const
 
 Foundation::Foundation(std::vector<Obstacle> things, const double max_gap)
   : obstacles_(std::move(things))
-  , max_gap_(max_gap)
-{
-}
+  , max_gap_(max_gap) {}
 
-double Foundation::gap(const Point<2> &x, const Tensor<1, 2> &n) const
-{
+double Foundation::gap(const Point<2> &x, const Tensor<1, 2> &n) const {
   double gap = max_gap_;
   for (const Obstacle &obstacle : obstacles_)
     gap = std::min(gap, obstacle.distance(x, n).value_or(max_gap_));
@@ -135,10 +114,8 @@ double Foundation::gap(const Point<2> &x, const Tensor<1, 2> &n) const
 }
 
 std::shared_ptr<const Function<2>>
-foundation_gap(const Side<2> &side,
-               const std::shared_ptr<const Foundation> &foundation,
-               const Tensor<1, 2> &position)
-{
+foundation_gap(const Side<2> &side, const std::shared_ptr<const Foundation> &foundation,
+               const Tensor<1, 2> &position) {
   return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
     const Point<1> s = side.coordinates(x);
     const Point<2> on_side = side.is_flat() ? x : side.point(s);

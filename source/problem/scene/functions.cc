@@ -10,71 +10,54 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
+namespace Signorini {
 template <int dim>
 ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values,
-                                            std::vector<Expression<dim>> gradients,
-                                            const double h)
+                                            std::vector<Expression<dim>> gradients, const double h)
   : Function<dim>(values.size())
   , values_(std::move(values))
   , gradients_(std::move(gradients))
-  , h_(h)
-{
+  , h_(h) {
   Assert(gradients_.empty() || gradients_.size() == dim * values_.size(),
          ExcDimensionMismatch(gradients_.size(), dim * values_.size()));
 }
 
 template <int dim>
 ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values)
-  : ExpressionFunction(std::move(values), {}, 0.)
-{
-}
+  : ExpressionFunction(std::move(values), {}, 0.) {}
 
 template <int dim>
-void ExpressionFunction<dim>::check(const double value,
-                                    const unsigned int component,
-                                    const Point<dim> &x) const
-{
+void ExpressionFunction<dim>::check(const double value, const unsigned int component,
+                                    const Point<dim> &x) const {
   if (h_ == 0.)
     check_magnitude(value, component, x, values_[component].where());
 }
 
 template <int dim>
-void check_magnitude(const double value,
-                     const unsigned int component,
-                     const Point<dim> &x,
-                     const std::string &where)
-{
+void check_magnitude(const double value, const unsigned int component, const Point<dim> &x,
+                     const std::string &where) {
   if (!(std::abs(value) <= max_magnitude))
-    refuse_value(where,
-                 "the value " + number_text(value) + " of component " +
-                   std::to_string(component + 1),
-                 x,
-                 "values up to " + number_text(max_magnitude) + " on the whole body");
+    refuse_value(
+      where, "the value " + number_text(value) + " of component " + std::to_string(component + 1),
+      x, "values up to " + number_text(max_magnitude) + " on the whole body");
 }
 
 template <int dim>
-bool ExpressionFunction<dim>::is_constant() const
-{
-  return std::all_of(values_.begin(), values_.end(), [](const Expression<dim> &value) {
-    return value.is_constant();
-  });
+bool ExpressionFunction<dim>::is_constant() const {
+  return std::all_of(values_.begin(), values_.end(),
+                     [](const Expression<dim> &value) { return value.is_constant(); });
 }
 
 template <int dim>
-double ExpressionFunction<dim>::value(const Point<dim> &x, const unsigned int component) const
-{
+double ExpressionFunction<dim>::value(const Point<dim> &x, const unsigned int component) const {
   const double value = values_[component](x);
   check(value, component, x);
   return value;
 }
 
 template <int dim>
-void ExpressionFunction<dim>::value_list(const Points &points,
-                                         std::vector<double> &values,
-                                         const unsigned int component) const
-{
+void ExpressionFunction<dim>::value_list(const Points &points, std::vector<double> &values,
+                                         const unsigned int component) const {
   values_[component].evaluate(points, values);
   for (std::size_t q = 0; q < points.size(); ++q)
     check(values[q], component, points[q]);
@@ -82,11 +65,9 @@ void ExpressionFunction<dim>::value_list(const Points &points,
 
 template <int dim>
 void ExpressionFunction<dim>::vector_value_list(const Points &points,
-                                                std::vector<dealii::Vector<double>> &values) const
-{
+                                                std::vector<dealii::Vector<double>> &values) const {
   std::vector<double> component(points.size());
-  for (unsigned int c = 0; c < values_.size(); ++c)
-  {
+  for (unsigned int c = 0; c < values_.size(); ++c) {
     value_list(points, component, c);
     for (std::size_t q = 0; q < points.size(); ++q)
       values[q][c] = component[q];
@@ -94,21 +75,17 @@ void ExpressionFunction<dim>::vector_value_list(const Points &points,
 }
 
 template <int dim>
-void ExpressionFunction<dim>::derivative_list(const Points &points,
-                                              const unsigned int component,
+void ExpressionFunction<dim>::derivative_list(const Points &points, const unsigned int component,
                                               const unsigned int d,
-                                              std::vector<double> &derivatives) const
-{
-  if (!gradients_.empty())
-  {
+                                              std::vector<double> &derivatives) const {
+  if (!gradients_.empty()) {
     gradients_[dim * component + d].evaluate(points, derivatives);
     return;
   }
   // (u(x - 2h) - 8 u(x - h) + 8 u(x + h) - u(x + 2h)) / 12h
   std::vector<double> values(points.size());
   derivatives.assign(points.size(), 0.);
-  for (const auto &[step, weight] : {std::pair{-2., 1.}, {-1., -8.}, {1., 8.}, {2., -1.}})
-  {
+  for (const auto &[step, weight] : {std::pair{-2., 1.}, {-1., -8.}, {1., 8.}, {2., -1.}}) {
     Points shifted(points);
     for (Point<dim> &x : shifted)
       x[d] += step * h_;
@@ -120,21 +97,17 @@ void ExpressionFunction<dim>::derivative_list(const Points &points,
 
 template <int dim>
 Tensor<1, dim> ExpressionFunction<dim>::gradient(const Point<dim> &x,
-                                                 const unsigned int component) const
-{
+                                                 const unsigned int component) const {
   Gradients gradient(1);
   gradient_list({x}, gradient, component);
   return gradient[0];
 }
 
 template <int dim>
-void ExpressionFunction<dim>::gradient_list(const Points &points,
-                                            Gradients &gradients,
-                                            const unsigned int component) const
-{
+void ExpressionFunction<dim>::gradient_list(const Points &points, Gradients &gradients,
+                                            const unsigned int component) const {
   std::vector<double> derivatives(points.size());
-  for (unsigned int d = 0; d < dim; ++d)
-  {
+  for (unsigned int d = 0; d < dim; ++d) {
     derivative_list(points, component, d, derivatives);
     for (std::size_t q = 0; q < points.size(); ++q)
       gradients[q][d] = derivatives[q];
@@ -143,11 +116,9 @@ void ExpressionFunction<dim>::gradient_list(const Points &points,
 
 template <int dim>
 void ExpressionFunction<dim>::vector_gradient_list(const Points &points,
-                                                   std::vector<Gradients> &gradients) const
-{
+                                                   std::vector<Gradients> &gradients) const {
   Gradients component(points.size());
-  for (unsigned int c = 0; c < values_.size(); ++c)
-  {
+  for (unsigned int c = 0; c < values_.size(); ++c) {
     gradient_list(points, component, c);
     for (std::size_t q = 0; q < points.size(); ++q)
       gradients[q][c] = component[q];
@@ -155,8 +126,7 @@ void ExpressionFunction<dim>::vector_gradient_list(const Points &points,
 }
 
 template <int dim>
-bool is_constant(const Function<dim> &function)
-{
+bool is_constant(const Function<dim> &function) {
   const auto *expressions = dynamic_cast<const ExpressionFunction<dim> *>(&function);
   return expressions != nullptr && expressions->is_constant();
 }

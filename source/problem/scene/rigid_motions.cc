@@ -12,10 +12,8 @@
 #include <cmath>
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The translations and rotations of a body as a whole. */
 template <int dim>
 constexpr unsigned int n_rigid_motions = dim *(dim + 1) / 2;
@@ -23,8 +21,7 @@ constexpr unsigned int n_rigid_motions = dim *(dim + 1) / 2;
 /** Returns the velocity of a translation along an axis or, behind these, of a rotation, in 3-D
  * about an axis. */
 template <int dim>
-Tensor<1, dim> rigid_velocity(const unsigned int k, const Tensor<1, dim> &x)
-{
+Tensor<1, dim> rigid_velocity(const unsigned int k, const Tensor<1, dim> &x) {
   if (k < dim)
     return Point<dim>::unit_vector(k);
   if constexpr (dim == 2)
@@ -36,19 +33,15 @@ Tensor<1, dim> rigid_velocity(const unsigned int k, const Tensor<1, dim> &x)
 /** The sum of r r^T over conditions r.motion = 0 on translations and rotations times the size of
  * the body, about the centre of the box around it. */
 template <int dim>
-class Conditions
-{
+class Conditions {
 public:
   explicit Conditions(const Geometry<dim> &geometry)
     : matrix(n_rigid_motions<dim>)
     , centre(geometry.lower + 0.5 * (geometry.upper - geometry.lower))
-    , size(geometry.diameter())
-  {
-  }
+    , size(geometry.diameter()) {}
 
   /** Adds the condition v(x).n = 0. */
-  void forbid_velocity(const Point<dim> &x, const Tensor<1, dim> &n, const double weight = 1.)
-  {
+  void forbid_velocity(const Point<dim> &x, const Tensor<1, dim> &n, const double weight = 1.) {
     dealii::Vector<double> row(matrix.m());
     for (unsigned int k = 0; k < row.size(); ++k)
       row[k] = rigid_velocity<dim>(k, (x - centre) / size) * n;
@@ -57,8 +50,7 @@ public:
         matrix(i, j) += weight * row[i] * row[j];
   }
   /** Adds what a side of this role forbids at a point. */
-  void forbid(const Role role, const Point<dim> &x, const Tensor<1, dim> &n, const double weight)
-  {
+  void forbid(const Role role, const Point<dim> &x, const Tensor<1, dim> &n, const double weight) {
     if (role == Role::roller)
       forbid_velocity(x, n, weight);
     if (role == Role::clamped || role == Role::displacement)
@@ -72,27 +64,23 @@ public:
 };
 
 /** Adds what a side of this role forbids; two points suffice for a segment, three for a circle. */
-void add_side_conditions(const Side<2> &side, const Role role, Conditions<2> &conditions)
-{
+void add_side_conditions(const Side<2> &side, const Role role, Conditions<2> &conditions) {
   for (unsigned int k = 0; k < side.n_pieces(); ++k)
-    for (const double share : {0., 1. / 3., 2. / 3., 1.})
-    {
+    for (const double share : {0., 1. / 3., 2. / 3., 1.}) {
       const double s = share * side.piece(k).length();
-      conditions.forbid(
-        role, side.piece(k).point(s), side.piece(k).normal(s), 1. / side.n_pieces());
+      conditions.forbid(role, side.piece(k).point(s), side.piece(k).normal(s),
+                        1. / side.n_pieces());
     }
 }
 
-void add_side_conditions(const Side<3> &side, const Role role, Conditions<3> &conditions)
-{
+void add_side_conditions(const Side<3> &side, const Role role, Conditions<3> &conditions) {
   for (const double r : {0., side.lengths()[0]})
     for (const double t : {0., side.lengths()[1]})
       conditions.forbid(role, side.point({r, t}), side.normal({r, t}), 1.);
 }
 
 /** Adds what a plate forbids to a body that moves as a whole. */
-void add_plate_conditions(const Plate &plate, Conditions<2> &conditions)
-{
+void add_plate_conditions(const Plate &plate, Conditions<2> &conditions) {
   conditions.forbid_velocity(plate.centre, cross_product_2d(plate.direction));
   if (!plate.is_pushed)
     conditions.forbid_velocity(plate.centre, plate.direction);
@@ -101,38 +89,32 @@ void add_plate_conditions(const Plate &plate, Conditions<2> &conditions)
 }
 
 /** Rounds a number for messages: no -0, no 1e-17. */
-double rounded(const double value)
-{
+double rounded(const double value) {
   return std::round(value * 1e4) / 1e4 + 0.;
 }
 
-std::string point_text(const double x, const double y)
-{
+std::string point_text(const double x, const double y) {
   return concatenate("(", rounded(x), ", ", rounded(y), ")");
 }
 
 /** Returns the point that does not move, as text. */
-std::string pole(const RigidMotion &motion)
-{
+std::string pole(const RigidMotion &motion) {
   const double omega = motion.rotation / motion.size;
   return point_text(motion.centre[0] - motion.translation[1] / omega,
                     motion.centre[1] + motion.translation[0] / omega);
 }
 } // namespace
 
-Tensor<1, 2> RigidMotion::velocity(const Point<2> &x) const
-{
+Tensor<1, 2> RigidMotion::velocity(const Point<2> &x) const {
   const Tensor<1, 2> arm = (x - centre) / size;
   return translation + rotation * Tensor<1, 2>({-arm[1], arm[0]});
 }
 
-bool RigidMotion::is_translation() const
-{
+bool RigidMotion::is_translation() const {
   return std::abs(rotation) < 1e-6 * translation.norm();
 }
 
-std::string RigidMotion::name() const
-{
+std::string RigidMotion::name() const {
   if (!is_translation())
     return "the rotation about " + pole(*this);
   const Tensor<1, 2> t = translation / translation.norm();
@@ -140,34 +122,29 @@ std::string RigidMotion::name() const
   return "the translation along " + point_text(sign * t[0], sign * t[1]);
 }
 
-std::string RigidMotion::direction() const
-{
+std::string RigidMotion::direction() const {
   if (!is_translation())
     return std::string(rotation > 0. ? "counter-clockwise" : "clockwise") + " about " + pole(*this);
   const double length = translation.norm();
   return "along " + point_text(translation[0] / length, translation[1] / length);
 }
 
-RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<double> &weights)
-{
+RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<double> &weights) {
   RigidMotion sum = motions.front();
   sum.translation = 0.;
   sum.rotation = 0.;
-  for (std::size_t i = 0; i < motions.size(); ++i)
-  {
+  for (std::size_t i = 0; i < motions.size(); ++i) {
     sum.translation += weights[i] * motions[i].translation;
     sum.rotation += weights[i] * motions[i].rotation;
   }
   return sum;
 }
 
-std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates plates)
-{
+std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates plates) {
   Conditions<2> conditions(scene.geometry);
   std::vector<bool> is_released(scene.boundary.size(), false);
   if (plates == Plates::released)
-    for (const Plate &plate : scene.plates)
-    {
+    for (const Plate &plate : scene.plates) {
       is_released[plate.side] = true;
       add_plate_conditions(plate, conditions);
     }
@@ -182,17 +159,14 @@ std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates 
     // A clamped side of the length l holds a rotation with (l / size)² at least, see
     // max_slenderness; rounding leaves 1e-15.
     if (eigenvalues[k] < 1e-14)
-      motions.push_back({Tensor<1, 2>({vectors(0, k), vectors(1, k)}),
-                         vectors(2, k),
-                         conditions.centre,
-                         conditions.size});
+      motions.push_back({Tensor<1, 2>({vectors(0, k), vectors(1, k)}), vectors(2, k),
+                         conditions.centre, conditions.size});
   return motions;
 }
 
 // Sides of a box are parallel to its axes: what they leave free is spanned by translations along
 // the axes and rotations about axes through any point on the lines of symmetry of the held sides.
-std::vector<std::string> free_rigid_motions(const Scene<3> &scene)
-{
+std::vector<std::string> free_rigid_motions(const Scene<3> &scene) {
   Conditions<3> conditions(scene.geometry);
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
     add_side_conditions(scene.geometry.sides[i], scene.boundary[i].role, conditions);
@@ -206,16 +180,13 @@ std::vector<std::string> free_rigid_motions(const Scene<3> &scene)
 
 // Generalised displacements: what plates and pins could do.
 
-namespace
-{
+namespace {
 /** The motions of all plates, travels and rotations times the size of the body, or of a body. */
 using Coordinates = dealii::Vector<double>;
 
-Coordinates coordinates_of(const std::vector<PlateMotion> &motions, const double size)
-{
+Coordinates coordinates_of(const std::vector<PlateMotion> &motions, const double size) {
   Coordinates x(2 * motions.size());
-  for (std::size_t p = 0; p < motions.size(); ++p)
-  {
+  for (std::size_t p = 0; p < motions.size(); ++p) {
     x[2 * p] = motions[p].travel;
     x[2 * p + 1] = size * motions[p].rotation;
   }
@@ -224,8 +195,7 @@ Coordinates coordinates_of(const std::vector<PlateMotion> &motions, const double
 
 /** Returns a basis of the same span: first all translations that lie in it, then what turns the
  * body. */
-std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions)
-{
+std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions) {
   const auto turning =
     std::max_element(motions.begin(), motions.end(), [](const auto &a, const auto &b) {
       return std::abs(a.rotation) < std::abs(b.rotation);
@@ -240,8 +210,7 @@ std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions)
 }
 
 /** Returns the scene with contact sides that can neither open nor close. */
-Scene<2> with_sliding_contact(Scene<2> scene)
-{
+Scene<2> with_sliding_contact(Scene<2> scene) {
   for (BoundaryCondition<2> &condition : scene.boundary)
     if (condition.role == Role::contact)
       condition.role = Role::roller;
@@ -250,8 +219,7 @@ Scene<2> with_sliding_contact(Scene<2> scene)
 
 /** Adds the direction of @p x to an orthonormal basis unless it lies in its span. @return whether
  * it was added. */
-bool extend(std::vector<Coordinates> &basis, Coordinates x)
-{
+bool extend(std::vector<Coordinates> &basis, Coordinates x) {
   constexpr double negligible = 1e-6;
   // Twice, because of rounding.
   for (unsigned int pass = 0; pass < 2; ++pass)
@@ -266,8 +234,7 @@ bool extend(std::vector<Coordinates> &basis, Coordinates x)
 }
 
 /** Returns the motions of the plates when the body moves as a whole. */
-std::vector<PlateMotion> follow(const RigidMotion &rigid, const std::vector<Plate> &plates)
-{
+std::vector<PlateMotion> follow(const RigidMotion &rigid, const std::vector<Plate> &plates) {
   std::vector<PlateMotion> motions;
   motions.reserve(plates.size());
   for (const Plate &plate : plates)
@@ -277,11 +244,9 @@ std::vector<PlateMotion> follow(const RigidMotion &rigid, const std::vector<Plat
 }
 
 /** Returns the motions in which one plate moves in one way and all others rest. */
-std::vector<FreeMotion> single_motions(const std::vector<Plate> &plates, const double size)
-{
+std::vector<FreeMotion> single_motions(const std::vector<Plate> &plates, const double size) {
   std::vector<FreeMotion> motions;
-  for (std::size_t p = 0; p < plates.size(); ++p)
-  {
+  for (std::size_t p = 0; p < plates.size(); ++p) {
     const auto add = [&](const PlateMotion &motion) {
       motions.push_back({std::vector<PlateMotion>(plates.size()), {}});
       motions.back().plates[p] = motion;
@@ -295,16 +260,14 @@ std::vector<FreeMotion> single_motions(const std::vector<Plate> &plates, const d
 }
 } // namespace
 
-double FreeMotion::work_of_plates(const std::vector<Plate> &plates_of_scene) const
-{
+double FreeMotion::work_of_plates(const std::vector<Plate> &plates_of_scene) const {
   double work = 0.;
   for (std::size_t p = 0; p < plates.size(); ++p)
     work += plates_of_scene[p].work(plates[p]);
   return work;
 }
 
-FreeMotionBasis free_motions(const Scene<2> &scene)
-{
+FreeMotionBasis free_motions(const Scene<2> &scene) {
   FreeMotionBasis motions;
   std::vector<Coordinates> rigid_motions, plate_motions;
   const double size = scene.geometry.diameter();
@@ -327,13 +290,10 @@ FreeMotionBasis free_motions(const Scene<2> &scene)
 }
 
 std::vector<PlateMotion> combine_plates(const std::vector<FreeMotion> &motions,
-                                        const std::vector<double> &q,
-                                        const std::size_t n_plates)
-{
+                                        const std::vector<double> &q, const std::size_t n_plates) {
   std::vector<PlateMotion> sum(n_plates);
   for (std::size_t j = 0; j < motions.size(); ++j)
-    for (std::size_t p = 0; p < n_plates; ++p)
-    {
+    for (std::size_t p = 0; p < n_plates; ++p) {
       sum[p].travel += q[j] * motions[j].plates[p].travel;
       sum[p].rotation += q[j] * motions[j].plates[p].rotation;
     }

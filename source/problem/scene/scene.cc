@@ -7,16 +7,14 @@
 
 #include <algorithm>
 
-namespace Signorini
-{
-Tensor<1, 2> Plate::displacement(const PlateMotion &motion, const Point<2> &x) const
-{
+namespace Signorini {
+Tensor<1, 2> Plate::displacement(const PlateMotion &motion, const Point<2> &x) const {
   const Tensor<1, 2> arm = x - centre;
   return motion.travel * direction + motion.rotation * Tensor<1, 2>({-arm[1], arm[0]});
 }
 
-std::shared_ptr<const Function<2>> plate_displacement(const Plate &plate, const PlateMotion &motion)
-{
+std::shared_ptr<const Function<2>> plate_displacement(const Plate &plate,
+                                                      const PlateMotion &motion) {
   return std::make_shared<FieldFunction<2>>(
     [plate, motion](const Point<2> &x) { return plate.displacement(motion, x); });
 }
@@ -24,8 +22,7 @@ std::shared_ptr<const Function<2>> plate_displacement(const Plate &plate, const 
 // Problem (1): a body, its supports, its loads and its foundation.
 
 template <int dim>
-std::vector<unsigned int> Scene<dim>::contact_sides() const
-{
+std::vector<unsigned int> Scene<dim>::contact_sides() const {
   std::vector<unsigned int> numbers;
   for (unsigned int i = 0; i < boundary.size(); ++i)
     if (boundary[i].role == Role::contact)
@@ -34,8 +31,7 @@ std::vector<unsigned int> Scene<dim>::contact_sides() const
 }
 
 template <int dim>
-bool Scene<dim>::has_exact_pressure() const
-{
+bool Scene<dim>::has_exact_pressure() const {
   for (const unsigned int i : contact_sides())
     if (boundary[i].exact_pressure == nullptr)
       return false;
@@ -43,8 +39,7 @@ bool Scene<dim>::has_exact_pressure() const
 }
 
 template <int dim>
-Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions)
-{
+Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions) {
   if constexpr (dim == 2)
     for (std::size_t p = 0; p < scene.plates.size(); ++p)
       scene.boundary[scene.plates[p].side].data = plate_displacement(scene.plates[p], motions[p]);
@@ -52,8 +47,7 @@ Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &m
 }
 
 template <int dim>
-Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions)
-{
+Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions) {
   for (BoundaryCondition<dim> &condition : scene.boundary)
     if (condition.role == Role::displacement)
       condition.data = std::make_shared<const Functions::ZeroFunction<dim>>(dim);
@@ -67,21 +61,16 @@ template struct Scene<3>;
 
 // Scenes with scaled loads and moved foundations.
 
-namespace
-{
+namespace {
 /** The function factor f. */
-class ScaledFunction final : public Function<2>
-{
+class ScaledFunction final : public Function<2> {
 public:
   ScaledFunction(FunctionPointer<2> function, const double factor)
     : Function<2>(function->n_components)
     , function_(std::move(function))
-    , factor_(factor)
-  {
-  }
+    , factor_(factor) {}
 
-  double value(const Point<2> &x, const unsigned int component) const override
-  {
+  double value(const Point<2> &x, const unsigned int component) const override {
     return factor_ * function_->value(x, component);
   }
 
@@ -90,18 +79,15 @@ private:
   double factor_;
 };
 
-FunctionPointer<2> scale(const FunctionPointer<2> &function, const double factor)
-{
+FunctionPointer<2> scale(const FunctionPointer<2> &function, const double factor) {
   if (function == nullptr || factor == 1.)
     return function;
   return std::make_shared<ScaledFunction>(function, factor);
 }
 } // namespace
 
-std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &load_case)
-{
-  for (Plate &plate : plates)
-  {
+std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &load_case) {
+  for (Plate &plate : plates) {
     plate.force *= load_case.force;
     plate.moment *= load_case.force;
     plate.travel *= load_case.travel;
@@ -109,22 +95,19 @@ std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &loa
   return plates;
 }
 
-Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case)
-{
+Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case) {
   scene.exact_displacement = nullptr;
   scene.body_force = scale(scene.body_force, load_case.weight);
   scene.plates = plates_of_case(std::move(scene.plates), load_case);
   scene.foundation_position += load_case.shift;
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-  {
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     BoundaryCondition<2> &condition = scene.boundary[i];
     condition.exact_pressure = nullptr;
     if (condition.role == Role::traction)
       condition.data = scale(condition.data, load_case.force);
     if (condition.role == Role::displacement)
       condition.data = scale(condition.data, load_case.travel);
-    if (condition.role == Role::contact)
-    {
+    if (condition.role == Role::contact) {
       if (condition.foundation != nullptr && load_case.shift.norm() > 0.)
         condition.data =
           foundation_gap(scene.geometry.sides[i], condition.foundation, scene.foundation_position);
@@ -134,24 +117,20 @@ Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case)
   return scene;
 }
 
-Scene<2> with_only(Scene<2> scene, const LoadKind kind)
-{
-  return scene_of_case(std::move(scene),
-                       {kind == LoadKind::force ? 1. : 0.,
-                        kind == LoadKind::weight ? 1. : 0.,
-                        kind == LoadKind::travel ? 1. : 0.,
-                        1.,
-                        {},
-                        false});
+Scene<2> with_only(Scene<2> scene, const LoadKind kind) {
+  return scene_of_case(std::move(scene), {kind == LoadKind::force ? 1. : 0.,
+                                          kind == LoadKind::weight ? 1. : 0.,
+                                          kind == LoadKind::travel ? 1. : 0.,
+                                          1.,
+                                          {},
+                                          false});
 }
 
-bool has_load(const Scene<2> &scene, const LoadKind kind)
-{
+bool has_load(const Scene<2> &scene, const LoadKind kind) {
   if (kind == LoadKind::weight)
     return scene.body_force != nullptr;
   const Role role = kind == LoadKind::force ? Role::traction : Role::displacement;
-  const bool on_sides = std::any_of(scene.boundary.begin(),
-                                    scene.boundary.end(),
+  const bool on_sides = std::any_of(scene.boundary.begin(), scene.boundary.end(),
                                     [&](const auto &condition) { return condition.role == role; });
   return on_sides || (kind == LoadKind::force && !scene.plates.empty());
 }

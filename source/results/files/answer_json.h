@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 using Json = nlohmann::ordered_json;
 
 /** Returns the content of answer.json. */

@@ -13,37 +13,31 @@
 
 #include "answer_json.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 constexpr std::size_t line_width = 80;
 constexpr std::size_t label_width = 20;
 
-std::string digits(const double value)
-{
+std::string digits(const double value) {
   std::ostringstream text;
   text << std::setprecision(6) << value;
   return text.str();
 }
 
 /** Returns zero for a value that is rounding against @p size. */
-double rounded(const double value, const double size)
-{
+double rounded(const double value, const double size) {
   constexpr double rounding = 1e-11;
   return std::abs(value) <= rounding * size ? 0. : value;
 }
 
-std::string percent(const double share)
-{
+std::string percent(const double share) {
   std::ostringstream text;
   text << std::showpos << std::setprecision(2) << 100. * rounded(share, 1.) << " %";
   return text.str();
 }
 
 /** Returns "0.25", of a vector "(0.25, 0)". */
-std::string number_text(const Json &x, const double size)
-{
+std::string number_text(const Json &x, const double size) {
   if (x.is_number())
     return digits(rounded(x, size));
   std::string text;
@@ -53,15 +47,13 @@ std::string number_text(const Json &x, const double size)
 }
 
 /** Prints an answer; the size of the body decides which lengths are rounding. */
-class AnswerLines
-{
+class AnswerLines {
 public:
   AnswerLines(std::ostream &stream, const std::vector<LevelRecord> &levels)
     : stream_(stream)
     , level_(levels.back())
     , size_(level_.answer.size)
-    , scale_(level_.contact.normal_force)
-  {
+    , scale_(level_.contact.normal_force) {
     for (const auto *const forces : {&level_.answer.contact_by_side, &level_.answer.reactions})
       for (const SideForce &force : *forces)
         scale_ = std::max(scale_, force.resultant.force.norm());
@@ -69,8 +61,7 @@ public:
 
   /** Prints a line "label  text", broken where it is full: at commas and semicolons, or at blanks
    * of a phrase that is longer than a line, outside of parentheses. */
-  void add(const std::string &label, const std::string &text)
-  {
+  void add(const std::string &label, const std::string &text) {
     std::string line = "  " + label;
     line.resize(std::max(label_width, line.size() + 1), ' ');
     const std::size_t indent = line.size();
@@ -81,10 +72,8 @@ public:
         phrases.back() += " " + word;
       else
         phrases.push_back(word);
-    for (const std::string &phrase : phrases)
-    {
-      if (line.size() > indent && line.size() + 1 + phrase.size() > line_width)
-      {
+    for (const std::string &phrase : phrases) {
+      if (line.size() > indent && line.size() + 1 + phrase.size() > line_width) {
         stream_ << line << "\n";
         line = std::string(indent, ' ');
       }
@@ -93,8 +82,7 @@ public:
     stream_ << line << "\n";
   }
 
-  void add_forces(const Json &answer)
-  {
+  void add_forces(const Json &answer) {
     const Json &total = answer["contact_force"];
     const bool is_uncertain = total["error"].is_number() && rounded(total["error"], scale_) > 0.;
     add("Contact force",
@@ -106,10 +94,8 @@ public:
       add("Reaction of " + std::string(force["side"]), force_text(force));
   }
 
-  void add_plates(const Json &answer)
-  {
-    for (std::size_t i = 0; i < answer["plates"].size(); ++i)
-    {
+  void add_plates(const Json &answer) {
+    for (std::size_t i = 0; i < answer["plates"].size(); ++i) {
       const Json &plate = answer["plates"][i];
       std::string text = "travel " + number_text(plate["travel"], size_) + " along " +
                          number_text(plate["direction"], 1.) + ", force " +
@@ -125,34 +111,29 @@ public:
   }
 
   /** Prints a maximum, and below it that away from the place where it grows. */
-  void add_maximum(const std::string &label, const Json &maximum)
-  {
+  void add_maximum(const std::string &label, const Json &maximum) {
     const Json &place = maximum["grows_at"];
     add(label, maximum_text(maximum, place));
     if (!place.is_null() && !maximum["away"].is_null())
       add("  farther than " + digits(place["radius"]), maximum_text(maximum["away"], nullptr));
   }
 
-  void add_zones(const Json &answer)
-  {
+  void add_zones(const Json &answer) {
     if (answer.contains("contact_area"))
       add("Contact area", digits(answer["contact_area"]));
-    for (std::size_t i = 0; i < answer["contact_zones"].size(); ++i)
-    {
+    for (std::size_t i = 0; i < answer["contact_zones"].size(); ++i) {
       const Json &zone = answer["contact_zones"][i];
       const auto &[start, end, length] = level_.answer.zones[i];
       const std::string side = start.place.side;
       const bool all_around = start.place.point.distance(end.place.point) <= 1e-10 * size_;
-      add("Contact zone",
-          (all_around
-             ? "all around " + side
-             : side + " from " + end_text(zone["start"]) + " to " + end_text(zone["end"])) +
-            ", length " + digits(length));
+      add("Contact zone", (all_around ? "all around " + side
+                                      : side + " from " + end_text(zone["start"]) + " to " +
+                                          end_text(zone["end"])) +
+                            ", length " + digits(length));
     }
   }
 
-  void add_penetration(const Json &deepest)
-  {
+  void add_penetration(const Json &deepest) {
     if (deepest.is_null())
       return;
     const double depth = rounded(deepest["value"], size_);
@@ -166,8 +147,7 @@ public:
           "at most " + text + (level_.sizes.is_graded() ? "" : " (between the means)"));
   }
 
-  void add_energy(const Json &energy)
-  {
+  void add_energy(const Json &energy) {
     const bool is_bounded = energy["lower"].is_number() && energy["upper"].is_number();
     add("Energy",
         digits(energy["value"]) + (is_bounded ? " (exact: between " + digits(energy["lower"]) +
@@ -175,22 +155,19 @@ public:
                                               : ""));
   }
 
-  void add_load_cases()
-  {
+  void add_load_cases() {
     if (!level_.load_cases)
       return;
     const CaseSummary &cases = *level_.load_cases;
-    add("Load cases",
-        std::to_string(cases.n_cases) + " in cases.csv, KKT residuals up to " +
-          digits(cases.max_kkt) +
-          (cases.n_escapes > 0
-             ? "; in " + std::to_string(cases.n_escapes) + " of them nothing stops the body"
-             : ""));
+    add("Load cases", std::to_string(cases.n_cases) + " in cases.csv, KKT residuals up to " +
+                        digits(cases.max_kkt) +
+                        (cases.n_escapes > 0 ? "; in " + std::to_string(cases.n_escapes) +
+                                                 " of them nothing stops the body"
+                                             : ""));
   }
 
 private:
-  std::string force_text(const Json &force) const
-  {
+  std::string force_text(const Json &force) const {
     const std::string text = number_text(force["force"], scale_);
     if (force["through"].is_null())
       return text;
@@ -198,19 +175,16 @@ private:
     return text + " through " + number_text(force["through"], size_) + ", moment " +
            number_text(moment, scale_ * (moment.is_number() ? size_ : 1.));
   }
-  std::string at(const Json &place) const
-  {
+  std::string at(const Json &place) const {
     return "on " + std::string(place["side"]) + " at " + number_text(place["point"], size_);
   }
-  std::string end_text(const Json &end) const
-  {
+  std::string end_text(const Json &end) const {
     const std::string point = number_text(end["point"], size_);
     return end["uncertainty"] > 0. ? point + " +- " + digits(end["uncertainty"]) : point;
   }
   /** Returns value and place, "settled (-1 % from the level before)" with the @p place where the
    * value grows, and the mean of the patch. */
-  std::string maximum_text(const Json &maximum, const Json &place) const
-  {
+  std::string maximum_text(const Json &maximum, const Json &place) const {
     const bool is_pressure = maximum.contains("mean");
     std::string text = digits(maximum["value"]) + " " +
                        (is_pressure ? at(maximum) : "at " + number_text(maximum["point"], size_)) +
@@ -222,8 +196,7 @@ private:
                     number_text(place["ends"][1], size_);
     if (!maximum["change"].is_null())
       text += " (" + percent(maximum["change"]) + " from the " + level_.sizes.word() + " before)";
-    if (is_pressure)
-    {
+    if (is_pressure) {
       const double mean = maximum["mean"], value = maximum["value"];
       text += "; mean of its patch " + digits(mean) + " (" + percent(mean / value - 1.) + ")";
     }
@@ -237,10 +210,8 @@ private:
 };
 } // namespace
 
-void print_answer(std::ostream &stream,
-                  const std::vector<LevelRecord> &levels,
-                  const std::filesystem::path &directory)
-{
+void print_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
+                  const std::filesystem::path &directory) {
   stream << "Answer of " << levels.back().sizes.word() << " " << levels.back().sizes.level
          << (levels.back().answer.dimension == 2 ? ", per unit of thickness" : "")
          << " (pressure: positive in compression)\n";

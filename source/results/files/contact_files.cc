@@ -11,34 +11,27 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns -p, where zero has no sign. */
-double positive_in_compression(const double p)
-{
+double positive_in_compression(const double p) {
   return p == 0. ? 0. : -p;
 }
 
 /** Returns positions between 0 and 1 on a piece: its ends, the nodes of its multipliers, and the
  * middles between all of these. */
 std::vector<Point<1>> positions_of_polynomial(const Piece<2> &piece,
-                                              const MultiplierSpace<2> &multipliers)
-{
+                                              const MultiplierSpace<2> &multipliers) {
   std::vector<double> corners = {0.};
   for (unsigned int k = multipliers.first_of(piece.patch);
-       k < multipliers.first_of(piece.patch + 1);
-       ++k)
-  {
+       k < multipliers.first_of(piece.patch + 1); ++k) {
     const double t = (multipliers.node(k)[0] - piece.lower[0]) / (piece.upper[0] - piece.lower[0]);
     if (t > 0. && t < 1.)
       corners.push_back(t);
   }
   corners.push_back(1.);
   std::vector<Point<1>> positions = {Point<1>(0.)};
-  for (std::size_t i = 1; i < corners.size(); ++i)
-  {
+  for (std::size_t i = 1; i < corners.size(); ++i) {
     positions.emplace_back(0.5 * (corners[i - 1] + corners[i]));
     positions.emplace_back(corners[i]);
   }
@@ -47,15 +40,13 @@ std::vector<Point<1>> positions_of_polynomial(const Piece<2> &piece,
 
 /** A row of contact-LL.csv. */
 template <int dim>
-struct ContactRow
-{
+struct ContactRow {
   const ContactPiece<dim> &piece;
   const ContactPoint<dim> &point;
 };
 
 template <int dim>
-Columns<ContactRow<dim>> contact_columns()
-{
+Columns<ContactRow<dim>> contact_columns() {
   using Row = ContactRow<dim>;
   Columns<Row> columns;
   if (dim == 2)
@@ -84,9 +75,7 @@ template <int dim>
 TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                                  const MultiplierSpace<dim> &multipliers,
                                  const std::vector<BoundaryCondition<dim>> &boundary,
-                                 const Displacement &U,
-                                 const Pressure &P)
-{
+                                 const Displacement &U, const Pressure &P) {
   const ContactSurface<dim> &surface = multipliers.surface();
   const RecoveredPressure<dim> recovered(multipliers, P);
   TraceValues<dim> traces(space);
@@ -95,8 +84,7 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
     const SurfaceRule<dim> rule = surface.at(piece, positions);
     const auto u = traces.displacement(surface.faces()[piece.face], rule, U);
     std::vector<ContactPoint<dim>> points;
-    for (std::size_t q = 0; q < rule.size(); ++q)
-    {
+    for (std::size_t q = 0; q < rule.size(); ++q) {
       points.push_back({rule.on_side[q],
                         rule.points[q],
                         multipliers.value(P, piece.patch, rule.on_side[q]),
@@ -111,28 +99,21 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
     return points;
   };
   TracedContact<dim> contact;
-  for (const Piece<dim> &piece : surface.pieces())
-  {
+  for (const Piece<dim> &piece : surface.pieces()) {
     const Patch<dim> &patch = surface.patches()[piece.patch];
     std::vector<Point<dim - 1>> rows = QMidpoint<dim - 1>().get_points(),
                                 corners = QTrapezoid<dim - 1>().get_points();
     if constexpr (dim == 2)
       if (!multipliers.is_piecewise_constant())
         rows = corners = positions_of_polynomial(piece, multipliers);
-    contact.push_back({surface.side(patch).name(),
-                       patch.side,
-                       piece.face,
-                       piece.patch,
-                       patch.measure,
-                       trace(piece, rows),
-                       trace(piece, corners)});
+    contact.push_back({surface.side(patch).name(), patch.side, piece.face, piece.patch,
+                       patch.measure, trace(piece, rows), trace(piece, corners)});
   }
   return contact;
 }
 
 template <int dim>
-void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact)
-{
+void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact) {
   const Columns<ContactRow<dim>> columns = contact_columns<dim>();
   stream << "side," << csv_header(columns) << "\n";
   for (const ContactPiece<dim> &piece : contact)
@@ -141,19 +122,15 @@ void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact)
 }
 
 template <int dim>
-void write_contact_vtu(std::ostream &stream,
-                       const TracedContact<dim> &contact,
-                       const std::vector<double> &bound)
-{
+void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
+                       const std::vector<double> &bound) {
   VtuCells<dim - 1> cells;
   constexpr unsigned int n_corners = GeometryInfo<dim - 1>::vertices_per_cell;
   for (const ContactPiece<dim> &piece : contact)
-    for (std::size_t first = 0; first + n_corners <= piece.corners.size(); ++first)
-    {
+    for (std::size_t first = 0; first + n_corners <= piece.corners.size(); ++first) {
       std::vector<Point<dim>> points;
       std::vector<VtuFields> fields;
-      for (unsigned int v = 0; v < n_corners; ++v)
-      {
+      for (unsigned int v = 0; v < n_corners; ++v) {
         const ContactPoint<dim> &point = piece.corners[first + v];
         points.push_back(point.x);
         fields.push_back(

@@ -19,25 +19,19 @@
 #include <unistd.h>
 #include <vector>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 constexpr const char *trial_name = "trial";
 
 /** Writes and flushes. @return whether every byte was written. */
 bool try_to_write(const std::filesystem::path &path,
-                  const std::function<void(std::ostream &)> &write)
-{
+                  const std::function<void(std::ostream &)> &write) {
   // What has the name, say a pipe or a link, must not be written to.
   unlink(path.c_str());
   std::ofstream file(path, std::ios::binary);
-  try
-  {
+  try {
     write(file);
-  }
-  catch (...)
-  {
+  } catch (...) {
     // deal.II's writers throw when the disk is full.
     if (!file)
       return false;
@@ -49,8 +43,7 @@ bool try_to_write(const std::filesystem::path &path,
 }
 
 /** Returns whether something has this name, also a link that leads nowhere. */
-bool is_taken_name(const std::filesystem::path &path)
-{
+bool is_taken_name(const std::filesystem::path &path) {
   std::error_code error;
   return std::filesystem::exists(std::filesystem::symlink_status(path, error));
 }
@@ -58,12 +51,10 @@ bool is_taken_name(const std::filesystem::path &path)
 /** Makes the directory and those above it, as far as they are missing. A path may lead up again by
  * "..", so that not every directory on it is above the last. @return what was made, in this order.
  */
-std::vector<std::filesystem::path> make_directories(const std::filesystem::path &directory)
-{
+std::vector<std::filesystem::path> make_directories(const std::filesystem::path &directory) {
   std::vector<std::filesystem::path> made;
   std::filesystem::path path;
-  for (const std::filesystem::path &part : directory)
-  {
+  for (const std::filesystem::path &part : directory) {
     path /= part;
     if (mkdir(path.c_str(), 0777) == 0)
       made.push_back(path);
@@ -72,8 +63,7 @@ std::vector<std::filesystem::path> make_directories(const std::filesystem::path 
 }
 
 /** Returns whether a small file can be written into @p directory; it is removed again. */
-bool is_writable(const std::filesystem::path &directory)
-{
+bool is_writable(const std::filesystem::path &directory) {
   const std::filesystem::path trial = temporary_name(directory / trial_name);
   const bool written = try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
   unlink(trial.c_str());
@@ -82,16 +72,14 @@ bool is_writable(const std::filesystem::path &directory)
 
 /** Returns the name of the file that @p name is a part of; @p name itself if it is not temporary.
  */
-std::string final_name(const std::string &name)
-{
+std::string final_name(const std::string &name) {
   static const std::regex temporary("\\.(.+)\\.part");
   return std::regex_replace(name, temporary, "$1");
 }
 
 /** Returns the files of a directory whose names satisfy a test. */
 std::vector<std::filesystem::path> find_files(const std::filesystem::path &directory,
-                                              const NameTest &is_wanted)
-{
+                                              const NameTest &is_wanted) {
   std::error_code error;
   std::vector<std::filesystem::path> found;
   for (const auto &entry : std::filesystem::directory_iterator(directory, error))
@@ -102,10 +90,8 @@ std::vector<std::filesystem::path> find_files(const std::filesystem::path &direc
 
 /** Returns whether a file of the directory that the results replace is the file @p input, under any
  * name of it and through links. */
-bool holds_as_result(const std::filesystem::path &directory,
-                     const std::filesystem::path &input,
-                     const NameTest &is_result)
-{
+bool holds_as_result(const std::filesystem::path &directory, const std::filesystem::path &input,
+                     const NameTest &is_result) {
   const auto found = find_files(directory, [&](const std::string &name) {
     return is_result(final_name(name)) || final_name(name) == trial_name;
   });
@@ -120,8 +106,7 @@ bool holds_as_result(const std::filesystem::path &directory,
 ResultsDirectory::ResultsDirectory(const std::filesystem::path &path,
                                    const std::vector<std::filesystem::path> &inputs,
                                    const NameTest &is_result)
-  : path_(path)
-{
+  : path_(path) {
   const std::string found = "--output: found '" + shorten_path(path_.string()) + "', ";
   std::error_code error;
   if (is_taken_name(path_) && !std::filesystem::exists(path_, error))
@@ -137,14 +122,12 @@ ResultsDirectory::ResultsDirectory(const std::filesystem::path &path,
   throw InputError(found + objection);
 }
 
-ResultsDirectory::~ResultsDirectory()
-{
+ResultsDirectory::~ResultsDirectory() {
   unlock();
 }
 
 std::string ResultsDirectory::lock(const std::vector<std::filesystem::path> &inputs,
-                                   const NameTest &is_result)
-{
+                                   const NameTest &is_result) {
   const std::string allowed = "allowed: a directory that can be made and written to.";
   std::error_code error;
   if (!std::filesystem::is_directory(path_, error))
@@ -161,22 +144,19 @@ std::string ResultsDirectory::lock(const std::vector<std::filesystem::path> &inp
   return is_writable(path_) ? "" : allowed;
 }
 
-void ResultsDirectory::unlock()
-{
+void ResultsDirectory::unlock() {
   if (descriptor_ >= 0)
     close(descriptor_);
   descriptor_ = -1;
 }
 
-void ResultsDirectory::remove_if_empty() const
-{
+void ResultsDirectory::remove_if_empty() const {
   // rmdir() removes neither a file nor a directory that is not empty.
   for (auto path = made_.rbegin(); path != made_.rend(); ++path)
     rmdir(path->c_str());
 }
 
-bool is_name_of_result(const std::string &name)
-{
+bool is_name_of_result(const std::string &name) {
   static const std::regex names(
     "convergence\\.(csv|md|tex)|answer\\.json|(solution|contact)\\.pvd|contact-[0-9]{2}\\.csv|"
     "(solution|contact)-[0-9]{2}\\.vtu|(mesh-[0-9]{2}|pressure(-case-[0-9]{6})?|deformed|bound|"
@@ -186,17 +166,15 @@ bool is_name_of_result(const std::string &name)
   return std::regex_match(name, names) || name == parameters_name || name == certificate_name;
 }
 
-std::filesystem::path temporary_name(const std::filesystem::path &path)
-{
+std::filesystem::path temporary_name(const std::filesystem::path &path) {
   return path.parent_path() / ("." + path.filename().string() + ".part");
 }
 
-void write_file(const std::filesystem::path &path, const std::function<void(std::ostream &)> &write)
-{
+void write_file(const std::filesystem::path &path,
+                const std::function<void(std::ostream &)> &write) {
   const std::filesystem::path temporary = temporary_name(path);
   std::error_code error;
-  if (try_to_write(temporary, write))
-  {
+  if (try_to_write(temporary, write)) {
     std::filesystem::rename(temporary, path, error);
     if (!error)
       return;
@@ -207,11 +185,9 @@ void write_file(const std::filesystem::path &path, const std::function<void(std:
                      "removed or write-protected.");
 }
 
-void remove_files(const std::filesystem::path &directory, const NameTest &is_removed)
-{
-  for (const std::filesystem::path &path :
-       find_files(directory, [&](const std::string &name) { return is_removed(final_name(name)); }))
-  {
+void remove_files(const std::filesystem::path &directory, const NameTest &is_removed) {
+  for (const std::filesystem::path &path : find_files(
+         directory, [&](const std::string &name) { return is_removed(final_name(name)); })) {
     std::error_code error;
     std::filesystem::remove(path, error);
     if (error)
@@ -222,8 +198,7 @@ void remove_files(const std::filesystem::path &directory, const NameTest &is_rem
 
 // The end of the program on a signal.
 
-namespace
-{
+namespace {
 constexpr int usually_ending[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 /** The texts of describe_interruption(): two, so that the one which the handler may be reading is
@@ -231,11 +206,9 @@ constexpr int usually_ending[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 std::array<std::string, 2> descriptions;
 std::atomic<const std::string *> current_description = nullptr;
 
-extern "C" void end_by_signal(const int number)
-{
+extern "C" void end_by_signal(const int number) {
   const std::string *const description = current_description;
-  if (description != nullptr && !description->empty())
-  {
+  if (description != nullptr && !description->empty()) {
     // What may be called here excludes streams and the making of strings.
     const char digits[] = {static_cast<char>('0' + number / 10),
                            static_cast<char>('0' + number % 10)};
@@ -256,11 +229,9 @@ extern "C" void end_by_signal(const int number)
 }
 } // namespace
 
-std::vector<int> ending_signals()
-{
+std::vector<int> ending_signals() {
   std::vector<int> ending;
-  for (const int number : usually_ending)
-  {
+  for (const int number : usually_ending) {
     struct sigaction action = {};
     sigaction(number, nullptr, &action);
     if (action.sa_handler != SIG_IGN)
@@ -269,10 +240,8 @@ std::vector<int> ending_signals()
   return ending;
 }
 
-void handle_signals(const std::vector<int> &ending)
-{
-  for (const int number : usually_ending)
-  {
+void handle_signals(const std::vector<int> &ending) {
+  for (const int number : usually_ending) {
     const bool ends = std::find(ending.begin(), ending.end(), number) != ending.end();
     struct sigaction action = {};
     action.sa_handler = ends ? end_by_signal : SIG_IGN;
@@ -282,15 +251,13 @@ void handle_signals(const std::vector<int> &ending)
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-void describe_interruption(const std::string &where)
-{
+void describe_interruption(const std::string &where) {
   std::string &next = descriptions[current_description == descriptions.data() ? 1 : 0];
   next = where;
   current_description = &next;
 }
 
-void make_standard_streams_safe()
-{
+void make_standard_streams_safe() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0)
       // The lowest free number is taken; opened the wrong way round, it fails like a closed one.

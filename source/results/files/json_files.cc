@@ -11,34 +11,28 @@
 
 #include "answer_json.h"
 
-namespace nlohmann
-{
+namespace nlohmann {
 /** A number that is not known is null. */
 template <typename T>
-struct adl_serializer<std::optional<T>>
-{
+struct adl_serializer<std::optional<T>> {
   template <typename Json>
-  static void to_json(Json &json, const std::optional<T> &value)
-  {
+  static void to_json(Json &json, const std::optional<T> &value) {
     json = value ? Json(*value) : Json(nullptr);
   }
 };
 } // namespace nlohmann
 
-namespace Signorini
-{
+namespace Signorini {
 // The library finds the functions to_json() by the types of their arguments.
 
-static void to_json(Json &json, const BoundaryPlace &place)
-{
+static void to_json(Json &json, const BoundaryPlace &place) {
   json = {{"side", place.side}};
   if (place.point.size() == 2)
     json["arc_length"] = place.arc_length;
   json["point"] = place.point;
 }
 
-static void to_json(Json &json, const SideForce &force)
-{
+static void to_json(Json &json, const SideForce &force) {
   json = Json::object();
   if (!force.side.empty())
     json["side"] = force.side;
@@ -48,31 +42,26 @@ static void to_json(Json &json, const SideForce &force)
   json["through"] = force.through;
 }
 
-static void to_json(Json &json, const ZoneEnd &end)
-{
+static void to_json(Json &json, const ZoneEnd &end) {
   json = end.place;
   json["uncertainty"] = end.uncertainty;
 }
 
-static void to_json(Json &json, const ContactZone &zone)
-{
+static void to_json(Json &json, const ContactZone &zone) {
   json = {{"start", zone.start}, {"end", zone.end}, {"length", zone.length}};
 }
 
-static void to_json(Json &json, const PressureMaximum &peak)
-{
+static void to_json(Json &json, const PressureMaximum &peak) {
   json = {{"value", peak.value}};
   json.update(Json(peak.place));
   json["mean"] = peak.mean;
 }
 
-static void to_json(Json &json, const StressMaximum &stress)
-{
+static void to_json(Json &json, const StressMaximum &stress) {
   json = {{"value", stress.value}, {"point", stress.point}};
 }
 
-static void to_json(Json &json, const GrowthPlace &place)
-{
+static void to_json(Json &json, const GrowthPlace &place) {
   json = Json::object();
   if (place.ends[0].size() == 2)
     json["point"] = place.ends[0];
@@ -81,8 +70,7 @@ static void to_json(Json &json, const GrowthPlace &place)
   json["radius"] = place.radius;
 }
 
-static void to_json(Json &json, const PlateRecord &plate)
-{
+static void to_json(Json &json, const PlateRecord &plate) {
   json = {{"side", plate.side},
           {"direction", AnswerVector(plate.plate.direction)},
           {"travel", plate.motion.travel},
@@ -92,14 +80,12 @@ static void to_json(Json &json, const PlateRecord &plate)
           {"moment", plate.moment}};
 }
 
-static void to_json(Json &json, const Penetration &penetration)
-{
+static void to_json(Json &json, const Penetration &penetration) {
   json = {{"value", penetration.value}};
   json.update(Json(penetration.place));
 }
 
-static void to_json(Json &json, const ErrorBound &bound)
-{
+static void to_json(Json &json, const ErrorBound &bound) {
   json = {{"absolute", bound.absolute},
           {"relative", bound.relative},
           {"mesh", bound.mesh},
@@ -119,22 +105,18 @@ static void to_json(Json &json, const ErrorBound &bound)
           {"missing", bound.missing}};
 }
 
-namespace
-{
-const AnswerVector &point_of(const PressureMaximum &peak)
-{
+namespace {
+const AnswerVector &point_of(const PressureMaximum &peak) {
   return peak.place.point;
 }
-const AnswerVector &point_of(const StressMaximum &stress)
-{
+const AnswerVector &point_of(const StressMaximum &stress) {
   return stress.point;
 }
 
 /** Returns whether two maxima lie on the same cell, as far as its size, its degree and the place
  * show. */
 template <typename Maximum>
-bool share_mesh(const Maximum &a, const Maximum &b)
-{
+bool share_mesh(const Maximum &a, const Maximum &b) {
   return a.mesh.degree == b.mesh.degree &&
          std::abs(a.mesh.size - b.mesh.size) < 1e-6 * a.mesh.size &&
          point_of(a).distance(point_of(b)) < a.mesh.size;
@@ -142,8 +124,7 @@ bool share_mesh(const Maximum &a, const Maximum &b)
 
 /** Returns the maximum of the finest level with its trend over the levels. */
 template <typename Maximum>
-Json with_trend(const std::vector<std::optional<Maximum>> &maxima, const bool is_unlimited)
-{
+Json with_trend(const std::vector<std::optional<Maximum>> &maxima, const bool is_unlimited) {
   std::vector<std::optional<double>> values;
   for (const std::optional<Maximum> &maximum : maxima)
     values.push_back(maximum ? std::optional<double>(maximum->value) : std::nullopt);
@@ -162,11 +143,9 @@ Json with_trend(const std::vector<std::optional<Maximum>> &maxima, const bool is
 /** Returns the maximum of the finest level, the place where it grows without limit, and the maximum
  * away from such places. @param of returns the optional PeakPressure or VonMises of an answer. */
 template <typename Maximum, typename Get>
-Json maximum_of(const std::vector<LevelRecord> &levels, const Get &of)
-{
+Json maximum_of(const std::vector<LevelRecord> &levels, const Get &of) {
   std::vector<std::optional<Maximum>> largest, away;
-  for (const LevelRecord &level : levels)
-  {
+  for (const LevelRecord &level : levels) {
     const auto maximum = of(level.answer);
     largest.push_back(maximum);
     away.push_back(maximum ? maximum->away : std::nullopt);
@@ -182,8 +161,7 @@ Json maximum_of(const std::vector<LevelRecord> &levels, const Get &of)
 
 } // namespace
 
-Json answer_of(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict)
-{
+Json answer_of(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict) {
   const LevelRecord &finest = levels.back();
   const Answer &answer = finest.answer;
   const ErrorBound bound = finest.bound.value_or(ErrorBound());
@@ -217,19 +195,15 @@ Json answer_of(const std::vector<LevelRecord> &levels, const StudyVerdict &verdi
     json["contact_area"] = finest.contact.length;
   return json;
 }
-void write_answer(std::ostream &stream,
-                  const std::vector<LevelRecord> &levels,
-                  const StudyVerdict &verdict)
-{
+void write_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
+                  const StudyVerdict &verdict) {
   stream << answer_of(levels, verdict).dump(2) << "\n";
 }
 
 // certificate.json: how well each level satisfies (5).
 
-namespace
-{
-Json describe(const LevelRecord &level, const Judge &judge)
-{
+namespace {
+Json describe(const LevelRecord &level, const Judge &judge) {
   const Certificate &c = level.certificate;
   Json json = {{"level", level.sizes.level}};
   for (const Residual &residual : residuals(c))
@@ -243,20 +217,17 @@ Json describe(const LevelRecord &level, const Judge &judge)
                {"rounding_error", rounding(level)},
                {"residual_bound", judge.residual_bound(level)},
                {"unique", level.dual.unique},
-               {"contact_solver_replaced",
-                level.dual.active_set_failure.has_value() || level.dual.stalled.has_value() ||
-                  level.dual.failure_of_cycles.has_value()},
+               {"contact_solver_replaced", level.dual.active_set_failure.has_value() ||
+                                             level.dual.stalled.has_value() ||
+                                             level.dual.failure_of_cycles.has_value()},
                {"bound", level.bound},
                {"certified", judge.accepts(level)}});
   return json;
 }
 } // namespace
 
-void write_certificate(std::ostream &stream,
-                       const std::vector<LevelRecord> &levels,
-                       const Judge &judge,
-                       const StudyVerdict &verdict)
-{
+void write_certificate(std::ostream &stream, const std::vector<LevelRecord> &levels,
+                       const Judge &judge, const StudyVerdict &verdict) {
   Json rows = Json::array();
   for (const LevelRecord &level : levels)
     rows.push_back(describe(level, judge));

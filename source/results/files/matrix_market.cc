@@ -7,27 +7,19 @@
 #include <iomanip>
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Writes the first two lines but for the number of entries. */
-void write_head(std::ostream &stream,
-                const std::string &format,
-                const bool symmetric,
-                const types::global_dof_index n_rows,
-                const types::global_dof_index n_columns)
-{
+void write_head(std::ostream &stream, const std::string &format, const bool symmetric,
+                const types::global_dof_index n_rows, const types::global_dof_index n_columns) {
   stream << "%%MatrixMarket matrix " << format << " real " << (symmetric ? "symmetric" : "general")
          << "\n"
          << n_rows << " " << n_columns << std::setprecision(17);
 }
 } // namespace
 
-void write_matrix_market(std::ostream &stream,
-                         const FullMatrix<double> &matrix,
-                         const bool symmetric)
-{
+void write_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix,
+                         const bool symmetric) {
   write_head(stream, "array", symmetric, matrix.m(), matrix.n());
   stream << "\n";
   for (std::size_t j = 0; j < matrix.n(); ++j)
@@ -35,8 +27,7 @@ void write_matrix_market(std::ostream &stream,
       stream << matrix(i, j) << "\n";
 }
 
-std::string lower_triangle(const TrilinosWrappers::SparseMatrix &matrix, const double factor)
-{
+std::string lower_triangle(const TrilinosWrappers::SparseMatrix &matrix, const double factor) {
   std::ostringstream lines;
   lines << std::setprecision(17);
   const auto [first, end] = matrix.local_range();
@@ -47,8 +38,7 @@ std::string lower_triangle(const TrilinosWrappers::SparseMatrix &matrix, const d
   return lines.str();
 }
 
-std::string entries_of(const Coupling &D)
-{
+std::string entries_of(const Coupling &D) {
   std::ostringstream lines;
   lines << std::setprecision(17);
   for (unsigned int tau = 0; tau < D.n_columns(); ++tau)
@@ -57,12 +47,9 @@ std::string entries_of(const Coupling &D)
   return lines.str();
 }
 
-void write_matrix_market(std::ostream &stream,
-                         const types::global_dof_index n_rows,
+void write_matrix_market(std::ostream &stream, const types::global_dof_index n_rows,
                          const types::global_dof_index n_columns,
-                         const std::vector<std::string> &parts,
-                         const bool symmetric)
-{
+                         const std::vector<std::string> &parts, const bool symmetric) {
   std::ptrdiff_t n_entries = 0;
   for (const std::string &part : parts)
     n_entries += std::count(part.begin(), part.end(), '\n');

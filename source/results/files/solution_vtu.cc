@@ -20,33 +20,26 @@
 #include <regex>
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The cells of this rank with their fields. Cells may be divided in different ways. */
 template <int dim>
-class BodyFields
-{
+class BodyFields {
 public:
-  BodyFields(const DisplacementSpace<dim> &space,
-             const Scene<dim> &scene,
-             const Displacement &U,
+  BodyFields(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U,
              const BoundFields &bound)
     : space_(space)
     , material_(*scene.material)
     , U_(U)
     , bound_(bound)
-    , is_recovered_(space.max_element_degree() == 1 && space.mesh().has_parents())
-  {
+    , is_recovered_(space.max_element_degree() == 1 && space.mesh().has_parents()) {
     if (space.strain_operator() == StrainOperator::mean_dilatation)
       dilatations_ = mean_dilatations(space, U);
     for (unsigned int number = 0; number < space.elements().size(); ++number)
       add_cells(number);
   }
 
-  std::string text(const DataOutBase::VtkFlags &flags) const
-  {
+  std::string text(const DataOutBase::VtkFlags &flags) const {
     std::ostringstream stream;
     if (!cells_.cells.empty())
       DataOutBase::write_vtu_main(cells_.cells, cells_.names, cells_.ranges(), flags, stream);
@@ -57,14 +50,11 @@ private:
   using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
   /** Adds the cells of one of the elements. */
-  void add_cells(const unsigned int number)
-  {
+  void add_cells(const unsigned int number) {
     const FiniteElement<dim> &element = space_.elements()[number];
     const unsigned int n = dim == 3 ? 1 : is_recovered_ ? 2 : element.degree;
     const Quadrature<dim> points = QIterated<dim>(QTrapezoid<1>(), n);
-    FEValues<dim> values(space_.mesh().mapping(),
-                         element,
-                         points,
+    FEValues<dim> values(space_.mesh().mapping(), element, points,
                          update_values | update_gradients | update_inverse_jacobians |
                            update_quadrature_points);
     std::optional<PatchInterpolation<dim>> interpolation;
@@ -74,8 +64,7 @@ private:
     FieldValues<dim> u;
     u.values.resize(points.size());
     u.gradients.resize(points.size());
-    for (const Cell &cell : space_.dofs().active_cell_iterators())
-    {
+    for (const Cell &cell : space_.dofs().active_cell_iterators()) {
       if (!cell->is_locally_owned() || cell->active_fe_index() != number)
         continue;
       values.reinit(cell);
@@ -86,16 +75,11 @@ private:
   }
 
   /** Adds a cell with the fields u_h and @p recovered. */
-  void add_cell(const Cell &cell,
-                const unsigned int n,
-                const FEValues<dim> &values,
-                const FieldValues<dim> &u,
-                const FieldValues<dim> &recovered)
-  {
+  void add_cell(const Cell &cell, const unsigned int n, const FEValues<dim> &values,
+                const FieldValues<dim> &u, const FieldValues<dim> &recovered) {
     const unsigned int index = cell->active_cell_index();
     std::vector<VtuFields> fields(u.values.size());
-    for (unsigned int q = 0; q < fields.size(); ++q)
-    {
+    for (unsigned int q = 0; q < fields.size(); ++q) {
       add_vector("displacement", u.values[q], fields[q]);
       if (dim == 2 && is_recovered_)
         add_vector("recovered_displacement", recovered.values[q], fields[q]);
@@ -104,54 +88,45 @@ private:
         replace_trace(strain, dilatations_[index]);
       add_stress(values.quadrature_point(q), strain, fields[q]);
       if (!bound_.mesh.empty())
-        fields[q].insert(fields[q].end(),
-                         {{"bound_mesh", bound_.mesh[index]},
-                          {"bound_oscillation", bound_.oscillation[index]},
-                          {"bound_lift", bound_.lift[index]}});
+        fields[q].insert(fields[q].end(), {{"bound_mesh", bound_.mesh[index]},
+                                           {"bound_oscillation", bound_.oscillation[index]},
+                                           {"bound_lift", bound_.lift[index]}});
       if (space_.max_element_degree() > 1)
         fields[q].emplace_back("degree", cell->get_fe().degree);
     }
     cells_.add(n, values.get_quadrature_points(), fields);
   }
 
-  static void add_vector(const char *const name, const Tensor<1, dim> &vector, VtuFields &fields)
-  {
+  static void add_vector(const char *const name, const Tensor<1, dim> &vector, VtuFields &fields) {
     for (unsigned int d = 0; d < 3; ++d)
       fields.emplace_back(name, d < dim ? vector[d] : 0.);
   }
 
   /** Adds the tensor, its components and its invariants. */
-  void add_stress(const Point<dim> &x,
-                  const SymmetricTensor<2, dim> &strain,
-                  VtuFields &fields) const
-  {
+  void add_stress(const Point<dim> &x, const SymmetricTensor<2, dim> &strain,
+                  VtuFields &fields) const {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     Stress3D stress = unknown * unit_symmetric_tensor<3>();
     std::array<double, 3> principal = {{unknown, unknown, unknown}};
-    try
-    {
+    try {
       stress = stress_in_3d(material_, x, strain);
       principal = principal_stresses(stress);
-    }
-    catch (const InputError &)
-    {
+    } catch (const InputError &) {
       // Mesh nodes may be the only points where the material's data has no value.
     }
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
         fields.emplace_back("stress", stress[i][j]);
-    fields.insert(fields.end(),
-                  {{"stress_xx", stress[0][0]},
-                   {"stress_yy", stress[1][1]},
-                   {"stress_zz", stress[2][2]},
-                   {"stress_xy", stress[0][1]}});
+    fields.insert(fields.end(), {{"stress_xx", stress[0][0]},
+                                 {"stress_yy", stress[1][1]},
+                                 {"stress_zz", stress[2][2]},
+                                 {"stress_xy", stress[0][1]}});
     if (dim == 3)
       fields.insert(fields.end(), {{"stress_xz", stress[0][2]}, {"stress_yz", stress[1][2]}});
-    fields.insert(fields.end(),
-                  {{"von_mises_stress", von_mises(stress)},
-                   {"principal_stress_1", principal[0]},
-                   {"principal_stress_2", principal[1]},
-                   {"principal_stress_3", principal[2]}});
+    fields.insert(fields.end(), {{"von_mises_stress", von_mises(stress)},
+                                 {"principal_stress_1", principal[0]},
+                                 {"principal_stress_2", principal[1]},
+                                 {"principal_stress_3", principal[2]}});
   }
 
   const DisplacementSpace<dim> &space_;
@@ -167,13 +142,9 @@ private:
 } // namespace
 
 template <int dim>
-void write_solution_vtu(const std::filesystem::path &path,
-                        const DisplacementSpace<dim> &space,
-                        const Scene<dim> &scene,
-                        const Displacement &U,
-                        const BoundFields &bound,
-                        const unsigned int number)
-{
+void write_solution_vtu(const std::filesystem::path &path, const DisplacementSpace<dim> &space,
+                        const Scene<dim> &scene, const Displacement &U, const BoundFields &bound,
+                        const unsigned int number) {
   const DataOutBase::VtkFlags flags(number, number, false, DataOutBase::VtkFlags::best_speed);
   MPI_Comm communicator = space.mesh().communicator();
   const std::vector<std::string> pieces =
@@ -190,8 +161,7 @@ void write_solution_vtu(const std::filesystem::path &path,
   });
 }
 
-void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::string>> &files)
-{
+void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::string>> &files) {
   std::ostringstream record;
   DataOutBase::write_pvd_record(record, files);
   // The comment, which contains the time, is left out: the same run gives the same file.

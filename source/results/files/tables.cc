@@ -11,10 +11,8 @@
 #include <limits>
 #include <sstream>
 
-namespace Signorini
-{
-void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels)
-{
+namespace Signorini {
+void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels) {
   stream << csv_header(level_columns()) << "\n";
   for (const LevelRecord &level : levels)
     stream << csv_row(level_columns(), level) << "\n";
@@ -22,16 +20,14 @@ void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> 
 
 // The tables on the screen: one line per level as it finishes, and the errors at the end.
 
-namespace
-{
+namespace {
 constexpr int number_width = 11;
 constexpr int order_width = 6;
 
 /** The smallest error that has an order; errors below are rounding (patch tests). */
 constexpr double min_error = 1e-13;
 
-void print_number(std::ostream &stream, const int width, const std::optional<double> &value)
-{
+void print_number(std::ostream &stream, const int width, const std::optional<double> &value) {
   stream << std::setw(width);
   if (value)
     stream << *value;
@@ -40,19 +36,16 @@ void print_number(std::ostream &stream, const int width, const std::optional<dou
 }
 
 /** Prints a number with four digits. */
-void print_value(std::ostream &stream, const int width, const std::optional<double> &value)
-{
+void print_value(std::ostream &stream, const int width, const std::optional<double> &value) {
   print_number(stream << std::scientific << std::setprecision(3), width, value);
 }
 
-void print_order(std::ostream &stream, const int width, const std::optional<double> &order)
-{
+void print_order(std::ostream &stream, const int width, const std::optional<double> &order) {
   print_number(stream << std::fixed << std::setprecision(2), width, order);
 }
 
 /** A number on the screen: its title, and its column of convergence.csv. */
-struct ErrorColumn
-{
+struct ErrorColumn {
   const char *title;
   const char *name;
 };
@@ -65,10 +58,8 @@ constexpr ErrorColumn error_columns[] = {{"|u-uh|1", "u_h1"},
 constexpr const char *estimate_name = "estimated_relative";
 
 /** Returns log(before/now) / log(h before/h now). */
-std::optional<double> order(const LevelRecord &level,
-                            const LevelRecord *before,
-                            const std::string &name)
-{
+std::optional<double> order(const LevelRecord &level, const LevelRecord *before,
+                            const std::string &name) {
   if (before == nullptr || level.sizes.is_graded() || !(before->sizes.h > level.sizes.h))
     return {};
   const std::optional<double> now = value(level, name), then = value(*before, name);
@@ -78,13 +69,11 @@ std::optional<double> order(const LevelRecord &level,
 }
 
 /** Returns the slope of log(error) over log(h), least squares over the last levels. */
-std::optional<double> slope(const std::vector<LevelRecord> &levels, const std::string &name)
-{
+std::optional<double> slope(const std::vector<LevelRecord> &levels, const std::string &name) {
   constexpr std::size_t n_levels = 4;
   std::vector<double> x, y;
   for (std::size_t i = levels.size() - std::min(n_levels, levels.size()); i < levels.size(); ++i)
-    if (const std::optional<double> error = value(levels[i], name); error && *error > min_error)
-    {
+    if (const std::optional<double> error = value(levels[i], name); error && *error > min_error) {
       x.push_back(std::log(levels[i].sizes.h));
       y.push_back(std::log(*error));
     }
@@ -94,8 +83,7 @@ std::optional<double> slope(const std::vector<LevelRecord> &levels, const std::s
 }
 } // namespace
 
-std::string screen_header(const bool graded)
-{
+std::string screen_header(const bool graded) {
   std::ostringstream line;
   line << (graded ? " step" : "level") << std::setw(9) << "dofs" << std::setw(6) << "m"
        << std::setw(7) << "active" << std::setw(5) << "its" << std::setw(number_width) << "force"
@@ -104,30 +92,27 @@ std::string screen_header(const bool graded)
   return line.str();
 }
 
-std::string screen_row(const LevelRecord &level, const LevelRecord *before)
-{
+std::string screen_row(const LevelRecord &level, const LevelRecord *before) {
   std::ostringstream line;
   line << std::setw(5) << level.sizes.level << std::setw(9) << level.sizes.dofs << std::setw(6)
        << level.sizes.multipliers << std::setw(7) << level.contact.active << std::setw(5)
        << level.dual.iterations;
   print_value(line, number_width, level.contact.normal_force);
-  print_value(
-    line, number_width, level.answer.peak_pressure ? level.answer.peak_pressure->value : 0.);
+  print_value(line, number_width,
+              level.answer.peak_pressure ? level.answer.peak_pressure->value : 0.);
   print_value(line, number_width, value(level, estimate_name));
   print_order(line, order_width, order(level, before, estimate_name));
   return line.str();
 }
 
-std::string screen_legend(const bool graded)
-{
+std::string screen_legend(const bool graded) {
   return std::string(graded ? "m: multipliers" : "m: patches") +
          "; active: those that press; its: iterations of the dual problem;\n"
          "force: contact force; peak p: largest contact pressure (both positive in\n"
          "compression); estimate: of the error of u_h, relative, in the energy norm\n";
 }
 
-std::string error_table(const std::vector<LevelRecord> &levels)
-{
+std::string error_table(const std::vector<LevelRecord> &levels) {
   constexpr int error_width = 10, error_order_width = 5;
   std::vector<ErrorColumn> columns;
   for (const ErrorColumn &column : error_columns)
@@ -141,11 +126,9 @@ std::string error_table(const std::vector<LevelRecord> &levels)
   for (const ErrorColumn &column : columns)
     text << std::setw(error_width) << column.title << std::setw(error_order_width) << "ord";
   const LevelRecord *before = nullptr;
-  for (const LevelRecord &level : levels)
-  {
+  for (const LevelRecord &level : levels) {
     text << "\n" << std::setw(5) << level.sizes.level;
-    for (const ErrorColumn &column : columns)
-    {
+    for (const ErrorColumn &column : columns) {
       print_value(text, error_width, value(level, column.name));
       print_order(text, error_order_width, order(level, before, column.name));
     }
@@ -165,11 +148,9 @@ std::string error_table(const std::vector<LevelRecord> &levels)
 
 // cases.csv: force against travel, zone against force.
 
-namespace
-{
+namespace {
 /** Returns the columns: first the loads, then the answers, which an escape leaves empty. */
-Columns<CaseResult> case_columns()
-{
+Columns<CaseResult> case_columns() {
   using Case = CaseResult;
   const auto of_plate = [](double PlateMotion::*const part) {
     return [part](const Case &c) {
@@ -201,8 +182,7 @@ Columns<CaseResult> case_columns()
 }
 } // namespace
 
-void write_cases_csv(std::ostream &stream, const std::vector<CaseResult> &cases)
-{
+void write_cases_csv(std::ostream &stream, const std::vector<CaseResult> &cases) {
   const Columns<CaseResult> columns = case_columns();
   stream << "case," << csv_header(columns) << ",state\n";
   for (std::size_t i = 0; i < cases.size(); ++i)

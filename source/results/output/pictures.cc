@@ -9,13 +9,10 @@
 #include <cstdio>
 #include <sys/wait.h>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns a word of the shell: in single quotes all characters but these stand for themselves. */
-std::string shell_word(const std::string &text)
-{
+std::string shell_word(const std::string &text) {
   std::string word = "'";
   for (const char c : text)
     word += c == '\'' ? "'\\''" : std::string(1, c);
@@ -23,15 +20,13 @@ std::string shell_word(const std::string &text)
 }
 
 /** Returns the last line, which says what failed. */
-std::string last_line(const std::string &text)
-{
+std::string last_line(const std::string &text) {
   const std::string trimmed = trim(text);
   return trimmed.substr(trimmed.rfind('\n') + 1);
 }
 } // namespace
 
-std::string draw_pictures(const std::filesystem::path &directory)
-{
+std::string draw_pictures(const std::filesystem::path &directory) {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::string command =

@@ -15,13 +15,10 @@
 
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns the text with "# " before every line. */
-std::string commented(const std::string &text)
-{
+std::string commented(const std::string &text) {
   std::istringstream lines(text);
   std::string result;
   for (std::string line; std::getline(lines, line);)
@@ -30,27 +27,21 @@ std::string commented(const std::string &text)
 }
 
 /** Returns "name-LL.ending". */
-std::string level_file(const char *name, const unsigned int level, const char *ending)
-{
+std::string level_file(const char *name, const unsigned int level, const char *ending) {
   return std::string(name) + "-" + Utilities::int_to_string(level, 2) + ending;
 }
 } // namespace
 
-ResultsWriter::ResultsWriter(const Parameters &parameters,
-                             const Judge &judge,
-                             const std::string &scene_description,
-                             std::filesystem::path directory,
+ResultsWriter::ResultsWriter(const Parameters &parameters, const Judge &judge,
+                             const std::string &scene_description, std::filesystem::path directory,
                              MPI_Comm communicator)
   : parameters_(parameters)
   , judge_(judge)
   , scene_description_(scene_description)
   , directory_(std::move(directory))
-  , communicator_(communicator)
-{
-}
+  , communicator_(communicator) {}
 
-void ResultsWriter::on_first_rank(const std::function<void()> &work) const
-{
+void ResultsWriter::on_first_rank(const std::function<void()> &work) const {
   agree(communicator_, [&]() {
     if (!directory_.empty() && Utilities::MPI::this_mpi_process(communicator_) == 0)
       work();
@@ -58,13 +49,11 @@ void ResultsWriter::on_first_rank(const std::function<void()> &work) const
 }
 
 void ResultsWriter::write(const std::string &name,
-                          const std::function<void(std::ostream &)> &content) const
-{
+                          const std::function<void(std::ostream &)> &content) const {
   on_first_rank([&]() { write_file(directory_ / name, content); });
 }
 
-void ResultsWriter::start_directory()
-{
+void ResultsWriter::start_directory() {
   if (started_)
     return;
   started_ = true;
@@ -80,16 +69,14 @@ void ResultsWriter::start_directory()
 }
 
 void ResultsWriter::write_certificate(const std::vector<LevelRecord> &levels,
-                                      const StudyVerdict &verdict) const
-{
+                                      const StudyVerdict &verdict) const {
   write(certificate_name, [&](std::ostream &stream) {
     Signorini::write_certificate(stream, levels, judge_, verdict);
   });
 }
 
 template <int dim>
-void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim> &level)
-{
+void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim> &level) {
   if (directory_.empty())
     return;
   const DisplacementSpace<dim> &space = level.discretization->space;
@@ -98,22 +85,20 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
   start_directory();
   TracedContact<dim> traced;
   on_first_rank([&]() {
-    traced = trace_contact(
-      space, level.discretization->multipliers, scene.boundary, solution.U, solution.P);
+    traced = trace_contact(space, level.discretization->multipliers, scene.boundary, solution.U,
+                           solution.P);
   });
   write(level_file("contact", number, ".csv"),
         [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
   const VtuLevels vtu = parameters_.output.vtu;
   const bool wants_finest = vtu == VtuLevels::finest || parameters_.output.pictures;
-  if (vtu == VtuLevels::all || (wants_finest && level.is_last))
-  {
+  if (vtu == VtuLevels::all || (wants_finest && level.is_last)) {
     const BoundFields &bound = solution.bound_fields;
-    write_solution_vtu(
-      directory_ / level_file("solution", number, ".vtu"), space, scene, solution.U, bound, number);
+    write_solution_vtu(directory_ / level_file("solution", number, ".vtu"), space, scene,
+                       solution.U, bound, number);
     write(level_file("contact", number, ".vtu"),
           [&](std::ostream &stream) { write_contact_vtu<dim>(stream, traced, bound.contact); });
-    for (const char *const name : {"solution", "contact"})
-    {
+    for (const char *const name : {"solution", "contact"}) {
       vtu_files_[name].emplace_back(number, level_file(name, number, ".vtu"));
       write(name + std::string(".pvd"),
             [&](std::ostream &stream) { write_pvd(stream, vtu_files_[name]); });
@@ -124,35 +109,29 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
 }
 
 void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
-                                      const Scene<2> &scene,
-                                      const Displacement &U,
-                                      const Pressure &P,
-                                      const unsigned int number)
-{
+                                      const Scene<2> &scene, const Displacement &U,
+                                      const Pressure &P, const unsigned int number) {
   if (directory_.empty())
     return;
   start_directory();
   const std::string ending = "-case-" + Utilities::int_to_string(number, 6);
   if (parameters_.output.vtu != VtuLevels::none)
-    write_solution_vtu(
-      directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U, {}, number);
+    write_solution_vtu(directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U,
+                       {}, number);
   write("contact" + ending + ".csv", [&](std::ostream &stream) {
-    write_contact_csv<2>(
-      stream,
-      trace_contact(discretization.space, discretization.multipliers, scene.boundary, U, P));
+    write_contact_csv<2>(stream, trace_contact(discretization.space, discretization.multipliers,
+                                               scene.boundary, U, P));
   });
 }
 
-void ResultsWriter::write_cases(const std::vector<CaseResult> &cases)
-{
+void ResultsWriter::write_cases(const std::vector<CaseResult> &cases) {
   start_directory();
   write("cases.csv", [&](std::ostream &stream) { write_cases_csv(stream, cases); });
 }
 
 template <int dim>
 void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization,
-                                       const LevelSolution<dim> &solution)
-{
+                                       const LevelSolution<dim> &solution) {
   const DisplacementSpace<dim> &space = discretization.space;
   const LinearSystem<dim> &system = *solution.system;
   const DualData &dual = *solution.dual;
@@ -176,8 +155,7 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   write_vector("G", G);
   write_vector("F", dual.F);
   write_vector("P", solution.P);
-  if (solution.q.size() > 0)
-  {
+  if (solution.q.size() > 0) {
     write_vector("b", dual.motions.b);
     write_vector("q", solution.q);
     write_matrix("B", dual.motions.B);
@@ -188,8 +166,7 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
 }
 
 void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
-                                 const StudyVerdict &verdict)
-{
+                                 const StudyVerdict &verdict) {
   start_directory();
   // The disk may fill up in between. Then the certificate must not claim more than the table
   // contains; the reason why a study is not certified must not get lost.
@@ -201,14 +178,12 @@ void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,
 }
 
 void ResultsWriter::write_answer(const std::vector<LevelRecord> &levels,
-                                 const StudyVerdict &verdict)
-{
+                                 const StudyVerdict &verdict) {
   write("answer.json",
         [&](std::ostream &stream) { Signorini::write_answer(stream, levels, verdict); });
 }
 
-std::string ResultsWriter::write_pictures()
-{
+std::string ResultsWriter::write_pictures() {
   std::string missing;
   if (parameters_.output.pictures)
     on_first_rank([&]() { missing = draw_pictures(directory_); });
@@ -216,36 +191,28 @@ std::string ResultsWriter::write_pictures()
 }
 
 void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
-                                  const StudyVerdict &verdict)
-{
+                                  const StudyVerdict &verdict) {
   bool keeps_earlier_results = false;
   if (!started_)
     on_first_rank([&]() {
       std::error_code error;
       keeps_earlier_results = std::filesystem::exists(directory_ / certificate_name, error);
     });
-  try
-  {
+  try {
     if (!Utilities::MPI::broadcast(communicator_, keeps_earlier_results))
       write_tables(levels, verdict);
-  }
-  catch (const WritingError &)
-  {
+  } catch (const WritingError &) {
     // The first failure is reported. On a full disk even the certificate may fail: then its outcome
     // remains "unfinished".
   }
 }
 
-void ResultsWriter::abandon()
-{
+void ResultsWriter::abandon() {
   if (!started_ || Utilities::MPI::this_mpi_process(communicator_) != 0)
     return;
-  try
-  {
+  try {
     remove_files(directory_, is_name_of_result);
-  }
-  catch (const WritingError &)
-  {
+  } catch (const WritingError &) {
     // The InputError is reported instead.
   }
 }

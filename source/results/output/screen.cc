@@ -9,28 +9,20 @@
 #include <cmath>
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns "clamped top; contact bottom; ..." in the order of the roles. */
 template <int dim>
-std::string describe_boundary(const Scene<dim> &scene)
-{
-  const std::pair<Role, const char *> roles[] = {{Role::contact, "contact"},
-                                                 {Role::clamped, "clamped"},
-                                                 {Role::roller, "rollers"},
-                                                 {Role::displacement, "displacement"},
-                                                 {Role::traction, "traction"},
-                                                 {Role::free, "free"}};
+std::string describe_boundary(const Scene<dim> &scene) {
+  const std::pair<Role, const char *> roles[] = {
+    {Role::contact, "contact"},           {Role::clamped, "clamped"},   {Role::roller, "rollers"},
+    {Role::displacement, "displacement"}, {Role::traction, "traction"}, {Role::free, "free"}};
   std::vector<std::string> parts, plates;
   const auto has_plate = [&scene](const unsigned int side) {
-    return std::any_of(scene.plates.begin(), scene.plates.end(), [side](const Plate &plate) {
-      return plate.side == side;
-    });
+    return std::any_of(scene.plates.begin(), scene.plates.end(),
+                       [side](const Plate &plate) { return plate.side == side; });
   };
-  for (const auto &role : roles)
-  {
+  for (const auto &role : roles) {
     std::vector<std::string> names;
     for (unsigned int i = 0; i < scene.boundary.size(); ++i)
       if (scene.boundary[i].role == role.first)
@@ -45,8 +37,7 @@ std::string describe_boundary(const Scene<dim> &scene)
   return join(parts, "; ");
 }
 
-std::string describe_partition(const DiscretizationParameters &given)
-{
+std::string describe_partition(const DiscretizationParameters &given) {
   if (given.patches > 0)
     return std::to_string(given.patches) + " equal patches per contact side";
   return "H = " + std::to_string(given.patch_ratio) + " h";
@@ -57,12 +48,10 @@ std::string describe_partition(const DiscretizationParameters &given)
 constexpr double tolerated_strained_share = 0.01;
 
 /** Returns a description of the sequence of meshes. */
-std::string describe_meshes(const Parameters &parameters, const Judge &judge)
-{
+std::string describe_meshes(const Parameters &parameters, const Judge &judge) {
   const DiscretizationParameters &given = parameters.discretization;
   std::ostringstream text;
-  if (given.strategy == Strategy::nested)
-  {
+  if (given.strategy == Strategy::nested) {
     text << "Levels    " << given.coarsest_level << " to " << given.finest_level << ", "
          << describe_partition(given) << "\n";
     return text.str();
@@ -77,12 +66,8 @@ std::string describe_meshes(const Parameters &parameters, const Judge &judge)
 } // namespace
 
 template <int dim>
-void print_scene(const Parameters &parameters,
-                 const Scene<dim> &scene,
-                 const SolverChoice &solvers,
-                 const Judge &judge,
-                 std::ostream &screen)
-{
+void print_scene(const Parameters &parameters, const Scene<dim> &scene, const SolverChoice &solvers,
+                 const Judge &judge, std::ostream &screen) {
   const SolverParameters &solver = parameters.solver;
   screen << "Scene     " << scene.name << ": " << scene.title << "\n"
          << "Body      from (" << scene.geometry.lower << ") to (" << scene.geometry.upper << ")\n"
@@ -93,8 +78,7 @@ void print_scene(const Parameters &parameters,
          << "\n\n";
 }
 
-void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &screen)
-{
+void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &screen) {
   const std::string name =
     std::string(level.sizes.word()) + " " + std::to_string(level.sizes.level);
   if (level.sizes.unstable)
@@ -115,13 +99,9 @@ void print_warnings(const LevelRecord &level, const Judge &judge, std::ostream &
     screen << "Warning: " << name << " is not certified: " << doubt << "\n";
 }
 
-void print_verdict(const std::vector<LevelRecord> &levels,
-                   const Judge &judge,
-                   const StudyVerdict &verdict,
-                   std::ostream &screen)
-{
-  if (!levels.empty())
-  {
+void print_verdict(const std::vector<LevelRecord> &levels, const Judge &judge,
+                   const StudyVerdict &verdict, std::ostream &screen) {
+  if (!levels.empty()) {
     const LevelRecord &finest = levels.back();
     if (finest.dual.increment_iterations)
       screen << "Projected SOR: of " << finest.dual.iterations

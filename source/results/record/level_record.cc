@@ -9,10 +9,8 @@
 #include <stdexcept>
 #include <tuple>
 
-namespace Signorini
-{
-Columns<LevelSizes> LevelSizes::columns()
-{
+namespace Signorini {
+Columns<LevelSizes> LevelSizes::columns() {
   return {{"level", &LevelSizes::level},
           {"cells", &LevelSizes::cells},
           {"dofs", &LevelSizes::dofs},
@@ -25,8 +23,7 @@ Columns<LevelSizes> LevelSizes::columns()
 
 // The columns of plates in convergence.csv.
 
-Columns<MotionRecord> MotionRecord::columns()
-{
+Columns<MotionRecord> MotionRecord::columns() {
   const auto of_first = [](const std::function<double(const PlateRecord &)> &number) {
     return [number](const MotionRecord &record) {
       return record.plates.empty() ? std::nullopt
@@ -42,16 +39,14 @@ Columns<MotionRecord> MotionRecord::columns()
 
 // The numbers of load cases for the screen and the verdict.
 
-CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds)
-{
+CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds) {
   CaseSummary summary;
   summary.n_cases = cases.size();
   summary.seconds = seconds;
   for (std::size_t i = 0; i < cases.size(); ++i)
     if (!cases[i].escape.empty())
       ++summary.n_escapes;
-    else
-    {
+    else {
       summary.max_kkt = std::max(summary.max_kkt, cases[i].kkt);
       if (!cases[i].converged && summary.first_failure == 0)
         summary.first_failure = i + 1;
@@ -61,14 +56,11 @@ CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds
 
 // The columns of convergence.csv, put together from those that the parts of a record declare.
 
-namespace
-{
+namespace {
 /** Returns the column of an estimated error divided by the true one. */
 template <typename Number>
-Column<LevelRecord> effectivity(const std::string &name,
-                                Number ErrorEstimate::*const estimate,
-                                double DisplacementErrors::*const error)
-{
+Column<LevelRecord> effectivity(const std::string &name, Number ErrorEstimate::*const estimate,
+                                double DisplacementErrors::*const error) {
   return {name, [estimate, error](const LevelRecord &record) -> std::optional<double> {
             const auto &[estimated, exact] = std::tie(record.estimate, record.displacement_errors);
             if (!estimated || !exact || (*exact).*error == 0.)
@@ -79,43 +71,34 @@ Column<LevelRecord> effectivity(const std::string &name,
 }
 
 /** Returns the columns in the order of the members. */
-Columns<LevelRecord> columns_of_parts()
-{
+Columns<LevelRecord> columns_of_parts() {
   Columns<LevelRecord> all;
   for (const Columns<LevelRecord> &columns :
-       {columns_of(&LevelRecord::sizes),
-        columns_of(&LevelRecord::dual),
-        columns_of(&LevelRecord::contact),
-        columns_of(&LevelRecord::certificate),
+       {columns_of(&LevelRecord::sizes), columns_of(&LevelRecord::dual),
+        columns_of(&LevelRecord::contact), columns_of(&LevelRecord::certificate),
         columns_of(&LevelRecord::estimate),
         Columns<LevelRecord>{
           effectivity("effectivity", &ErrorEstimate::h1, &DisplacementErrors::h1),
           effectivity("effectivity_energy", &ErrorEstimate::energy, &DisplacementErrors::energy),
           {"inf_sup", &LevelRecord::inf_sup}},
-        columns_of(&LevelRecord::displacement_errors),
-        columns_of(&LevelRecord::pressure_errors),
+        columns_of(&LevelRecord::displacement_errors), columns_of(&LevelRecord::pressure_errors),
         columns_of(&LevelRecord::dual_norm_errors),
         Columns<LevelRecord>{{"endpoint_error", &LevelRecord::endpoint_error}},
-        columns_of(&LevelRecord::lemmas),
-        columns_of(&LevelRecord::bound),
-        columns_of(&LevelRecord::answer),
-        columns_of(&LevelRecord::motions),
-        columns_of(&LevelRecord::times),
-        columns_of(&LevelRecord::resources)})
+        columns_of(&LevelRecord::lemmas), columns_of(&LevelRecord::bound),
+        columns_of(&LevelRecord::answer), columns_of(&LevelRecord::motions),
+        columns_of(&LevelRecord::times), columns_of(&LevelRecord::resources)})
     all.insert(all.end(), columns.begin(), columns.end());
   return all;
 }
 
 /** Returns the place of a column; those without a fixed place share the one behind the others. */
-std::size_t fixed_place(const Column<LevelRecord> &column)
-{
+std::size_t fixed_place(const Column<LevelRecord> &column) {
   const std::vector<std::string> &names = columns_with_fixed_places();
   return std::find(names.begin(), names.end(), column.name) - names.begin();
 }
 } // namespace
 
-const std::vector<std::string> &columns_with_fixed_places()
-{
+const std::vector<std::string> &columns_with_fixed_places() {
   static const std::vector<std::string> names = split_words(
     "level cells dofs multipliers h H active qp_iterations kkt inf_sup energy contact_force_n "
     "max_pressure contact_length u_h1 u_l2 u_superclose_h1 u_post_h1 p_l2 p_dual p_dual_spectral "
@@ -126,20 +109,17 @@ const std::vector<std::string> &columns_with_fixed_places()
   return names;
 }
 
-const Columns<LevelRecord> &level_columns()
-{
+const Columns<LevelRecord> &level_columns() {
   static const Columns<LevelRecord> columns = []() {
     Columns<LevelRecord> all = columns_of_parts();
-    std::stable_sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
-      return fixed_place(a) < fixed_place(b);
-    });
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto &a, const auto &b) { return fixed_place(a) < fixed_place(b); });
     return all;
   }();
   return columns;
 }
 
-std::optional<double> value(const LevelRecord &record, const std::string &column)
-{
+std::optional<double> value(const LevelRecord &record, const std::string &column) {
   for (const Column<LevelRecord> &known : level_columns())
     if (known.name == column)
       return known.value(record);

@@ -7,10 +7,8 @@
 #include <cmath>
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 constexpr const char *causes_of_condition = "the stiffness matrix is ill-conditioned: Poisson's "
                                             "ratio near 1/2, moduli of very different size, "
                                             "or a very slender body.";
@@ -19,8 +17,7 @@ constexpr const char *causes_of_condition = "the stiffness matrix is ill-conditi
  * usual matrix. */
 constexpr double large_translation = 1e4;
 
-std::string causes_of_rounding(const LevelRecord &level)
-{
+std::string causes_of_rounding(const LevelRecord &level) {
   const double translation = level.certificate.translation;
   if (translation < large_translation || level.certificate.rounding < level.linear.rounding_error)
     return causes_of_condition;
@@ -32,14 +29,12 @@ std::string causes_of_rounding(const LevelRecord &level)
 }
 
 /** Returns the name of the method that has searched for contact. */
-std::string name_of_method(const DualSolve &dual)
-{
+std::string name_of_method(const DualSolve &dual) {
   if (dual.active_set_failure)
     return "projected SOR, which replaced the active set method,";
   if (dual.stalled)
     return "MINRES, which replaced V-cycles,";
-  switch (dual.method)
-  {
+  switch (dual.method) {
   case ContactSolver::psor:
     return "projected SOR";
   case ContactSolver::mprgp:
@@ -52,12 +47,10 @@ std::string name_of_method(const DualSolve &dual)
 }
 
 /** Returns other settings that may find contact where that method does not. */
-std::string other_method(const DualSolve &dual)
-{
+std::string other_method(const DualSolve &dual) {
   if (dual.active_set_failure)
     return ", or take a larger Patch ratio";
-  switch (dual.method)
-  {
+  switch (dual.method) {
   case ContactSolver::psor:
     return ", take a Relaxation between 1 and 1.2, or Contact solver = active set";
   case ContactSolver::mprgp:
@@ -69,11 +62,9 @@ std::string other_method(const DualSolve &dual)
 }
 
 /** Returns the cause of a large residual that rounding does not explain, and the remedy. */
-std::string cause_and_remedy(const Residual::Origin origin, const DualSolve &dual)
-{
+std::string cause_and_remedy(const Residual::Origin origin, const DualSolve &dual) {
   const bool cycles = dual.method == ContactSolver::multigrid;
-  switch (origin)
-  {
+  switch (origin) {
   case Residual::Origin::supports:
     return "sides that meet prescribe different displacements: make them agree.";
   case Residual::Origin::contact:
@@ -94,16 +85,14 @@ constexpr double max_rounding = 1e-6;
 constexpr double noticeable_rounding = 1e-10;
 
 /** Checks that no number is infinite or not a number. */
-std::string check_overflow(const LevelRecord &level, const Judge &)
-{
+std::string check_overflow(const LevelRecord &level, const Judge &) {
   if (std::isfinite(max_residual(level.certificate).value) && std::isfinite(level.dual.kkt))
     return "";
   return "numbers overflow: choose units in which moduli, lengths and loads are of size one.";
 }
 
 /** Checks that rounding leaves at least six digits of U. */
-std::string check_rounding(const LevelRecord &level, const Judge &)
-{
+std::string check_rounding(const LevelRecord &level, const Judge &) {
   if (rounding(level) <= max_rounding)
     return "";
   std::ostringstream text;
@@ -113,8 +102,7 @@ std::string check_rounding(const LevelRecord &level, const Judge &)
 }
 
 /** Checks the KKT residual of the dual problem against the tolerance. */
-std::string check_dual_problem(const LevelRecord &level, const Judge &judge)
-{
+std::string check_dual_problem(const LevelRecord &level, const Judge &judge) {
   const double tolerance = std::max(judge.demands.tolerance, 10. * level.dual.energy_tolerance);
   if (level.dual.converged && level.dual.kkt <= tolerance)
     return "";
@@ -126,8 +114,7 @@ std::string check_dual_problem(const LevelRecord &level, const Judge &judge)
 }
 
 /** Checks that the dual problem of every load case was solved. */
-std::string check_load_cases(const LevelRecord &level, const Judge &)
-{
+std::string check_load_cases(const LevelRecord &level, const Judge &) {
   if (!level.load_cases || level.load_cases->first_failure == 0)
     return "";
   return "the contact solver stopped early in load case " +
@@ -136,8 +123,7 @@ std::string check_load_cases(const LevelRecord &level, const Judge &)
 }
 
 /** Checks the residuals of the certificate against their bound. */
-std::string check_residuals(const LevelRecord &level, const Judge &judge)
-{
+std::string check_residuals(const LevelRecord &level, const Judge &judge) {
   const Residual residual = max_residual(level.certificate);
   const double bound = judge.residual_bound(level);
   if (residual.value <= bound)
@@ -161,15 +147,13 @@ constexpr double max_locking_number = 0.25;
 constexpr std::size_t n_stagnant_levels = 3;
 
 /** Returns where the error is largest, and what makes it smaller. */
-std::string remedy_for(const LevelRecord &level)
-{
+std::string remedy_for(const LevelRecord &level) {
   if (level.sizes.is_graded())
     return "take a Target error below Tolerated error, raise Maximum unknowns, or see where the "
            "mesh is finest (mesh-LL.svg): data that contradict each other there have no solution.";
   constexpr const char *usual = "refine, or take cells that are as wide as high (long cells are "
                                 "too stiff in bending).";
-  if (!bound_of(level))
-  {
+  if (!bound_of(level)) {
     const ErrorEstimate estimate = level.estimate.value_or(ErrorEstimate());
     const double algebra = estimate.algebra.value_or(0.), contact = estimate.contact.value_or(0.);
     const double largest =
@@ -181,8 +165,7 @@ std::string remedy_for(const LevelRecord &level)
                                 "smaller Patch ratio.";
   }
   const ErrorBound &bound = *level.bound;
-  switch (bound.dominant_part())
-  {
+  switch (bound.dominant_part()) {
   case ErrorBound::Part::contact:
     return "contact is not resolved on " + bound.worst_face +
            ": refine, take a smaller Patch ratio, or more Patches.";
@@ -195,8 +178,7 @@ std::string remedy_for(const LevelRecord &level)
 
 /** Checks that the finest level is not in doubt. Coarser ones do not matter: it does not depend on
  * them. */
-std::string check_finest_level(const std::vector<LevelRecord> &levels, const Judge &judge)
-{
+std::string check_finest_level(const std::vector<LevelRecord> &levels, const Judge &judge) {
   const LevelRecord &finest = levels.back();
   const std::string doubt = judge.doubt(finest);
   return doubt.empty() ? "" : "Level " + std::to_string(finest.sizes.level) + ": " + doubt;
@@ -204,8 +186,7 @@ std::string check_finest_level(const std::vector<LevelRecord> &levels, const Jud
 
 /** Checks that the bound of the error on the finest level, or without one its estimate, is known
  * and tolerated. */
-std::string check_error(const std::vector<LevelRecord> &levels, const Judge &judge)
-{
+std::string check_error(const std::vector<LevelRecord> &levels, const Judge &judge) {
   const LevelRecord &finest = levels.back();
   const std::optional<double> error = relative_error(finest);
   if (error && *error <= judge.demands.tolerated_error)
@@ -230,8 +211,7 @@ std::string check_error(const std::vector<LevelRecord> &levels, const Judge &jud
 
 /** Checks that the bracket of the energy is not too wide: strain energy and work of loads may
  * nearly cancel. */
-std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &judge)
-{
+std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &judge) {
   const LevelRecord &finest = levels.back();
   if (!is_guaranteed(finest) || !finest.bound->energy_lower || !finest.bound->energy_upper)
     return "";
@@ -254,8 +234,7 @@ std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &ju
 }
 
 /** Checks that the finest level reaches a target error that the user has set. */
-std::string check_target(const std::vector<LevelRecord> &levels, const Judge &judge)
-{
+std::string check_target(const std::vector<LevelRecord> &levels, const Judge &judge) {
   const LevelRecord &finest = levels.back();
   if (judge.demands.target_error == 0. || !judge.demands.target_is_given ||
       judge.reaches_target(finest))
@@ -278,8 +257,7 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
 }
 
 /** Checks that no other pressures solve the dual problem on the finest level. */
-std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge &)
-{
+std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge &) {
   const LevelRecord &finest = levels.back();
   if (finest.dual.unique)
     return "";
@@ -289,15 +267,13 @@ std::string check_uniqueness(const std::vector<LevelRecord> &levels, const Judge
 }
 
 /** Checks that all brackets of the energy have a number in common. */
-std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &)
-{
+std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &) {
   const auto has_bracket = [](const LevelRecord &level) {
     return is_guaranteed(level) && level.bound->energy_lower && level.bound->energy_upper;
   };
   const LevelRecord *highest = nullptr, *lowest = nullptr;
   for (const LevelRecord &level : levels)
-    if (has_bracket(level))
-    {
+    if (has_bracket(level)) {
       if (highest == nullptr || *level.bound->energy_lower > *highest->bound->energy_lower)
         highest = &level;
       if (lowest == nullptr || *level.bound->energy_upper < *lowest->bound->energy_upper)
@@ -322,8 +298,7 @@ std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &
 
 /** Checks that on the finest level bilinear elements are not too stiff for a nearly incompressible
  * body, unless the known error excludes that. */
-std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &judge)
-{
+std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &judge) {
   const LevelRecord &finest = levels.back();
   const double number = finest.locking_number.value_or(0.);
   // A guaranteed bound excludes large errors; solutions in V^h, such as rigid motions, do not lock.
@@ -341,8 +316,7 @@ std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &j
 }
 
 /** Checks, without a bound, that the estimated error falls. */
-std::string check_estimate(const std::vector<LevelRecord> &levels, const Judge &)
-{
+std::string check_estimate(const std::vector<LevelRecord> &levels, const Judge &) {
   if (bound_of(levels.back()) || levels.back().sizes.is_graded() ||
       levels.size() < n_stagnant_levels)
     return "";
@@ -370,25 +344,16 @@ using Check = std::string (*)(const Subject &, const Judge &);
 
 /** The checks of a level. The first one that fails names the cause: a later one may fail for the
  * same reason. */
-constexpr Check<LevelRecord> level_checks[] = {check_overflow,
-                                               check_rounding,
-                                               check_dual_problem,
-                                               check_load_cases,
-                                               check_residuals};
-constexpr Check<std::vector<LevelRecord>> equation_checks[] = {check_finest_level,
-                                                               check_uniqueness,
+constexpr Check<LevelRecord> level_checks[] = {check_overflow, check_rounding, check_dual_problem,
+                                               check_load_cases, check_residuals};
+constexpr Check<std::vector<LevelRecord>> equation_checks[] = {check_finest_level, check_uniqueness,
                                                                check_brackets};
-constexpr Check<std::vector<LevelRecord>> accuracy_checks[] = {check_locking,
-                                                               check_error,
-                                                               check_energy,
-                                                               check_estimate,
-                                                               check_target};
+constexpr Check<std::vector<LevelRecord>> accuracy_checks[] = {
+  check_locking, check_error, check_energy, check_estimate, check_target};
 
 template <typename Checks, typename Subject>
-std::string first_objection(const Checks &checks, const Subject &subject, const Judge &judge)
-{
-  for (const auto check : checks)
-  {
+std::string first_objection(const Checks &checks, const Subject &subject, const Judge &judge) {
+  for (const auto check : checks) {
     std::string objection = check(subject, judge);
     if (!objection.empty())
       return objection;
@@ -397,13 +362,11 @@ std::string first_objection(const Checks &checks, const Subject &subject, const 
 }
 } // namespace
 
-std::string Judge::doubt(const LevelRecord &level) const
-{
+std::string Judge::doubt(const LevelRecord &level) const {
   return first_objection(level_checks, level, *this);
 }
 
-StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const
-{
+StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const {
   if (levels.empty())
     return failed(levels, "No level has been solved.");
   const std::string objection = first_objection(equation_checks, levels, *this);

@@ -8,10 +8,8 @@
 #include <iomanip>
 #include <sstream>
 
-namespace Signorini
-{
-std::vector<Residual> residuals(const Certificate &certificate)
-{
+namespace Signorini {
+std::vector<Residual> residuals(const Certificate &certificate) {
   using Origin = Residual::Origin;
   const Certificate &c = certificate;
   return {{c.stationarity, "stationarity", Origin::equilibrium},
@@ -25,14 +23,12 @@ std::vector<Residual> residuals(const Certificate &certificate)
           {c.moment_balance, "moment_balance", Origin::equilibrium}};
 }
 
-Residual max_residual(const Certificate &certificate)
-{
+Residual max_residual(const Certificate &certificate) {
   std::vector<Residual> all = residuals(certificate);
   if (!certificate.moments_are_exact)
     all.pop_back();
   Residual largest;
-  for (const Residual &residual : all)
-  {
+  for (const Residual &residual : all) {
     if (std::isnan(residual.value))
       return residual;
     if (residual.value > largest.value)
@@ -41,18 +37,15 @@ Residual max_residual(const Certificate &certificate)
   return largest;
 }
 
-double rounding(const LevelRecord &level)
-{
+double rounding(const LevelRecord &level) {
   return std::max(level.linear.rounding_error, level.certificate.rounding);
 }
 
 // What is known about the error of the finest level, in words.
 
-namespace
-{
+namespace {
 /** Returns "0.85 %"; a share that may be rounding has no digits. */
-std::string percent(const double share)
-{
+std::string percent(const double share) {
   constexpr double rounding = 1e-8;
   if (share < rounding)
     return "0.000001 %";
@@ -65,29 +58,24 @@ std::string percent(const double share)
 constexpr std::size_t min_trend_levels = 3;
 } // namespace
 
-std::optional<double> bound_of(const LevelRecord &level)
-{
+std::optional<double> bound_of(const LevelRecord &level) {
   return level.bound ? level.bound->relative : std::nullopt;
 }
 
-bool is_guaranteed(const LevelRecord &level)
-{
+bool is_guaranteed(const LevelRecord &level) {
   return bound_of(level) && level.bound->guaranteed;
 }
 
-std::optional<double> relative_error(const LevelRecord &level)
-{
+std::optional<double> relative_error(const LevelRecord &level) {
   if (const std::optional<double> bound = bound_of(level))
     return bound;
   return level.estimate ? std::optional<double>(level.estimate->relative) : std::nullopt;
 }
 
-std::string describe_accuracy(const std::vector<LevelRecord> &levels)
-{
+std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
   const LevelRecord &finest = levels.back();
   std::ostringstream text;
-  if (finest.sizes.is_graded())
-  {
+  if (finest.sizes.is_graded()) {
     if (!finest.estimate)
       return "nothing is known about the error: contact was not seen before this step";
     text << "the error is about " << percent(finest.estimate->relative)
@@ -96,22 +84,17 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
          << ")";
     return text.str();
   }
-  if (const std::optional<double> bound = bound_of(finest))
-  {
-    if (is_guaranteed(finest))
-    {
+  if (const std::optional<double> bound = bound_of(finest)) {
+    if (is_guaranteed(finest)) {
       text << "the error is at most " << percent(*bound) << " (energy norm, guaranteed";
       if (finest.bound->post_relative)
         text << "; " << percent(*finest.bound->post_relative) << " for pi^2h u_h";
       text << ")";
-    }
-    else
+    } else
       text << "the error is at most about " << percent(*bound)
            << " (energy norm, estimated bound; the sides are curved: geometric part "
            << percent(finest.bound->relative_geometry.value_or(0.)) << ")";
-  }
-  else
-  {
+  } else {
     text << "there is no bound of the error";
     if (finest.bound)
       text << " (" << finest.bound->missing << ")";
@@ -127,10 +110,8 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels)
   return text.str();
 }
 
-const char *word_for(const Outcome outcome)
-{
-  switch (outcome)
-  {
+const char *word_for(const Outcome outcome) {
+  switch (outcome) {
   case Outcome::unfinished:
     return "unfinished";
   case Outcome::certified:
@@ -146,14 +127,12 @@ const char *word_for(const Outcome outcome)
   }
 }
 
-bool Judge::reaches_target(const LevelRecord &level) const
-{
+bool Judge::reaches_target(const LevelRecord &level) const {
   const std::optional<double> error = relative_error(level);
   return error && *error < demands.target_error;
 }
 
-double Judge::residual_bound(const LevelRecord &level) const
-{
+double Judge::residual_bound(const LevelRecord &level) const {
   // A residual is a difference of terms that are larger than itself; five digits are necessary.
   constexpr double max_rounding_bound = 1e-5;
   const double rounding_bound = std::min(100. * rounding(level), max_rounding_bound);
@@ -165,21 +144,19 @@ double Judge::residual_bound(const LevelRecord &level) const
   return std::max({1e-8, tolerance_bound, rounding_bound, cycle_bound});
 }
 
-double Judge::max_residual_bound(const std::vector<LevelRecord> &levels) const
-{
+double Judge::max_residual_bound(const std::vector<LevelRecord> &levels) const {
   double bound = residual_bound(LevelRecord());
   for (const LevelRecord &level : levels)
     bound = std::max(bound, residual_bound(level));
   return bound;
 }
 
-StudyVerdict Judge::unfinished(const std::vector<LevelRecord> &levels) const
-{
+StudyVerdict Judge::unfinished(const std::vector<LevelRecord> &levels) const {
   return {Outcome::unfinished, "", "", max_residual_bound(levels)};
 }
 
-StudyVerdict Judge::failed(const std::vector<LevelRecord> &levels, const std::string &reason) const
-{
+StudyVerdict Judge::failed(const std::vector<LevelRecord> &levels,
+                           const std::string &reason) const {
   return {Outcome::not_certified, reason, "", max_residual_bound(levels)};
 }
 } // namespace Signorini

@@ -7,37 +7,28 @@
 #include <algorithm>
 #include <set>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The number of right-hand sides that are solved at once. */
 constexpr std::size_t block_size = 32;
 } // namespace
 
-ColumnCompliance::ColumnCompliance(const StiffnessInverse &inverse,
-                                   const Coupling &condensed_D,
-                                   double &seconds,
-                                   ColumnProgress progress)
+ColumnCompliance::ColumnCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D,
+                                   double &seconds, ColumnProgress progress)
   : DenseCompliance(Matrix(condensed_D.n_columns(), condensed_D.n_columns()))
   , inverse_(inverse)
   , D_(condensed_D)
   , seconds_(seconds)
   , progress_(std::move(progress))
-  , known_(condensed_D.n_columns(), false)
-{
-}
+  , known_(condensed_D.n_columns(), false) {}
 
-ComplianceOperator::Matrix ColumnCompliance::solve_for(const Indices &numbers) const
-{
+ComplianceOperator::Matrix ColumnCompliance::solve_for(const Indices &numbers) const {
   Matrix found(size(), numbers.size());
   dealii::Vector<double> unit(size());
-  for (std::size_t first = 0; first < numbers.size(); first += block_size)
-  {
+  for (std::size_t first = 0; first < numbers.size(); first += block_size) {
     const std::size_t last = std::min(first + block_size, numbers.size());
     std::vector<DistributedVector> right_hand_sides, solutions;
-    for (std::size_t j = first; j < last; ++j)
-    {
+    for (std::size_t j = first; j < last; ++j) {
       unit = 0.;
       unit[numbers[j]] = 1.;
       right_hand_sides.push_back(inverse_.make_vector());
@@ -46,8 +37,7 @@ ComplianceOperator::Matrix ColumnCompliance::solve_for(const Indices &numbers) c
       solutions.push_back(inverse_.make_vector());
     }
     inverse_.solve(solutions, right_hand_sides);
-    for (std::size_t j = first; j < last; ++j)
-    {
+    for (std::size_t j = first; j < last; ++j) {
       const dealii::Vector<double> column = D_.transpose_product(solutions[j - first]);
       for (unsigned int i = 0; i < size(); ++i)
         found(i, j) = column[i];
@@ -58,8 +48,7 @@ ComplianceOperator::Matrix ColumnCompliance::solve_for(const Indices &numbers) c
   return found;
 }
 
-void ColumnCompliance::require(const Indices &numbers) const
-{
+void ColumnCompliance::require(const Indices &numbers) const {
   Indices missing;
   for (const unsigned int k : numbers)
     if (!known_[k])
@@ -82,17 +71,13 @@ void ColumnCompliance::require(const Indices &numbers) const
 
 // C by one solve per product.
 
-SolvedCompliance::SolvedCompliance(const StiffnessInverse &inverse,
-                                   const Coupling &condensed_D,
+SolvedCompliance::SolvedCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D,
                                    Vector diagonal)
   : inverse_(inverse)
   , D_(condensed_D)
-  , diagonal_(std::move(diagonal))
-{
-}
+  , diagonal_(std::move(diagonal)) {}
 
-SolvedCompliance::Vector SolvedCompliance::apply(const Vector &P) const
-{
+SolvedCompliance::Vector SolvedCompliance::apply(const Vector &P) const {
   if (P.size() == 0 || P.all_zero())
     return Vector(P.size());
   DistributedVector b = inverse_.make_vector(), x = inverse_.make_vector();
@@ -104,11 +89,9 @@ SolvedCompliance::Vector SolvedCompliance::apply(const Vector &P) const
 
 // C = Dᵀ A⁻¹ D: read from the factors, or by columns.
 
-namespace
-{
+namespace {
 /** Returns C = Dᵀ S⁻¹ D = Wᵀ W with S = L Lᵀ and W = L⁻¹ D. */
-FullMatrix<double> compliance_from(TrailingFactor &factor, const Coupling &condensed_D)
-{
+FullMatrix<double> compliance_from(TrailingFactor &factor, const Coupling &condensed_D) {
   // A moved LAPACK matrix loses its properties.
   factor.L.set_property(LAPACKSupport::lower_triangular);
   const unsigned int m = condensed_D.n_columns();
@@ -125,8 +108,7 @@ FullMatrix<double> compliance_from(TrailingFactor &factor, const Coupling &conde
 }
 } // namespace
 
-std::vector<types::global_dof_index> contact_unknowns(const Coupling &condensed_D)
-{
+std::vector<types::global_dof_index> contact_unknowns(const Coupling &condensed_D) {
   std::set<types::global_dof_index> rows;
   for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
     for (const auto &entry : condensed_D.column(k))
@@ -137,8 +119,7 @@ std::vector<types::global_dof_index> contact_unknowns(const Coupling &condensed_
 std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse &inverse,
                                                           const Coupling &condensed_D,
                                                           double &seconds,
-                                                          const ColumnProgress &progress)
-{
+                                                          const ColumnProgress &progress) {
   const StageTimer timer(seconds);
   if (auto factor = inverse.trailing_factor(contact_unknowns(condensed_D)))
     return std::make_shared<const DenseCompliance>(compliance_from(*factor, condensed_D));
@@ -147,18 +128,14 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
 
 // F = G - Dᵀ A⁻¹ f of the dual problem.
 
-bool FreeState::nothing_touches() const
-{
+bool FreeState::nothing_touches() const {
   return std::none_of(F.begin(), F.end(), [](const double opening) { return opening < 0.; });
 }
 
 template <int dim>
-FreeState solve_free_state(const StiffnessInverse &inverse,
-                           const DisplacementSpace<dim> &space,
-                           const DistributedVector &f,
-                           const Coupling &D,
-                           const dealii::Vector<double> &G)
-{
+FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
+                           const DistributedVector &f, const Coupling &D,
+                           const dealii::Vector<double> &G) {
   DistributedVector U_0 = space.make_vector();
   inverse.solve(U_0, f);
   FreeState state;
@@ -172,11 +149,8 @@ FreeState solve_free_state(const StiffnessInverse &inverse,
 
 template <int dim>
 Displacement recover_displacement(const StiffnessInverse &inverse,
-                                  const DisplacementSpace<dim> &space,
-                                  const Coupling &condensed_D,
-                                  const dealii::Vector<double> &P,
-                                  const DistributedVector &f)
-{
+                                  const DisplacementSpace<dim> &space, const Coupling &condensed_D,
+                                  const dealii::Vector<double> &P, const DistributedVector &f) {
   DistributedVector DP_plus_f(f);
   condensed_D.add_product(P, DP_plus_f);
   DP_plus_f.compress(VectorOperation::add);
@@ -186,10 +160,8 @@ Displacement recover_displacement(const StiffnessInverse &inverse,
 }
 
 template <int dim>
-Displacement solve_homogeneous(const StiffnessInverse &inverse,
-                               const DisplacementSpace<dim> &space,
-                               DistributedVector &b)
-{
+Displacement solve_homogeneous(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
+                               DistributedVector &b) {
   b.compress(VectorOperation::add);
   DistributedVector x = space.make_vector();
   inverse.solve(x, b);
@@ -199,11 +171,8 @@ Displacement solve_homogeneous(const StiffnessInverse &inverse,
 }
 
 template <int dim>
-Displacement solve_prescribed(const StiffnessInverse &inverse,
-                              const DisplacementSpace<dim> &space,
-                              const Displacement &k,
-                              const DualVector &r)
-{
+Displacement solve_prescribed(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
+                              const Displacement &k, const DualVector &r) {
   const DualVector condensed = space.condense(r);
   DistributedVector b = space.make_vector();
   for (const auto i : space.locally_owned())
@@ -214,22 +183,16 @@ Displacement solve_prescribed(const StiffnessInverse &inverse,
 }
 
 #define INSTANTIATE(dim)                                                                           \
-  template FreeState solve_free_state(const StiffnessInverse &,                                    \
-                                      const DisplacementSpace<dim> &,                              \
-                                      const DistributedVector &,                                   \
-                                      const Coupling &,                                            \
+  template FreeState solve_free_state(const StiffnessInverse &, const DisplacementSpace<dim> &,    \
+                                      const DistributedVector &, const Coupling &,                 \
                                       const dealii::Vector<double> &);                             \
-  template Displacement recover_displacement(const StiffnessInverse &,                             \
-                                             const DisplacementSpace<dim> &,                       \
-                                             const Coupling &,                                     \
-                                             const dealii::Vector<double> &,                       \
-                                             const DistributedVector &);                           \
-  template Displacement solve_homogeneous(                                                         \
-    const StiffnessInverse &, const DisplacementSpace<dim> &, DistributedVector &);                \
-  template Displacement solve_prescribed(const StiffnessInverse &,                                 \
-                                         const DisplacementSpace<dim> &,                           \
-                                         const Displacement &,                                     \
-                                         const DualVector &);
+  template Displacement recover_displacement(                                                      \
+    const StiffnessInverse &, const DisplacementSpace<dim> &, const Coupling &,                    \
+    const dealii::Vector<double> &, const DistributedVector &);                                    \
+  template Displacement solve_homogeneous(const StiffnessInverse &,                                \
+                                          const DisplacementSpace<dim> &, DistributedVector &);    \
+  template Displacement solve_prescribed(const StiffnessInverse &, const DisplacementSpace<dim> &, \
+                                         const Displacement &, const DualVector &);
 INSTANTIATE(2)
 INSTANTIATE(3)
 } // namespace Signorini

@@ -10,16 +10,13 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace Signorini
-{
+namespace Signorini {
 using Vector = ComplianceOperator::Vector;
 using Matrix = ComplianceOperator::Matrix;
 using Indices = ComplianceOperator::Indices;
 
-namespace
-{
-Indices nonzeros(const Vector &P)
-{
+namespace {
+Indices nonzeros(const Vector &P) {
   Indices numbers;
   for (unsigned int k = 0; k < P.size(); ++k)
     if (P[k] != 0.)
@@ -28,25 +25,21 @@ Indices nonzeros(const Vector &P)
 }
 } // namespace
 
-Indices all_indices(const unsigned int n)
-{
+Indices all_indices(const unsigned int n) {
   Indices numbers(n);
   std::iota(numbers.begin(), numbers.end(), 0);
   return numbers;
 }
 
-Vector ComplianceOperator::diagonal_times(const Vector &P) const
-{
+Vector ComplianceOperator::diagonal_times(const Vector &P) const {
   Vector product(P);
   product.scale(diagonal());
   return product;
 }
 
-Matrix ComplianceOperator::columns(const Indices &numbers) const
-{
+Matrix ComplianceOperator::columns(const Indices &numbers) const {
   Matrix columns(size(), numbers.size());
-  for (unsigned int j = 0; j < numbers.size(); ++j)
-  {
+  for (unsigned int j = 0; j < numbers.size(); ++j) {
     Vector unit(size());
     unit[numbers[j]] = 1.;
     const Vector column = apply(unit);
@@ -56,26 +49,22 @@ Matrix ComplianceOperator::columns(const Indices &numbers) const
   return columns;
 }
 
-const Matrix &ComplianceOperator::dense() const
-{
+const Matrix &ComplianceOperator::dense() const {
   if (C_.m() != size())
     C_ = columns(all_indices(size()));
   return C_;
 }
 
-DenseCompliance::DenseCompliance(Matrix C)
-{
+DenseCompliance::DenseCompliance(Matrix C) {
   AssertDimension(C.m(), C.n());
   C_ = std::move(C);
 }
 
-unsigned int DenseCompliance::size() const
-{
+unsigned int DenseCompliance::size() const {
   return C_.m();
 }
 
-Vector DenseCompliance::apply(const Vector &P) const
-{
+Vector DenseCompliance::apply(const Vector &P) const {
   const Indices pressing = nonzeros(P);
   require(pressing);
   Vector product(size());
@@ -85,8 +74,7 @@ Vector DenseCompliance::apply(const Vector &P) const
   return product;
 }
 
-Vector DenseCompliance::diagonal() const
-{
+Vector DenseCompliance::diagonal() const {
   require(all_indices(size()));
   Vector diagonal(size());
   for (unsigned int k = 0; k < size(); ++k)
@@ -94,8 +82,7 @@ Vector DenseCompliance::diagonal() const
   return diagonal;
 }
 
-Vector DenseCompliance::diagonal_times(const Vector &P) const
-{
+Vector DenseCompliance::diagonal_times(const Vector &P) const {
   require(nonzeros(P));
   Vector product(P);
   for (unsigned int k = 0; k < size(); ++k)
@@ -103,8 +90,7 @@ Vector DenseCompliance::diagonal_times(const Vector &P) const
   return product;
 }
 
-Matrix DenseCompliance::columns(const Indices &numbers) const
-{
+Matrix DenseCompliance::columns(const Indices &numbers) const {
   require(numbers);
   Matrix columns(size(), numbers.size());
   for (unsigned int i = 0; i < size(); ++i)
@@ -113,14 +99,12 @@ Matrix DenseCompliance::columns(const Indices &numbers) const
   return columns;
 }
 
-const Matrix &DenseCompliance::dense() const
-{
+const Matrix &DenseCompliance::dense() const {
   require(all_indices(size()));
   return C_;
 }
 
-Matrix submatrix(const ComplianceOperator &C, const Indices &numbers)
-{
+Matrix submatrix(const ComplianceOperator &C, const Indices &numbers) {
   const Matrix columns = C.columns(numbers);
   Matrix part(numbers.size(), numbers.size());
   for (unsigned int i = 0; i < numbers.size(); ++i)
@@ -129,8 +113,7 @@ Matrix submatrix(const ComplianceOperator &C, const Indices &numbers)
   return part;
 }
 
-LAPACKFullMatrix<double> cholesky(const Matrix &C, const double rounding)
-{
+LAPACKFullMatrix<double> cholesky(const Matrix &C, const double rounding) {
   LAPACKFullMatrix<double> L(C.m());
   if (C.m() == 0)
     return L;
@@ -144,16 +127,13 @@ LAPACKFullMatrix<double> cholesky(const Matrix &C, const double rounding)
   return L;
 }
 
-BoundConstrainedQP::BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C_,
-                                       Vector F_,
-                                       AdmissibleSet K_,
-                                       Balances balances_)
+BoundConstrainedQP::BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C_, Vector F_,
+                                       AdmissibleSet K_, Balances balances_)
   : C(std::move(C_))
   , diagonal(C->diagonal())
   , F(std::move(F_))
   , K(std::move(K_))
-  , balances(std::move(balances_))
-{
+  , balances(std::move(balances_)) {
   AssertDimension(C->size(), F.size());
   AssertDimension(K.size(), F.size());
   for (unsigned int i = 0; i < size(); ++i)
@@ -163,15 +143,10 @@ BoundConstrainedQP::BoundConstrainedQP(std::shared_ptr<const ComplianceOperator>
 }
 
 BoundConstrainedQP::BoundConstrainedQP(Matrix C_, const Vector &F_, Balances balances_)
-  : BoundConstrainedQP(std::make_shared<const DenseCompliance>(std::move(C_)),
-                       F_,
-                       AdmissibleSet::nonpositive(F_.size()),
-                       std::move(balances_))
-{
-}
+  : BoundConstrainedQP(std::make_shared<const DenseCompliance>(std::move(C_)), F_,
+                       AdmissibleSet::nonpositive(F_.size()), std::move(balances_)) {}
 
-Vector BoundConstrainedQP::gradient(const Vector &P, const Vector &z) const
-{
+Vector BoundConstrainedQP::gradient(const Vector &P, const Vector &z) const {
   Vector W = C->apply(P);
   if (size() > 0 && balances.size() > 0)
     balances.B.vmult_add(W, z);
@@ -180,8 +155,7 @@ Vector BoundConstrainedQP::gradient(const Vector &P, const Vector &z) const
   return W;
 }
 
-Vector BoundConstrainedQP::imbalance(const Vector &P, const Vector &z) const
-{
+Vector BoundConstrainedQP::imbalance(const Vector &P, const Vector &z) const {
   Vector r(balances.b), K_z(r);
   if (r.size() == 0)
     return r;
@@ -192,20 +166,17 @@ Vector BoundConstrainedQP::imbalance(const Vector &P, const Vector &z) const
   return r;
 }
 
-double BoundConstrainedQP::energy(const Vector &P) const
-{
+double BoundConstrainedQP::energy(const Vector &P) const {
   return size() > 0 ? 0.5 * (P * gradient(P)) - 0.5 * (P * F) : 0.;
 }
 
-double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const Vector &W) const
-{
+double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const Vector &W) const {
   double residual = 0., size_of_P = 0., size_of_F = 0., size_of_b = 0.;
   for (const double r : imbalance(P, z))
     residual += r * r;
   for (const double b : balances.b)
     size_of_b += b * b;
-  for (unsigned int i = 0; i < size(); ++i)
-  {
+  for (unsigned int i = 0; i < size(); ++i) {
     const double r = K.residual(i, P[i], W[i] / diagonal[i]);
     residual += r * r;
     size_of_P += P[i] * P[i];
@@ -216,8 +187,7 @@ double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const 
   return scale > 0. ? std::sqrt(residual / scale) : std::sqrt(residual);
 }
 
-bool BoundConstrainedQP::has_unique_solution(const Vector &P, const Vector &z) const
-{
+bool BoundConstrainedQP::has_unique_solution(const Vector &P, const Vector &z) const {
   if (size() == 0)
     return true;
   const Vector W = gradient(P, z);
@@ -236,24 +206,18 @@ bool BoundConstrainedQP::has_unique_solution(const Vector &P, const Vector &z) c
     for (unsigned int j = 0; j < C_TT.m(); ++j)
       for (unsigned int l = 0; l < balances.size(); ++l)
         C_TT(i, j) += s * balances.B(touching[i], l) * balances.B(touching[j], l);
-  try
-  {
+  try {
     cholesky(C_TT, 1e-12);
-  }
-  catch (const ExceptionBase &)
-  {
+  } catch (const ExceptionBase &) {
     return false;
   }
   return true;
 }
 
-MotionResistance::MotionResistance(const Balances &balances,
-                                   const Indices &A,
+MotionResistance::MotionResistance(const Balances &balances, const Indices &A,
                                    const LAPACKFullMatrix<double> &C_AA)
-  : S(balances.K)
-{
-  for (unsigned int j = 0; j < balances.size(); ++j)
-  {
+  : S(balances.K) {
+  for (unsigned int j = 0; j < balances.size(); ++j) {
     Vector column(A.size());
     for (unsigned int r = 0; r < A.size(); ++r)
       column[r] = balances.B(A[r], j);

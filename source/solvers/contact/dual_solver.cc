@@ -14,14 +14,11 @@
 #include <set>
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using Vector = dealii::Vector<double>;
 
-std::string message_of(const ExceptionBase &exception)
-{
+std::string message_of(const ExceptionBase &exception) {
   if (dynamic_cast<const LACExceptions::ExcSingular *>(&exception) != nullptr)
     return "the compliance of the patches in contact is singular";
   std::ostringstream text;
@@ -29,20 +26,15 @@ std::string message_of(const ExceptionBase &exception)
   return one_line(trim(text.str()));
 }
 
-QPResult by_chosen_method(const BoundConstrainedQP &qp,
-                          const Vector &start,
-                          const DualSolverOptions &options)
-{
+QPResult by_chosen_method(const BoundConstrainedQP &qp, const Vector &start,
+                          const DualSolverOptions &options) {
   if (options.method == ContactSolver::psor && qp.size() > 0)
     return solve_by_psor(qp, start, options);
   if (options.method == ContactSolver::mprgp)
     return solve_by_mprgp(qp, start, options);
-  try
-  {
+  try {
     return solve_by_active_set(qp, start, options);
-  }
-  catch (const ExceptionBase &exception)
-  {
+  } catch (const ExceptionBase &exception) {
     QPResult result = solve_by_psor(qp, start, options);
     result.active_set_failure = message_of(exception);
     return result;
@@ -50,12 +42,9 @@ QPResult by_chosen_method(const BoundConstrainedQP &qp,
 }
 } // namespace
 
-QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
-                            const Vector &F,
-                            const Vector &start,
-                            const DualSolverOptions &options,
-                            const Balances &balances)
-{
+QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C, const Vector &F,
+                            const Vector &start, const DualSolverOptions &options,
+                            const Balances &balances) {
   const QPSolver solve = [&](const BoundConstrainedQP &qp, const Vector &qp_start) {
     QPResult result = by_chosen_method(qp, qp_start, options);
     result.unique = !options.may_be_singular || qp.has_unique_solution(result.P, result.z);
@@ -69,20 +58,17 @@ QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
 
 // The dual problem on a growing set of patches.
 
-namespace
-{
+namespace {
 using Indices = ComplianceOperator::Indices;
 
-Vector restrict_to(const Indices &S, const Vector &v)
-{
+Vector restrict_to(const Indices &S, const Vector &v) {
   Vector part(v.size() > 0 ? S.size() : 0);
   for (unsigned int i = 0; i < part.size(); ++i)
     part[i] = v[S[i]];
   return part;
 }
 
-Balances restrict_to(const Indices &S, const Balances &balances)
-{
+Balances restrict_to(const Indices &S, const Balances &balances) {
   Balances part = balances;
   part.P = restrict_to(S, balances.P);
   part.B.reinit(S.size(), balances.size());
@@ -94,8 +80,7 @@ Balances restrict_to(const Indices &S, const Balances &balances)
 
 /** Returns the indices outside of S, below m, that satisfy @p is_wanted. */
 template <typename Predicate>
-Indices find_outside(const Indices &S, const unsigned int m, const Predicate &is_wanted)
-{
+Indices find_outside(const Indices &S, const unsigned int m, const Predicate &is_wanted) {
   Indices found;
   for (unsigned int i = 0; i < m; ++i)
     if (!std::binary_search(S.begin(), S.end(), i) && is_wanted(i))
@@ -104,12 +89,8 @@ Indices find_outside(const Indices &S, const unsigned int m, const Predicate &is
 }
 } // namespace
 
-QPResult solve_on_growing_set(const ComplianceOperator &C,
-                              const Vector &F,
-                              const Vector &start,
-                              const QPSolver &solve,
-                              const Balances &balances)
-{
+QPResult solve_on_growing_set(const ComplianceOperator &C, const Vector &F, const Vector &start,
+                              const QPSolver &solve, const Balances &balances) {
   const unsigned int m = F.size();
   const bool moves = balances.size() > 0;
   QPResult whole;
@@ -125,8 +106,7 @@ QPResult solve_on_growing_set(const ComplianceOperator &C,
   if (joining.empty())
     joining = find_outside(S, m, [&](const unsigned int i) { return F[i] < 0.; });
   whole.converged = joining.empty() && !moves; // then P = 0 it is
-  for (bool first = true; !joining.empty() || (first && moves); first = false)
-  {
+  for (bool first = true; !joining.empty() || (first && moves); first = false) {
     S.insert(S.end(), joining.begin(), joining.end());
     std::sort(S.begin(), S.end());
     const Vector start_on_S = first && !has_start ? Vector() : restrict_to(S, whole.P);
@@ -150,24 +130,16 @@ QPResult solve_on_growing_set(const ComplianceOperator &C,
 
 // The active set method.
 
-namespace
-{
+namespace {
 /** The state of an unknown: at the lower end of its interval, inside, or at the upper end. */
-enum class State : char
-{
-  lower,
-  inside,
-  upper
-};
+enum class State : char { lower, inside, upper };
 using States = std::vector<State>;
 
-State state_of(const AdmissibleSet &K, const unsigned int i, const double p)
-{
+State state_of(const AdmissibleSet &K, const unsigned int i, const double p) {
   return K.is_inside(i, p) ? State::inside : p >= K[i].upper ? State::upper : State::lower;
 }
 
-States states_of(const AdmissibleSet &K, const Vector &P)
-{
+States states_of(const AdmissibleSet &K, const Vector &P) {
   States states(K.size());
   for (unsigned int i = 0; i < K.size(); ++i)
     states[i] = state_of(K, i, P[i]);
@@ -175,8 +147,7 @@ States states_of(const AdmissibleSet &K, const Vector &P)
 }
 
 /** A pressure and free motions. */
-struct Iterate
-{
+struct Iterate {
   Vector P, z;
 };
 
@@ -186,8 +157,7 @@ struct Iterate
  * equations. A motion that neither K nor patches of A resist stays
  * zero. @throws ExceptionBase if C_AA is not positive definite.
  */
-Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states)
-{
+Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
   const unsigned int n = qp.balances.size();
   Indices A;
   Iterate x = {Vector(qp.size()), Vector(n)};
@@ -201,14 +171,12 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states)
   const LAPACKFullMatrix<double> C_AA = cholesky(submatrix(*qp.C, A));
   const MotionResistance resistance(qp.balances, A, C_AA);
   LAPACKFullMatrix<double> S(n);
-  if (n > 0)
-  {
+  if (n > 0) {
     constexpr double rounding = 1e-13;
     S = resistance.S;
     S.compute_inverse_svd(rounding);
   }
-  for (unsigned int pass = 0; pass < (n > 0 ? 4U : 1U); ++pass)
-  {
+  for (unsigned int pass = 0; pass < (n > 0 ? 4U : 1U); ++pass) {
     const Vector W = qp.gradient(x.P, x.z);
     Vector dP(A.size()), dz(n);
     for (unsigned int r = 0; r < A.size(); ++r)
@@ -230,8 +198,7 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states)
 
 /** Returns the states that the solution x for @p states predicts. In x, W vanishes inside of the
  * intervals. */
-States improve(const BoundConstrainedQP &qp, const States &states, const Iterate &x)
-{
+States improve(const BoundConstrainedQP &qp, const States &states, const Iterate &x) {
   const Vector W = qp.gradient(x.P, x.z);
   States next(states);
   for (unsigned int i = 0; i < qp.size(); ++i)
@@ -243,18 +210,14 @@ States improve(const BoundConstrainedQP &qp, const States &states, const Iterate
 }
 
 /** Returns the residual that rounding leaves after a solve with C_AA. */
-double rounding_level(const BoundConstrainedQP &qp)
-{
+double rounding_level(const BoundConstrainedQP &qp) {
   return (qp.size() + 10) * std::numeric_limits<double>::epsilon();
 }
 
 /** Moves P towards the wanted one; where an unknown would leave its interval, only to the first end
  * that is met, which that unknown keeps. @return whether P is the wanted one. */
-bool step_to_first_end(const BoundConstrainedQP &qp,
-                       const Vector &wanted,
-                       Vector &P,
-                       States &states)
-{
+bool step_to_first_end(const BoundConstrainedQP &qp, const Vector &wanted, Vector &P,
+                       States &states) {
   const AdmissibleSet &K = qp.K;
   double size = 0.;
   for (const double b : qp.balances.b)
@@ -266,11 +229,9 @@ bool step_to_first_end(const BoundConstrainedQP &qp,
   double part = 1.;
   unsigned int leaving = P.size();
   for (unsigned int i = 0; i < P.size(); ++i)
-    if (states[i] == State::inside && std::abs(wanted[i] - K.project(i, wanted[i])) > rounding)
-    {
+    if (states[i] == State::inside && std::abs(wanted[i] - K.project(i, wanted[i])) > rounding) {
       const double here = (K.project(i, wanted[i]) - P[i]) / (wanted[i] - P[i]);
-      if (leaving == P.size() || here < part)
-      {
+      if (leaving == P.size() || here < part) {
         part = here;
         leaving = i;
       }
@@ -285,19 +246,17 @@ bool step_to_first_end(const BoundConstrainedQP &qp,
 }
 
 /** Lets the unknown join whose residual is largest. @return whether there is one above rounding. */
-bool join_deepest(const BoundConstrainedQP &qp, const Iterate &x, States &states)
-{
+bool join_deepest(const BoundConstrainedQP &qp, const Iterate &x, States &states) {
   const Vector W = qp.gradient(x.P, x.z);
   double largest = 0.;
   for (unsigned int i = 0; i < qp.size(); ++i)
     largest = std::max({largest, std::abs(qp.F[i]), std::abs(qp.F[i] + W[i])});
   double deepest = 0.;
   unsigned int joining = qp.size();
-  for (unsigned int i = 0; i < qp.size(); ++i)
-  {
+  for (unsigned int i = 0; i < qp.size(); ++i) {
     const double inward = std::abs(qp.K.inward(i, x.P[i], W[i]));
-    if (states[i] != State::inside && inward > 1e-13 * largest && inward > deepest * qp.diagonal[i])
-    {
+    if (states[i] != State::inside && inward > 1e-13 * largest &&
+        inward > deepest * qp.diagonal[i]) {
       deepest = inward / qp.diagonal[i];
       joining = i;
     }
@@ -308,18 +267,15 @@ bool join_deepest(const BoundConstrainedQP &qp, const Iterate &x, States &states
 }
 } // namespace
 
-QPResult solve_by_active_set(const BoundConstrainedQP &qp,
-                             const Vector &start,
-                             const IterationOptions &options)
-{
+QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
+                             const IterationOptions &options) {
   const bool moves = qp.balances.size() > 0;
   QPResult result;
   Iterate x;
   States states = start.size() == 0 ? States(qp.size(), State::inside) : states_of(qp.K, start);
   std::set<States> visited;
   const unsigned int max_solves = std::min(options.maximum_iterations, 20 * qp.size() + 100);
-  for (bool settled = false; !settled && result.iterations < max_solves;)
-  {
+  for (bool settled = false; !settled && result.iterations < max_solves;) {
     ++result.iterations;
     const Iterate wanted = solve_on_set(qp, states);
     // Where P and W vanish together, rounding changes the set each time, although P is the
@@ -327,8 +283,7 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp,
     Vector projected = wanted.P;
     qp.K.project(projected);
     const double residual = qp.kkt_residual(projected, wanted.z);
-    if (!result.cycled)
-    {
+    if (!result.cycled) {
       x = wanted;
       visited.insert(states);
       const States next = improve(qp, states, x);
@@ -338,19 +293,15 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp,
                 (came_back && residual <= 1e-3 * options.tolerance);
       result.cycled = came_back && !settled;
       states = next;
-      if (result.cycled)
-      {
+      if (result.cycled) {
         if (moves)
           x.P = qp.balances.P;
         qp.K.project(x.P);
         states = states_of(qp.K, x.P);
       }
-    }
-    else
-    {
+    } else {
       settled = residual <= std::max(rounding_level(qp), 1e-3 * options.tolerance);
-      if (settled || step_to_first_end(qp, wanted.P, x.P, states))
-      {
+      if (settled || step_to_first_end(qp, wanted.P, x.P, states)) {
         x = wanted;
         settled = settled || !join_deepest(qp, x, states);
       }

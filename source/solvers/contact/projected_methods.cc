@@ -8,16 +8,13 @@
 #include <limits>
 #include <stdexcept>
 
-namespace Signorini
-{
+namespace Signorini {
 using Vector = dealii::Vector<double>;
 
-double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, Vector &P)
-{
+double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, Vector &P) {
   const FullMatrix<double> &C = qp.C->dense();
   double squared_increment = 0.;
-  for (unsigned int i = 0; i < qp.size(); ++i)
-  {
+  for (unsigned int i = 0; i < qp.size(); ++i) {
     const double *row = &C(i, 0);
     double CP_i = 0.;
     for (unsigned int j = 0; j < qp.size(); ++j)
@@ -31,25 +28,20 @@ double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, Vector 
   return std::sqrt(squared_increment);
 }
 
-namespace
-{
+namespace {
 /** Solves a problem without balances. */
-QPResult sweep_until_settled(const BoundConstrainedQP &qp,
-                             const Vector &start,
-                             const IterationOptions &options)
-{
+QPResult sweep_until_settled(const BoundConstrainedQP &qp, const Vector &start,
+                             const IterationOptions &options) {
   QPResult result;
   result.P = start.size() > 0 ? start : Vector(qp.size());
   qp.K.project(result.P);
   result.converged = qp.size() == 0; // nothing to do
   double last_increment = 0.;
-  while (result.iterations < options.maximum_iterations && !result.converged)
-  {
+  while (result.iterations < options.maximum_iterations && !result.converged) {
     ++result.iterations;
     const double increment = psor_sweep(qp, options.relaxation, result.P);
     const double small = options.tolerance * result.P.l2_norm();
-    if (increment <= small)
-    {
+    if (increment <= small) {
       if (result.increment_iterations == 0)
         result.increment_iterations = result.iterations;
       // The increments fall like ρ^k: the error is about increment ρ/(1 - ρ).
@@ -67,8 +59,7 @@ QPResult sweep_until_settled(const BoundConstrainedQP &qp,
 
 /** Returns E: part of the stiffness of the patches that press, or of all; motions that it does not
  * resist get some, too. */
-FullMatrix<double> proximal_stiffness(const BoundConstrainedQP &qp, const Vector &P)
-{
+FullMatrix<double> proximal_stiffness(const BoundConstrainedQP &qp, const Vector &P) {
   constexpr double part = 0.3, small = 1e-4, regular = 1e-8;
   ComplianceOperator::Indices A;
   for (unsigned int i = 0; i < qp.size(); ++i)
@@ -86,18 +77,15 @@ FullMatrix<double> proximal_stiffness(const BoundConstrainedQP &qp, const Vector
 }
 
 /** Solves a problem with balances by proximal iteration. */
-QPResult sweep_proximally(const BoundConstrainedQP &qp,
-                          const Vector &start,
-                          const IterationOptions &options)
-{
+QPResult sweep_proximally(const BoundConstrainedQP &qp, const Vector &start,
+                          const IterationOptions &options) {
   const Balances &balances = qp.balances;
   QPResult result;
   result.P = start.size() > 0 ? start : Vector(qp.size());
   result.z.reinit(balances.size());
   result.kkt_residual = 1.;
   const Vector no_pressure(qp.size());
-  while (result.iterations < options.maximum_iterations && !result.converged)
-  {
+  while (result.iterations < options.maximum_iterations && !result.converged) {
     FullMatrix<double> Q = proximal_stiffness(qp, result.P), C = qp.C->dense(),
                        B_Q(qp.size(), balances.size());
     Q.add(1., balances.K);
@@ -111,8 +99,7 @@ QPResult sweep_proximally(const BoundConstrainedQP &qp,
     balances.B.vmult(F, z);
     F.sadd(-1., 1., qp.F);
     const QPResult swept = sweep_until_settled(
-      BoundConstrainedQP(std::make_shared<const DenseCompliance>(std::move(C)), F, qp.K),
-      result.P,
+      BoundConstrainedQP(std::make_shared<const DenseCompliance>(std::move(C)), F, qp.K), result.P,
       {std::max(0.1 * options.tolerance, std::min(1e-4, 1e-2 * result.kkt_residual)),
        options.maximum_iterations - result.iterations,
        options.relaxation,
@@ -128,10 +115,8 @@ QPResult sweep_proximally(const BoundConstrainedQP &qp,
 }
 } // namespace
 
-QPResult solve_by_psor(const BoundConstrainedQP &qp,
-                       const Vector &start,
-                       const IterationOptions &options)
-{
+QPResult solve_by_psor(const BoundConstrainedQP &qp, const Vector &start,
+                       const IterationOptions &options) {
   if (!(options.relaxation > 0. && options.relaxation < 2.))
     throw std::invalid_argument("Projected SOR converges for relaxations between 0 and 2 only.");
   return qp.balances.size() > 0 ? sweep_proximally(qp, start, options)
@@ -140,19 +125,16 @@ QPResult solve_by_psor(const BoundConstrainedQP &qp,
 
 // MPRGP: modified proportioning with reduced gradient projections.
 
-namespace
-{
+namespace {
 /** Returns 1.05 times the norm |C| that the power method finds. Steps of a length below 2/|C| are
  * allowed. */
-double norm_of(const ComplianceOperator &C, unsigned int &products)
-{
+double norm_of(const ComplianceOperator &C, unsigned int &products) {
   constexpr unsigned int steps = 10;
   Vector v(C.size());
   for (unsigned int i = 0; i < v.size(); ++i)
     v[i] = 1. + 0.1 * std::sin(1. + i * (i + 1.7));
   double norm = 0.;
-  for (unsigned int k = 0; k < steps; ++k)
-  {
+  for (unsigned int k = 0; k < steps; ++k) {
     v /= v.l2_norm();
     v = C.apply(v);
     norm = v.l2_norm();
@@ -162,21 +144,18 @@ double norm_of(const ComplianceOperator &C, unsigned int &products)
 }
 
 /** The iteration: P with its gradient, and the next step. */
-class Mprgp
-{
+class Mprgp {
 public:
   Mprgp(const BoundConstrainedQP &qp, const Vector &start, const IterationOptions &options)
     : qp_(qp)
     , options_(options)
-    , P_(start.size() > 0 ? start : Vector(qp.size()))
-  {
+    , P_(start.size() > 0 ? start : Vector(qp.size())) {
     qp.K.project(P_);
     length_ = 1.9 / norm_of(*qp.C, products_);
     restart();
   }
 
-  QPResult solve()
-  {
+  QPResult solve() {
     QPResult result;
     while (qp_.kkt_residual(P_, {}, W_) > options_.tolerance &&
            products_ < options_.maximum_iterations)
@@ -192,37 +171,31 @@ public:
   }
 
 private:
-  bool is_free(const unsigned int i) const
-  {
+  bool is_free(const unsigned int i) const {
     return qp_.K.is_inside(i, P_[i]);
   }
-  Vector times_C(const Vector &v)
-  {
+  Vector times_C(const Vector &v) {
     ++products_;
     return qp_.C->apply(v);
   }
 
   /** Computes the gradient anew, and the first direction. */
-  void restart()
-  {
+  void restart() {
     W_ = times_C(P_);
     W_ -= qp_.F;
     direction_ = preconditioned();
   }
 
   /** Returns W_i, reduced so that a step of the fixed length along it stays in K. */
-  double reduced(const unsigned int i) const
-  {
+  double reduced(const unsigned int i) const {
     return std::max((P_[i] - qp_.K[i].upper) / length_,
                     std::min((P_[i] - qp_.K[i].lower) / length_, W_[i]));
   }
   /** Returns the largest t for which P - t v stays in K. */
-  double feasible_step(const Vector &v) const
-  {
+  double feasible_step(const Vector &v) const {
     double feasible = std::numeric_limits<double>::max();
     for (unsigned int i = 0; i < P_.size(); ++i)
-      if (v[i] != 0.)
-      {
+      if (v[i] != 0.) {
         const double end = v[i] < 0. ? qp_.K[i].upper : qp_.K[i].lower;
         feasible = std::min(feasible, (P_[i] - end) / v[i]);
       }
@@ -231,8 +204,7 @@ private:
 
   /** Returns whether |β|² is at most φ̃·φ, with the chopped gradient β of the active set and the
    * free gradient φ, reduced φ̃. */
-  bool is_proportional() const
-  {
+  bool is_proportional() const {
     double held = 0., free = 0.;
     for (unsigned int i = 0; i < P_.size(); ++i)
       if (is_free(i))
@@ -243,8 +215,7 @@ private:
   }
 
   /** Returns z = M⁻¹ W on the free set, zero elsewhere. */
-  Vector preconditioned() const
-  {
+  Vector preconditioned() const {
     std::vector<unsigned int> set;
     for (unsigned int i = 0; i < P_.size(); ++i)
       if (is_free(i))
@@ -259,14 +230,12 @@ private:
     return z;
   }
 
-  void conjugate_step()
-  {
+  void conjugate_step() {
     const Vector product = times_C(direction_);
     const double curvature = direction_ * product;
     const double step = (W_ * direction_) / curvature;
     const double feasible = feasible_step(direction_);
-    if (step <= feasible)
-    {
+    if (step <= feasible) {
       P_.add(-step, direction_);
       W_.add(-step, product);
       const Vector z = preconditioned();
@@ -281,8 +250,7 @@ private:
     restart();
   }
 
-  void proportioning_step()
-  {
+  void proportioning_step() {
     Vector chopped(P_.size());
     for (unsigned int i = 0; i < P_.size(); ++i)
       if (!is_free(i))
@@ -304,12 +272,9 @@ private:
 };
 } // namespace
 
-QPResult solve_by_mprgp(const BoundConstrainedQP &qp,
-                        const Vector &start,
-                        const IterationOptions &options)
-{
-  if (qp.size() == 0)
-  {
+QPResult solve_by_mprgp(const BoundConstrainedQP &qp, const Vector &start,
+                        const IterationOptions &options) {
+  if (qp.size() == 0) {
     QPResult nothing;
     nothing.converged = true;
     return nothing;

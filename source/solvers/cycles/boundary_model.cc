@@ -16,22 +16,18 @@
 #include <numeric>
 #include <optional>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using Vector = ComplianceOperator::Vector;
 using Indices = ComplianceOperator::Indices;
 
 /** The part Ĉ_SS of a model, or (Ĉ⁻¹)_SS. */
-struct PartOfModel
-{
+struct PartOfModel {
   const BoundaryModel &model;
   const Indices &set;
   bool inverse;
 
-  void vmult(Vector &y, const Vector &x) const
-  {
+  void vmult(Vector &y, const Vector &x) const {
     Vector all(model.size());
     all.add(set, x);
     const Vector product = inverse ? model.apply_inverse(all) : model.apply(all);
@@ -41,28 +37,22 @@ struct PartOfModel
 } // namespace
 
 BoundaryModel::BoundaryModel(const unsigned int max_factorised_size)
-  : max_factorised_size_(max_factorised_size)
-{
-}
+  : max_factorised_size_(max_factorised_size) {}
 
-Vector BoundaryModel::solve(const Indices &set, const Vector &rhs) const
-{
+Vector BoundaryModel::solve(const Indices &set, const Vector &rhs) const {
   if (set.empty())
     return Vector();
   return set.size() <= max_factorised_size_ ? solve_by_factor(set, rhs)
                                             : solve_by_gradients(set, rhs);
 }
 
-Vector BoundaryModel::solve_by_factor(const Indices &set, const Vector &rhs) const
-{
-  if (set != factorised_set_)
-  {
+Vector BoundaryModel::solve_by_factor(const Indices &set, const Vector &rhs) const {
+  if (set != factorised_set_) {
     const auto n = static_cast<unsigned int>(set.size());
     factorised_set_.clear();
     factor_.reinit(n, n);
     for (unsigned int r = 0; r < n; ++r)
-      for (unsigned int c = 0; c <= r; ++c)
-      {
+      for (unsigned int c = 0; c <= r; ++c) {
         const double value = entry(set[r], set[c]);
         factor_(r, c) = value;
         factor_(c, r) = value;
@@ -76,25 +66,22 @@ Vector BoundaryModel::solve_by_factor(const Indices &set, const Vector &rhs) con
   return x;
 }
 
-Vector BoundaryModel::solve_by_gradients(const Indices &set, const Vector &rhs) const
-{
+Vector BoundaryModel::solve_by_gradients(const Indices &set, const Vector &rhs) const {
   Vector x(rhs.size());
   SolverControl control(500, 1e-10 * rhs.l2_norm(), false, false);
-  SolverCG<Vector>(control).solve(
-    PartOfModel{*this, set, false}, x, rhs, PartOfModel{*this, set, true});
+  SolverCG<Vector>(control).solve(PartOfModel{*this, set, false}, x, rhs,
+                                  PartOfModel{*this, set, true});
   return x;
 }
 
-Vector BoundaryModel::diagonal() const
-{
+Vector BoundaryModel::diagonal() const {
   Vector values(size());
   for (unsigned int k = 0; k < size(); ++k)
     values[k] = entry(k, k);
   return values;
 }
 
-BoundaryModel::Matrix BoundaryModel::columns(const Indices &numbers) const
-{
+BoundaryModel::Matrix BoundaryModel::columns(const Indices &numbers) const {
   Matrix values(size(), numbers.size());
   for (unsigned int i = 0; i < size(); ++i)
     for (unsigned int j = 0; j < numbers.size(); ++j)
@@ -102,10 +89,8 @@ BoundaryModel::Matrix BoundaryModel::columns(const Indices &numbers) const
   return values;
 }
 
-const BoundaryModel::Matrix &BoundaryModel::dense() const
-{
-  if (dense_.m() != size())
-  {
+const BoundaryModel::Matrix &BoundaryModel::dense() const {
+  if (dense_.m() != size()) {
     Indices all(size());
     std::iota(all.begin(), all.end(), 0U);
     dense_ = columns(all);
@@ -113,21 +98,18 @@ const BoundaryModel::Matrix &BoundaryModel::dense() const
   return dense_;
 }
 
-bool BoundaryModel::is_explicit() const
-{
+bool BoundaryModel::is_explicit() const {
   return true;
 }
 
 // The choice of Ĉ for a surface.
 
-namespace
-{
+namespace {
 using Vector = ComplianceOperator::Vector;
 
 /** Returns the size of sets of patches up to which they are factorised. In 2-D a product with m
  * patches costs m², as a solve with factors does; in 3-D only m^{3/2}. */
-constexpr unsigned int max_factorised_set_size(const unsigned int dim)
-{
+constexpr unsigned int max_factorised_set_size(const unsigned int dim) {
   return dim == 2 ? 3000 : 500;
 }
 
@@ -135,8 +117,7 @@ constexpr unsigned int max_factorised_set_size(const unsigned int dim)
 constexpr unsigned int max_kernel_patches = 6000;
 
 template <int dim>
-void require_constants(const MultiplierSpace<dim> &multipliers)
-{
+void require_constants(const MultiplierSpace<dim> &multipliers) {
   if (!multipliers.is_piecewise_constant())
     throw ComputationError(
       "The model of the compliance of the contact sides needs one multiplier per patch.");
@@ -144,8 +125,7 @@ void require_constants(const MultiplierSpace<dim> &multipliers)
 
 /** Returns E'/E_0 at the middle of a patch. */
 template <int dim>
-double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<dim> &patch)
-{
+double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<dim> &patch) {
   const Side<dim> &side = surface.side(patch);
   const Tensor<1, dim> n = side.normal(patch.centre());
   const auto hooke = surface.scene().material->relative_hooke(side.point(patch.centre()));
@@ -153,8 +133,7 @@ double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<
   double M = 0., sum = 0.;
   for (unsigned int a = 0; a < dim; ++a)
     for (unsigned int b = 0; b < dim; ++b)
-      for (unsigned int j = 0; j < dim; ++j)
-      {
+      for (unsigned int j = 0; j < dim; ++j) {
         sum += n[a] * n[b] * hooke[a][j][b][j];
         for (unsigned int k = 0; k < dim; ++k)
           M += n[a] * n[b] * n[j] * n[k] * hooke[a][j][b][k];
@@ -166,8 +145,7 @@ double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<
 
 /** Returns (2/E')^{1/2} for every patch. */
 template <int dim>
-Vector scaling_of(const ContactSurface<dim> &surface, const std::vector<Patch<dim>> &patches)
-{
+Vector scaling_of(const ContactSurface<dim> &surface, const std::vector<Patch<dim>> &patches) {
   const double unit = surface.scene().material->modulus();
   Vector scaling(patches.size());
   for (unsigned int k = 0; k < scaling.size(); ++k)
@@ -178,17 +156,14 @@ Vector scaling_of(const ContactSurface<dim> &surface, const std::vector<Patch<di
 /** Returns the patches of one side as a grid of equal boxes; none if they are not. */
 template <int dim>
 std::optional<CosineGrid> grid_of(const ContactSurface<dim> &surface,
-                                  const std::vector<unsigned int> &patches,
-                                  const double omega_0)
-{
+                                  const std::vector<unsigned int> &patches, const double omega_0) {
   const Patch<dim> &first = surface.patches()[patches.front()];
   if (!surface.side(first).is_flat())
     return {};
   const auto extent = first.upper - first.lower;
   Point<dim - 1> lower = first.lower, upper = first.upper;
   for (const unsigned int k : patches)
-    for (unsigned int d = 0; d < dim - 1; ++d)
-    {
+    for (unsigned int d = 0; d < dim - 1; ++d) {
       const Patch<dim> &patch = surface.patches()[k];
       lower[d] = std::min(lower[d], patch.lower[d]);
       upper[d] = std::max(upper[d], patch.upper[d]);
@@ -197,16 +172,14 @@ std::optional<CosineGrid> grid_of(const ContactSurface<dim> &surface,
     }
   std::array<unsigned int, 2> sizes = {1, 1};
   std::array<double, 2> lengths = {0., 0.};
-  for (unsigned int d = 0; d < dim - 1; ++d)
-  {
+  for (unsigned int d = 0; d < dim - 1; ++d) {
     lengths[d] = upper[d] - lower[d];
     sizes[d] = static_cast<unsigned int>(std::lround(lengths[d] / extent[d]));
   }
   if (sizes[0] * sizes[1] != patches.size())
     return {};
   std::vector<unsigned int> multipliers(patches.size());
-  for (const unsigned int k : patches)
-  {
+  for (const unsigned int k : patches) {
     unsigned int number = 0;
     for (unsigned int d = dim - 1; d-- > 0;)
       number = number * sizes[d] + static_cast<unsigned int>(std::lround(
@@ -218,8 +191,7 @@ std::optional<CosineGrid> grid_of(const ContactSurface<dim> &surface,
 } // namespace
 
 template <int dim>
-std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<dim> &multipliers)
-{
+std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<dim> &multipliers) {
   require_constants(multipliers);
   const ContactSurface<dim> &surface = multipliers.surface();
   // Waves longer than the body is thick do not behave as on a half-space. Of 1, 1.5, 2 and 2.5 this
@@ -229,8 +201,7 @@ std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<d
   for (unsigned int k = 0; k < surface.patches().size(); ++k)
     patches_by_side[surface.patches()[k].side].push_back(k);
   std::vector<CosineGrid> blocks;
-  for (const auto &[side, patches] : patches_by_side)
-  {
+  for (const auto &[side, patches] : patches_by_side) {
     std::optional<CosineGrid> block = grid_of(surface, patches, omega_0);
     if (!block)
       return make_kernel_model(multipliers);
@@ -241,16 +212,14 @@ std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<d
 }
 
 template <int dim>
-std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<dim> &multipliers)
-{
+std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<dim> &multipliers) {
   require_constants(multipliers);
   return make_kernel_model(multipliers.surface(), multipliers.surface().patches());
 }
 
 template <int dim>
 std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim> &surface,
-                                                       const std::vector<Patch<dim>> &patches)
-{
+                                                       const std::vector<Patch<dim>> &patches) {
   const auto m = static_cast<unsigned int>(patches.size());
   if (m > max_kernel_patches)
     throw ComputationError("The kernel of the half space is a dense matrix: found " +
@@ -263,15 +232,13 @@ std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim>
   // Charges at these heights above the surface and below it act on each other like two patches, in
   // a way that is definite. An alternating pressure on equal patches has the energy that it should.
   std::vector<double> heights;
-  for (const Patch<dim> &patch : patches)
-  {
+  for (const Patch<dim> &patch : patches) {
     centres.push_back(surface.side(patch).point(patch.centre()));
     heights.push_back(dim == 2 ? 0.145 * patch.measure : 0.2 * std::sqrt(patch.measure));
   }
   FullMatrix<double> C(m, m);
   for (unsigned int i = 0; i < m; ++i)
-    for (unsigned int j = 0; j <= i; ++j)
-    {
+    for (unsigned int j = 0; j <= i; ++j) {
       const double r = std::hypot(centres[i].distance(centres[j]), heights[i] + heights[j]);
       C(i, j) = C(j, i) = scaling[i] * scaling[j] / numbers::PI * patches[i].measure *
                           patches[j].measure * (dim == 2 ? -std::log(r / radius) : 0.5 / r);

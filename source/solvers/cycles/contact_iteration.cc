@@ -17,11 +17,9 @@
 
 #include "saddle_point_internal.h"
 
-namespace Signorini
-{
+namespace Signorini {
 /** A step of the iteration from U and P. */
-struct ContactStep
-{
+struct ContactStep {
   /** The residual r = f + D P - A U and z = V r. */
   dealii::Vector<double> r, z;
   /** The change d = Q - P and t Ĉ_1 d. */
@@ -40,20 +38,16 @@ struct ContactStep
  * Two differences are kept, in single precision: 24 bytes per degree of freedom. (Relative errors
  * of differences matter, which fall with the step.)
  */
-class Acceleration
-{
+class Acceleration {
 public:
   /**
    * Moves U and P by @p step, or farther.
    * @param same_set whether the step keeps the set; otherwise earlier steps are forgotten.
    */
-  void advance(dealii::Vector<double> &U,
-               dealii::Vector<double> &P,
-               const ContactStep &step,
+  void advance(dealii::Vector<double> &U, dealii::Vector<double> &P, const ContactStep &step,
                bool same_set);
   /** Forgets all earlier steps. */
-  void forget()
-  {
+  void forget() {
     differences_.clear();
     last_.reset();
   }
@@ -61,8 +55,7 @@ public:
 private:
   /** A step and the increments that were taken, or the change of these from one point to the next.
    */
-  struct Difference
-  {
+  struct Difference {
     dealii::Vector<float> U, r, z;
     dealii::Vector<double> P, d, C_d;
   };
@@ -74,36 +67,30 @@ private:
   std::optional<Difference> last_;
 };
 
-namespace
-{
+namespace {
 template <typename First, typename Second>
-double product(const First &a, const Second &b)
-{
-  return std::inner_product(
-    a.begin(), a.end(), b.begin(), 0., std::plus<>(), [](double x, double y) { return x * y; });
+double product(const First &a, const Second &b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0., std::plus<>(),
+                            [](double x, double y) { return x * y; });
 }
 
 /** Replaces @p to by from - to. */
 template <typename Vector>
-void subtract_from(const dealii::Vector<double> &from, Vector &to)
-{
+void subtract_from(const dealii::Vector<double> &from, Vector &to) {
   for (unsigned int i = 0; i < to.size(); ++i)
     to[i] = static_cast<typename Vector::value_type>(from[i] - to[i]);
 }
 } // namespace
 
-double ContactStep::size() const
-{
+double ContactStep::size() const {
   return std::sqrt(std::abs(r * z + d * C_d));
 }
 
-dealii::Vector<double> Acceleration::coefficients(const ContactStep &step) const
-{
+dealii::Vector<double> Acceleration::coefficients(const ContactStep &step) const {
   const unsigned int n = differences_.size();
   FullMatrix<double> M(n, n);
   dealii::Vector<double> rhs(n), gamma(n);
-  for (unsigned int i = 0; i < n; ++i)
-  {
+  for (unsigned int i = 0; i < n; ++i) {
     const Difference &row = differences_[i];
     for (unsigned int j = 0; j < n; ++j)
       M(i, j) = product(row.z, differences_[j].r) + row.d * differences_[j].C_d;
@@ -116,24 +103,19 @@ dealii::Vector<double> Acceleration::coefficients(const ContactStep &step) const
   // Two differences in the same direction give no more information than one.
   if (n > 1 && M.determinant() < 1e-8 * M(0, 0) * M(1, 1))
     gamma[n - 1] = rhs[n - 1] / M(n - 1, n - 1);
-  else if (n > 0)
-  {
+  else if (n > 0) {
     M.gauss_jordan();
     M.vmult(gamma, rhs);
   }
   return gamma;
 }
 
-void Acceleration::advance(dealii::Vector<double> &U,
-                           dealii::Vector<double> &P,
-                           const ContactStep &step,
-                           const bool same_set)
-{
+void Acceleration::advance(dealii::Vector<double> &U, dealii::Vector<double> &P,
+                           const ContactStep &step, const bool same_set) {
   constexpr unsigned int depth = 2;
   if (!same_set)
     forget();
-  if (last_)
-  {
+  if (last_) {
     subtract_from(step.r, last_->r);
     subtract_from(step.z, last_->z);
     subtract_from(step.d, last_->d);
@@ -150,8 +132,7 @@ void Acceleration::advance(dealii::Vector<double> &U,
   last_->d = step.d;
   last_->C_d = step.C_d;
   P += step.d;
-  for (unsigned int k = 0; k < gamma.size(); ++k)
-  {
+  for (unsigned int k = 0; k < gamma.size(); ++k) {
     const auto factor = static_cast<float>(-gamma[k]);
     last_->U.add(factor, differences_[k].U, factor, differences_[k].z);
     P.add(-gamma[k], differences_[k].P, -gamma[k], differences_[k].d);
@@ -166,29 +147,26 @@ void Acceleration::advance(dealii::Vector<double> &U,
 
 // A V-cycle, then a problem on the boundary, repeated.
 
-namespace
-{
+namespace {
 using Vector = dealii::Vector<double>;
 
 /** Returns whether three steps have grown, twofold in all. */
-bool grow(const std::vector<double> &steps)
-{
+bool grow(const std::vector<double> &steps) {
   const std::size_t n = steps.size();
   return n > 3 && std::is_sorted(steps.end() - 3, steps.end()) && steps[n - 1] > 2. * steps[n - 4];
 }
 
 /** Returns whether twelve steps have shrunk by less than a fifth per step, which is a factor of 15.
  */
-bool stall(const std::vector<double> &steps)
-{
+bool stall(const std::vector<double> &steps) {
   constexpr std::size_t window = 12;
   const std::size_t n = steps.size();
   return n > window && steps[n - 1] > std::pow(0.8, window) * steps[n - 1 - window];
 }
 
 /** Computes z by a V-cycle, and d by the boundary problem of U + z. */
-void complete_step(const ContactSystem &system, const ContactIterationResult &at, ContactStep &step)
-{
+void complete_step(const ContactSystem &system, const ContactIterationResult &at,
+                   ContactStep &step) {
   step.z.reinit(at.U.size());
   system.A.precondition(step.z, step.r);
   Vector W = system.opening(at.U);
@@ -201,18 +179,15 @@ void complete_step(const ContactSystem &system, const ContactIterationResult &at
 }
 
 /** Returns (U.A U)^{1/2} up to the residual: A U = f + D P - r. */
-double energy_norm(const ContactSystem &system, const ContactIterationResult &at)
-{
+double energy_norm(const ContactSystem &system, const ContactIterationResult &at) {
   dealii::Vector<double> forces(system.f);
   add_product(system.condensed_D, at.P, forces);
   return std::sqrt(std::abs(forces * at.U));
 }
 
 /** Measures the energy of the residual by one more V-cycle, which is counted. */
-void measure_energy_of_residual(const ContactSystem &system,
-                                const dealii::Vector<double> &r,
-                                ContactIterationResult &result)
-{
+void measure_energy_of_residual(const ContactSystem &system, const dealii::Vector<double> &r,
+                                ContactIterationResult &result) {
   dealii::Vector<double> z(r.size());
   system.A.precondition(z, r);
   ++result.cycles;
@@ -220,8 +195,7 @@ void measure_energy_of_residual(const ContactSystem &system,
 }
 
 /** Returns whether P + d presses where P does. */
-bool keeps_set(const Vector &P, const Vector &d)
-{
+bool keeps_set(const Vector &P, const Vector &d) {
   for (unsigned int k = 0; k < P.size(); ++k)
     if ((P[k] < 0.) != (P[k] + d[k] < 0.))
       return false;
@@ -230,8 +204,7 @@ bool keeps_set(const Vector &P, const Vector &d)
 } // namespace
 
 dealii::Vector<double> ContactSystem::residual(const dealii::Vector<double> &U,
-                                               const Vector &P) const
-{
+                                               const Vector &P) const {
   dealii::Vector<double> r(A.size());
   A.vmult(r, U);
   r *= -1.;
@@ -240,23 +213,20 @@ dealii::Vector<double> ContactSystem::residual(const dealii::Vector<double> &U,
   return r;
 }
 
-Vector ContactSystem::opening(const dealii::Vector<double> &U) const
-{
+Vector ContactSystem::opening(const dealii::Vector<double> &U) const {
   Vector W = condensed_D.transpose_product(U);
   W -= gap;
   return W;
 }
 
-double estimate_scale(const ContactSystem &system, const unsigned int n_steps)
-{
+double estimate_scale(const ContactSystem &system, const unsigned int n_steps) {
   constexpr double share_of_largest = 0.64;
   // The first vector has all frequencies.
   Vector v(system.gap.size());
   for (unsigned int k = 0; k < v.size(); ++k)
     v[k] = std::sin(1. + k * (k + 1.7));
   double largest = 0.;
-  for (unsigned int step = 0; step < n_steps; ++step)
-  {
+  for (unsigned int step = 0; step < n_steps; ++step) {
     Vector w = system.model.apply_inverse(v);
     w /= std::sqrt(v * w);
     Vector b(system.A.size()), z(system.A.size());
@@ -269,10 +239,8 @@ double estimate_scale(const ContactSystem &system, const unsigned int n_steps)
 }
 
 ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
-                                               const dealii::Vector<double> &U,
-                                               const Vector &P,
-                                               const ContactIterationOptions &options)
-{
+                                               const dealii::Vector<double> &U, const Vector &P,
+                                               const ContactIterationOptions &options) {
   constexpr unsigned int power_steps = 8;
   constexpr unsigned int max_doublings = 2;
   ContactIterationResult result;
@@ -280,16 +248,14 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
   result.P = P;
   result.rounding_of_A = rounding_of(system.A);
   result.scale = options.scale;
-  if (result.scale <= 0.)
-  {
+  if (result.scale <= 0.) {
     result.scale = estimate_scale(system, power_steps);
     result.cycles_for_scale = power_steps;
   }
   std::vector<double> steps;
   Acceleration acceleration;
   double before = 0.;
-  for (unsigned int doublings = 0;;)
-  {
+  for (unsigned int doublings = 0;;) {
     ContactStep step;
     step.r = measure(system, options, result);
     // r.V r falls like |r|², and the last step may have taken nearly all of it.
@@ -297,20 +263,17 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
     if (before > 0.)
       result.energy_of_residual *= now / before;
     before = now;
-    if (result.converged || result.cycles >= options.maximum_cycles)
-    {
+    if (result.converged || result.cycles >= options.maximum_cycles) {
       if (result.cycles == 0)
         measure_energy_of_residual(system, step.r, result);
       return result;
     }
-    if (grow(steps) && doublings < max_doublings)
-    {
+    if (grow(steps) && doublings < max_doublings) {
       ++doublings;
       result.scale *= 2.;
       steps.clear();
       acceleration.forget();
-    }
-    else if (grow(steps) || stall(steps))
+    } else if (grow(steps) || stall(steps))
       break;
     complete_step(system, result, step);
     ++result.cycles;
@@ -318,8 +281,7 @@ ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
     result.energy_of_residual = 0.5 * (step.r * step.z);
     steps.push_back(step.size());
     acceleration.advance(result.U, result.P, step, keeps_set(result.P, step.d));
-    if (step.size() <= options.energy_tolerance * energy_norm(system, result))
-    {
+    if (step.size() <= options.energy_tolerance * energy_norm(system, result)) {
       const double left = measure(system, options, result).norm_sqr();
       if (before > 0.)
         result.energy_of_residual *= left / before;

@@ -11,18 +11,15 @@
 #include <numeric>
 #include <vector>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using Matrix = FullMatrix<double>;
 using numbers::PI;
 
 constexpr int n_aliases = 8;
 
 /** Returns (c_k/n)^{1/2} cos(k π (i + 1/2)/n), c_0 = 1, c_k = 2. */
-Matrix orthonormal_cosines(const unsigned int n)
-{
+Matrix orthonormal_cosines(const unsigned int n) {
   Matrix cosines(n, n);
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int k = 0; k < n; ++k)
@@ -31,8 +28,7 @@ Matrix orthonormal_cosines(const unsigned int n)
 }
 
 /** Returns c_k/n cos(k π a/n) for 0 ≤ a < 2 n. */
-Matrix differences(const unsigned int n)
-{
+Matrix differences(const unsigned int n) {
   Matrix cosines(2 * n, n);
   for (unsigned int a = 0; a < 2 * n; ++a)
     for (unsigned int k = 0; k < n; ++k)
@@ -42,19 +38,16 @@ Matrix differences(const unsigned int n)
 
 /** A mode of the series: the square of its frequency, and the square of the share of it that
  * patches resolve. */
-struct Alias
-{
+struct Alias {
   double square_of_frequency, share;
 };
 
 /** Returns the modes k + 2 n j of the series, with (sin x/x)² for x = ω h/2. */
-std::vector<Alias> aliases_of(const unsigned int k, const unsigned int n, const double length)
-{
+std::vector<Alias> aliases_of(const unsigned int k, const unsigned int n, const double length) {
   if (length <= 0.)
     return {{0., 1.}};
   std::vector<Alias> aliases;
-  for (int j = -n_aliases; j <= n_aliases; ++j)
-  {
+  for (int j = -n_aliases; j <= n_aliases; ++j) {
     const double x = 0.5 * PI * (k / double(n) + 2. * j);
     const double sinc = x == 0. ? 1. : std::sin(x) / x;
     const double frequency = 2. * x * n / length;
@@ -67,25 +60,21 @@ std::vector<Alias> aliases_of(const unsigned int k, const unsigned int n, const 
 } // namespace
 
 CosineGrid::CosineGrid(const std::array<unsigned int, 2> &sizes,
-                       const std::array<double, 2> &lengths,
-                       const double omega_0,
+                       const std::array<double, 2> &lengths, const double omega_0,
                        std::vector<unsigned int> multipliers)
   : sizes_(sizes)
   , multipliers_(std::move(multipliers))
   , cosines_{orthonormal_cosines(sizes[0]), orthonormal_cosines(sizes[1])}
   , eigenvalues_(sizes[0], sizes[1])
-  , table_(2 * sizes[0], 2 * sizes[1])
-{
-  if (multipliers_.empty())
-  {
+  , table_(2 * sizes[0], 2 * sizes[1]) {
+  if (multipliers_.empty()) {
     multipliers_.resize(sizes[0] * sizes[1]);
     std::iota(multipliers_.begin(), multipliers_.end(), 0U);
   }
   double measure = 1.;
   for (unsigned int d = 0; d < 2; ++d)
     measure *= lengths[d] > 0. ? lengths[d] / sizes[d] : 1.;
-  for (unsigned int l = 0; l < sizes[1]; ++l)
-  {
+  for (unsigned int l = 0; l < sizes[1]; ++l) {
     const std::vector<Alias> second = aliases_of(l, sizes[1], lengths[1]);
     for (unsigned int k = 0; k < sizes[0]; ++k)
       for (const Alias &a : aliases_of(k, sizes[0], lengths[0]))
@@ -100,8 +89,7 @@ CosineGrid::CosineGrid(const std::array<unsigned int, 2> &sizes,
   product.mTmult(table_, second);
 }
 
-double CosineGrid::entry(const unsigned int a, const unsigned int b) const
-{
+double CosineGrid::entry(const unsigned int a, const unsigned int b) const {
   const unsigned int i = a % sizes_[0], j = a / sizes_[0];
   const unsigned int k = b % sizes_[0], l = b / sizes_[0];
   const unsigned int minus_1 = i > k ? i - k : k - i, plus_1 = i + k + 1;
@@ -110,8 +98,7 @@ double CosineGrid::entry(const unsigned int a, const unsigned int b) const
                  table_(plus_1, plus_2));
 }
 
-void CosineGrid::apply(Vector &product, const Vector &P, const bool inverse) const
-{
+void CosineGrid::apply(Vector &product, const Vector &P, const bool inverse) const {
   const unsigned int n = sizes_[0], m = sizes_[1];
   Matrix values(n, m), half(n, m), modes(n, m);
   for (unsigned int j = 0; j < m; ++j)
@@ -131,21 +118,18 @@ void CosineGrid::apply(Vector &product, const Vector &P, const bool inverse) con
 
 // Ĉ on sides that are grids of equal patches.
 
-CosineModel::CosineModel(std::vector<CosineGrid> blocks,
-                         Vector scaling,
+CosineModel::CosineModel(std::vector<CosineGrid> blocks, Vector scaling,
                          const unsigned int max_factorised_size)
   : BoundaryModel(max_factorised_size)
   , blocks_(std::move(blocks))
   , scaling_(std::move(scaling))
-  , places_(scaling_.size())
-{
+  , places_(scaling_.size()) {
   for (unsigned int b = 0; b < blocks_.size(); ++b)
     for (unsigned int a = 0; a < blocks_[b].multipliers().size(); ++a)
       places_[blocks_[b].multipliers()[a]] = {b, a};
 }
 
-CosineModel::Vector CosineModel::multiply(const Vector &P, const bool inverse) const
-{
+CosineModel::Vector CosineModel::multiply(const Vector &P, const bool inverse) const {
   Vector scaled(P), product(P.size());
   const auto scale = [&](Vector &values) {
     for (unsigned int k = 0; k < values.size(); ++k)
@@ -158,8 +142,7 @@ CosineModel::Vector CosineModel::multiply(const Vector &P, const bool inverse) c
   return product;
 }
 
-double CosineModel::entry(const unsigned int i, const unsigned int j) const
-{
+double CosineModel::entry(const unsigned int i, const unsigned int j) const {
   if (places_[i].first != places_[j].first)
     return 0.;
   return scaling_[i] * scaling_[j] *
@@ -171,22 +154,19 @@ double CosineModel::entry(const unsigned int i, const unsigned int j) const
 KernelModel::KernelModel(Matrix C)
   : BoundaryModel(std::numeric_limits<unsigned int>::max())
   , C_(std::move(C))
-  , L_(C_.m(), C_.m())
-{
+  , L_(C_.m(), C_.m()) {
   L_ = C_;
   L_.set_property(LAPACKSupport::symmetric);
   L_.compute_cholesky_factorization();
 }
 
-KernelModel::Vector KernelModel::apply(const Vector &P) const
-{
+KernelModel::Vector KernelModel::apply(const Vector &P) const {
   Vector product(size());
   C_.vmult(product, P);
   return product;
 }
 
-KernelModel::Vector KernelModel::apply_inverse(const Vector &P) const
-{
+KernelModel::Vector KernelModel::apply_inverse(const Vector &P) const {
   Vector x(P);
   L_.solve(x);
   return x;

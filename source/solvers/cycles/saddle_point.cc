@@ -13,18 +13,16 @@
 
 #include "saddle_point_internal.h"
 
-namespace Signorini
-{
-void add_product(const Coupling &D, const dealii::Vector<double> &P, dealii::Vector<double> &vector)
-{
+namespace Signorini {
+void add_product(const Coupling &D, const dealii::Vector<double> &P,
+                 dealii::Vector<double> &vector) {
   for (unsigned int k = 0; k < P.size(); ++k)
     if (P[k] != 0.)
       for (const auto &[row, value] : D.column(k))
         vector[row] += value * P[k];
 }
 
-double rounding_of(const StiffnessOperator &A)
-{
+double rounding_of(const StiffnessOperator &A) {
   dealii::Vector<double> x(A.size()), y(A.size());
   for (unsigned int i = 0; i < x.size(); ++i)
     x[i] = std::sin(1. + 2.3 * i);
@@ -32,10 +30,8 @@ double rounding_of(const StiffnessOperator &A)
   return std::numeric_limits<double>::epsilon() * y.l2_norm() / x.l2_norm();
 }
 
-namespace
-{
-double relative_or_absolute(const double value, const double scale)
-{
+namespace {
+double relative_or_absolute(const double value, const double scale) {
   return scale > 0. ? value / scale : value;
 }
 
@@ -43,8 +39,7 @@ double relative_or_absolute(const double value, const double scale)
  * Sets the stationarity.
  * @return the residual.
  */
-dealii::Vector<double> measure_forces(const ContactSystem &system, ContactIterationResult &result)
-{
+dealii::Vector<double> measure_forces(const ContactSystem &system, ContactIterationResult &result) {
   constexpr double min_term_share = 1e-3;
   dealii::Vector<double> pressing(system.A.size()), r(system.A.size());
   add_product(system.condensed_D, result.P, pressing);
@@ -65,14 +60,12 @@ dealii::Vector<double> measure_forces(const ContactSystem &system, ContactIterat
 
 /** Sets |P - min(0, P - W/diag C)| relative to max(|P|, |F/diag C|), with F = C P - W, and |P.W|.
  */
-void measure_contact(const ContactSystem &system, ContactIterationResult &result)
-{
+void measure_contact(const ContactSystem &system, ContactIterationResult &result) {
   const dealii::Vector<double> W = system.opening(result.U);
   const dealii::Vector<double> diagonal = system.model.diagonal();
   const dealii::Vector<double> C_P = system.model.apply(result.P);
   double sum = 0., size_of_P = 0., size_of_F = 0., work = 0., terms = 0., energy = 0.;
-  for (unsigned int k = 0; k < W.size(); ++k)
-  {
+  for (unsigned int k = 0; k < W.size(); ++k) {
     const double P = result.P[k], C_kk = result.scale * diagonal[k];
     sum += std::pow(P - std::min(0., P - W[k] / C_kk), 2);
     size_of_P += P * P;
@@ -89,10 +82,8 @@ void measure_contact(const ContactSystem &system, ContactIterationResult &result
 }
 } // namespace
 
-dealii::Vector<double> measure(const ContactSystem &system,
-                               const ContactIterationOptions &options,
-                               ContactIterationResult &result)
-{
+dealii::Vector<double> measure(const ContactSystem &system, const ContactIterationOptions &options,
+                               ContactIterationResult &result) {
   constexpr double multiples_of_rounding = 10.;
   const dealii::Vector<double> r = measure_forces(system, result);
   measure_contact(system, result);
@@ -112,13 +103,11 @@ dealii::Vector<double> measure(const ContactSystem &system,
 
 // The problem on the boundary that follows a V-cycle.
 
-namespace
-{
+namespace {
 using Vector = dealii::Vector<double>;
 using Indices = ComplianceOperator::Indices;
 
-Indices indices_of(const std::vector<bool> &active)
-{
+Indices indices_of(const std::vector<bool> &active) {
   Indices set;
   for (unsigned int i = 0; i < active.size(); ++i)
     if (active[i])
@@ -127,8 +116,8 @@ Indices indices_of(const std::vector<bool> &active)
 }
 
 /** Returns d with (W + Ĉ d)_S = 0 and d = -P elsewhere. */
-Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &P, const Indices &S)
-{
+Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &P,
+                     const Indices &S) {
   Vector d(P), rhs(S.size());
   d *= -1.;
   for (const unsigned int i : S)
@@ -145,15 +134,13 @@ Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &
 }
 } // namespace
 
-Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const Vector &P)
-{
+Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const Vector &P) {
   constexpr unsigned int max_steps = 30;
   const unsigned int m = P.size();
   std::vector<bool> active(m);
   for (unsigned int i = 0; i < m; ++i)
     active[i] = P[i] < 0. || W[i] > 0.;
-  for (unsigned int k = 0;; ++k)
-  {
+  for (unsigned int k = 0;; ++k) {
     const Vector d = change_on_set(model, W, P, indices_of(active));
     Vector Q(P), V = model.apply(d);
     Q += d;
@@ -161,8 +148,7 @@ Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const
     std::vector<bool> next(m);
     for (unsigned int i = 0; i < m; ++i)
       next[i] = active[i] ? Q[i] < 0. : V[i] > 0.;
-    if (next == active || k == max_steps)
-    {
+    if (next == active || k == max_steps) {
       for (unsigned int i = 0; i < m; ++i)
         Q[i] = active[i] ? std::min(Q[i], 0.) : 0.;
       return Q;
@@ -173,35 +159,27 @@ Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const
 
 // The active set method with MINRES on the saddle point problem of each set.
 
-namespace
-{
+namespace {
 using BlockVector = dealii::BlockVector<double>;
 
 /** The matrix (A, -D_S; -D_Sᵀ, 0) and its preconditioner. */
-class SaddlePoint
-{
+class SaddlePoint {
 public:
   SaddlePoint(const ContactSystem &system, Indices set, const double scale)
     : system_(system)
     , set_(std::move(set))
-    , scale_(scale)
-  {
-  }
+    , scale_(scale) {}
 
-  BlockVector make_vector() const
-  {
+  BlockVector make_vector() const {
     return BlockVector(std::vector<types::global_dof_index>{
       system_.A.size(), static_cast<types::global_dof_index>(set_.size())});
   }
 
-  void vmult(BlockVector &y, const BlockVector &x) const
-  {
+  void vmult(BlockVector &y, const BlockVector &x) const {
     system_.A.vmult(y.block(0), x.block(0));
-    for (unsigned int r = 0; r < set_.size(); ++r)
-    {
+    for (unsigned int r = 0; r < set_.size(); ++r) {
       double sum = 0.;
-      for (const auto &[row, value] : system_.condensed_D.column(set_[r]))
-      {
+      for (const auto &[row, value] : system_.condensed_D.column(set_[r])) {
         y.block(0)[row] -= value * x.block(1)[r];
         sum += value * x.block(0)[row];
       }
@@ -210,13 +188,11 @@ public:
   }
 
   /** The preconditioner diag(V, (t Ĉ_1)_SS⁻¹). */
-  struct Preconditioner
-  {
+  struct Preconditioner {
     const SaddlePoint &matrix;
     unsigned int &cycles;
 
-    void vmult(BlockVector &z, const BlockVector &r) const
-    {
+    void vmult(BlockVector &z, const BlockVector &r) const {
       matrix.system_.A.precondition(z.block(0), r.block(0));
       ++cycles;
       if (!matrix.set_.empty())
@@ -232,12 +208,8 @@ private:
 };
 
 /** Solves for the change of U and P on one set. */
-void solve_on(const ContactSystem &system,
-              const Indices &set,
-              const double reduction,
-              const unsigned int max_cycles,
-              ContactIterationResult &result)
-{
+void solve_on(const ContactSystem &system, const Indices &set, const double reduction,
+              const unsigned int max_cycles, ContactIterationResult &result) {
   const SaddlePoint matrix(system, set, result.scale);
   // P vanishes outside of the set.
   Vector P(result.P.size());
@@ -251,12 +223,9 @@ void solve_on(const ContactSystem &system,
     rhs.block(1)[r] = W[set[r]];
   ReductionControl control(max_cycles, 1e-300, reduction, false, false);
   SolverMinRes<BlockVector> minres(control);
-  try
-  {
+  try {
     minres.solve(matrix, x, rhs, SaddlePoint::Preconditioner{matrix, result.cycles});
-  }
-  catch (const SolverControl::NoConvergence &)
-  {
+  } catch (const SolverControl::NoConvergence &) {
     // The residual is checked by the caller.
   }
   result.U += x.block(0);
@@ -265,24 +234,20 @@ void solve_on(const ContactSystem &system,
 }
 } // namespace
 
-void solve_by_minres(const ContactSystem &system,
-                     const ContactIterationOptions &options,
-                     ContactIterationResult &result)
-{
+void solve_by_minres(const ContactSystem &system, const ContactIterationOptions &options,
+                     ContactIterationResult &result) {
   constexpr double reduction = 1e-3;
   Vector W = system.opening(result.U);
   std::vector<bool> active(W.size());
   for (unsigned int i = 0; i < W.size(); ++i)
     active[i] = result.P[i] < 0. || W[i] > 0.;
-  while (result.cycles < options.maximum_cycles)
-  {
+  while (result.cycles < options.maximum_cycles) {
     solve_on(system, indices_of(active), reduction, options.maximum_cycles - result.cycles, result);
     // A set without a residual needs no cycle.
     ++result.cycles;
     W = system.opening(result.U);
     std::vector<bool> next(W.size());
-    for (unsigned int i = 0; i < W.size(); ++i)
-    {
+    for (unsigned int i = 0; i < W.size(); ++i) {
       next[i] = active[i] ? result.P[i] < 0. : W[i] > 0.;
       result.P[i] = std::min(result.P[i], 0.);
     }

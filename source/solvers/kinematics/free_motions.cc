@@ -8,18 +8,15 @@
 #include <algorithm>
 #include <cmath>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using Vector = dealii::Vector<double>;
 using Matrix = FullMatrix<double>;
 using Indices = ComplianceOperator::Indices;
 
 /** Returns the norms of the columns of B; zero if below 1e-12 of the largest, as for normals (0, 1)
  * and motions along x. */
-Vector column_norms(const Matrix &B)
-{
+Vector column_norms(const Matrix &B) {
   Vector norms(B.n());
   for (unsigned int j = 0; j < B.n(); ++j)
     for (unsigned int i = 0; i < B.m(); ++i)
@@ -31,8 +28,7 @@ Vector column_norms(const Matrix &B)
 }
 
 /** Returns the unit of each motion: 1/|B_j|, or by its resistance, or as large as the others. */
-Vector units_of(const FreeMotions &motions, const Vector &norms, const double stiffness)
-{
+Vector units_of(const FreeMotions &motions, const Vector &norms, const double stiffness) {
   const double largest = norms.linfty_norm();
   Vector units(norms.size());
   for (unsigned int j = 0; j < units.size(); ++j)
@@ -47,13 +43,11 @@ Vector units_of(const FreeMotions &motions, const Vector &norms, const double st
 
 /** The eigenvectors of a symmetric, positive semi-definite matrix with eigenvalues up to a
  * threshold, and the others, as columns; orthonormal. */
-struct Splitting
-{
+struct Splitting {
   Matrix null, rest;
 };
 
-Splitting split(const Matrix &M, const double threshold)
-{
+Splitting split(const Matrix &M, const double threshold) {
   const unsigned int k = M.m();
   LAPACKFullMatrix<double> svd(k);
   svd = M;
@@ -69,8 +63,7 @@ Splitting split(const Matrix &M, const double threshold)
 }
 
 /** Returns the projector M Mᵀ, k x k, also without columns. */
-Matrix projector_on(const Matrix &M, const unsigned int k)
-{
+Matrix projector_on(const Matrix &M, const unsigned int k) {
   Matrix square(k, k);
   if (M.n() > 0)
     M.mTmult(square, M);
@@ -78,8 +71,7 @@ Matrix projector_on(const Matrix &M, const unsigned int k)
 }
 
 /** Returns units_i v_i, where v is scaled so that the largest |v_i| is one. */
-Vector with_units(Vector v, const Vector &units)
-{
+Vector with_units(Vector v, const Vector &units) {
   const double largest = v.linfty_norm();
   for (unsigned int i = 0; i < v.size(); ++i)
     v[i] = std::abs(v[i]) > 1e-10 * largest ? units[i] * v[i] / largest : 0.;
@@ -87,15 +79,13 @@ Vector with_units(Vector v, const Vector &units)
 }
 
 /** The y ≥ 0 with the smallest |b - Σ y_i a_i|, and the remainder r = b - Σ y_i a_i. */
-struct ConeProjection
-{
+struct ConeProjection {
   Vector y, remainder;
 };
 
 /** Returns the y with the smallest |b - Σ y_i a_i| for i in S regardless of signs, zero elsewhere.
  */
-Vector least_squares(const std::vector<Vector> &a, const Indices &S, const Vector &b)
-{
+Vector least_squares(const std::vector<Vector> &a, const Indices &S, const Vector &b) {
   Vector y(a.size()), y_S(S.size());
   if (S.empty())
     return y;
@@ -113,15 +103,13 @@ Vector least_squares(const std::vector<Vector> &a, const Indices &S, const Vecto
  * Projects b on the cone of the directions a_i, of norm one or zero. The remainder has a_i.r ≤ 0
  * and r.b = |r|². (C. L. Lawson, R. J. Hanson: Solving Least Squares Problems, 1974, chapter 23.)
  */
-ConeProjection project_on_cone(const std::vector<Vector> &a, const Vector &b)
-{
+ConeProjection project_on_cone(const std::vector<Vector> &a, const Vector &b) {
   constexpr double rounding = 1e-13;
   Indices S;
   ConeProjection found = {Vector(a.size()), b};
   const double small = rounding * b.l2_norm();
   // |r| falls in each turn, so no set comes back; the bound is for rounding.
-  for (unsigned int turn = 0; turn < 3 * a.size() + 10 && S.size() < b.size(); ++turn)
-  {
+  for (unsigned int turn = 0; turn < 3 * a.size() + 10 && S.size() < b.size(); ++turn) {
     const auto rate = [&](const Vector &direction) { return direction * found.remainder; };
     const auto best =
       std::max_element(a.begin(), a.end(), [&](const Vector &first, const Vector &second) {
@@ -132,8 +120,7 @@ ConeProjection project_on_cone(const std::vector<Vector> &a, const Vector &b)
     S.push_back(best - a.begin());
     Vector y = found.y, wanted = least_squares(a, S, b);
     const auto is_negative = [&](const unsigned int i) { return wanted[i] <= 0.; };
-    while (std::any_of(S.begin(), S.end(), is_negative))
-    {
+    while (std::any_of(S.begin(), S.end(), is_negative)) {
       // To the first y_i that vanishes, which leaves the set.
       const auto part_to_zero = [&](const unsigned int i) {
         return !is_negative(i) ? 2. : y[i] > 0. ? y[i] / (y[i] - wanted[i]) : 0.;
@@ -159,13 +146,11 @@ ConeProjection project_on_cone(const std::vector<Vector> &a, const Vector &b)
 }
 
 /** Finds P ≤ 0 so that Π(b + Bᵀ P) = 0 for a projector Π. @return what remains of Π b. */
-Vector balance(const Matrix &projector, Balances &balances)
-{
+Vector balance(const Matrix &projector, Balances &balances) {
   const unsigned int n = balances.size(), m = balances.P.size();
   std::vector<Vector> directions(m, Vector(n));
   Vector norms(m), row(n), b(n);
-  for (unsigned int i = 0; i < m; ++i)
-  {
+  for (unsigned int i = 0; i < m; ++i) {
     for (unsigned int j = 0; j < n; ++j)
       row[j] = balances.B(i, j);
     projector.vmult(directions[i], row);
@@ -183,10 +168,8 @@ Vector balance(const Matrix &projector, Balances &balances)
 }
 } // namespace
 
-ReducedMotions::ReducedMotions(const FreeMotions &motions,
-                               const unsigned int m,
-                               const double stiffness)
-{
+ReducedMotions::ReducedMotions(const FreeMotions &motions, const unsigned int m,
+                               const double stiffness) {
   const unsigned int k = motions.b.size();
   const Vector norms = m > 0 ? column_norms(motions.B) : Vector(k);
   const Vector units = units_of(motions, norms, stiffness);
@@ -197,8 +180,7 @@ ReducedMotions::ReducedMotions(const FreeMotions &motions,
   if (motions.b_magnitude.size() > 0)
     size_of_b = motions.b_magnitude;
   size_of_b.scale(units);
-  for (unsigned int j = 0; j < k; ++j)
-  {
+  for (unsigned int j = 0; j < k; ++j) {
     for (unsigned int i = 0; i < m; ++i)
       B(i, j) = norms[j] > 0. ? motions.B(i, j) * units[j] : 0.;
     for (unsigned int i = 0; i < k; ++i)
@@ -219,8 +201,7 @@ ReducedMotions::ReducedMotions(const FreeMotions &motions,
   projector_on(hidden, k).vmult(work, b);
   if (work.l2_norm() > noise)
     escape = with_units(work, units);
-  for (unsigned int j = 0; j < hidden.n() && !escape; ++j)
-  {
+  for (unsigned int j = 0; j < hidden.n() && !escape; ++j) {
     Vector v(k);
     for (unsigned int i = 0; i < k; ++i)
       v[i] = hidden(i, j);
@@ -239,31 +220,26 @@ ReducedMotions::ReducedMotions(const FreeMotions &motions,
   K_without_rounding.triple_product(K, resisted, resisted);
   balances.K.triple_product(K_without_rounding, seen, seen, true);
   const Vector left = balance(projector, balances);
-  if (left.l2_norm() > noise)
-  {
+  if (left.l2_norm() > noise) {
     seen.vmult(work, left);
     escape = with_units(work, units);
   }
 }
 
-namespace
-{
+namespace {
 /** Returns the sum of |B_i|²/C_ii, columns of B having norm one, as if all patches were like the
  * one that sees most of the motions: one column of C suffices. */
-double contact_stiffness(const ComplianceOperator &C, const Matrix &B)
-{
+double contact_stiffness(const ComplianceOperator &C, const Matrix &B) {
   if (B.m() == 0)
     return 1.;
   const Vector norms = column_norms(B);
   double largest = 0.;
   unsigned int best = 0;
-  for (unsigned int i = 0; i < B.m(); ++i)
-  {
+  for (unsigned int i = 0; i < B.m(); ++i) {
     double square = 0.;
     for (unsigned int j = 0; j < B.n(); ++j)
       square += norms[j] > 0. ? std::pow(B(i, j) / norms[j], 2) : 0.;
-    if (square > largest)
-    {
+    if (square > largest) {
       largest = square;
       best = i;
     }
@@ -274,13 +250,11 @@ double contact_stiffness(const ComplianceOperator &C, const Matrix &B)
 /** Returns the pressure of a body on separate springs of the given stiffness (Winkler's bedding): a
  * start that costs no column of C. C_ii grows like the square of the length of a patch, as |B_i|²
  * does. */
-Vector on_springs(const Vector &F, const Balances &balances, const double stiffness)
-{
+Vector on_springs(const Vector &F, const Balances &balances, const double stiffness) {
   const unsigned int m = F.size();
   Matrix springs(m, m);
   double largest = 0.;
-  for (unsigned int i = 0; i < m; ++i)
-  {
+  for (unsigned int i = 0; i < m; ++i) {
     for (unsigned int j = 0; j < balances.size(); ++j)
       springs(i, i) += std::pow(balances.B(i, j), 2) * m / stiffness;
     largest = std::max(largest, springs(i, i));
@@ -291,16 +265,12 @@ Vector on_springs(const Vector &F, const Balances &balances, const double stiffn
 }
 } // namespace
 
-MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
-                                const Vector &F,
-                                const FreeMotions &motions,
-                                const Vector &start,
-                                const DualSolverOptions &options)
-{
+MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C, const Vector &F,
+                                const FreeMotions &motions, const Vector &start,
+                                const DualSolverOptions &options) {
   const unsigned int m = F.size(), k = motions.b.size();
   MotionResult result;
-  if (k == 0)
-  {
+  if (k == 0) {
     result.qp = solve_dual_problem(C, F, start, options);
     return result;
   }
@@ -317,11 +287,9 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   if (reduced.escape || nothing_happens)
     return result;
   const bool needs_start = start.size() == 0 && !C->is_explicit();
-  result.qp = solve_dual_problem(C,
-                                 F,
-                                 needs_start ? on_springs(F, reduced.balances, stiffness) : start,
-                                 options,
-                                 reduced.balances);
+  result.qp =
+    solve_dual_problem(C, F, needs_start ? on_springs(F, reduced.balances, stiffness) : start,
+                       options, reduced.balances);
   if (reduced.balances.size() > 0)
     reduced.T.vmult(result.q, result.qp.z);
   return result;

@@ -13,22 +13,17 @@
 #include <cmath>
 #include <limits>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns the nodal values of a rigid motion. */
-Displacement interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space)
-{
+Displacement interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space) {
   return interpolate_at_nodes(
     space, FieldFunction<2>([&](const Point<2> &x) { return motion.velocity(x); }));
 }
 
 /** Returns the values of the motion on plates, pins and other supports; zero elsewhere. */
-Displacement lift(const FreeMotion &motion,
-                  const DisplacementSpace<2> &space,
-                  const Scene<2> &scene)
-{
+Displacement lift(const FreeMotion &motion, const DisplacementSpace<2> &space,
+                  const Scene<2> &scene) {
   Displacement k = space.prescribed(with_only_plates_moved(scene, motion.plates));
   if (motion.rigid)
     for (const auto &pin : space.pins())
@@ -40,10 +35,8 @@ Displacement lift(const FreeMotion &motion,
 
 /** Returns the forces of a mode; empty where all of them are rounding: V^h contains the rigid
  * motion. */
-DualVector forces_of_mode(const Displacement &z,
-                          const DisplacementSpace<2> &space,
-                          const Scene<2> &scene)
-{
+DualVector forces_of_mode(const Displacement &z, const DisplacementSpace<2> &space,
+                          const Scene<2> &scene) {
   constexpr double rounding = 10. * std::numeric_limits<double>::epsilon();
   const InternalForces<2> internal = internal_forces(space, scene, z);
   const DualVector forces = space.dual(internal.forces);
@@ -54,8 +47,7 @@ DualVector forces_of_mode(const Displacement &z,
 }
 
 /** Returns b.c and the sum of the absolute values of its terms. */
-std::array<double, 2> product_of(const DualVector &b, const DualVector &c)
-{
+std::array<double, 2> product_of(const DualVector &b, const DualVector &c) {
   DualVector terms(b);
   terms.scale(c);
   return {{b * c, terms.l1_norm()}};
@@ -63,32 +55,24 @@ std::array<double, 2> product_of(const DualVector &b, const DualVector &c)
 
 /** Returns the work of the forces on plates and of the loads in a motion with nodal values z, and
  * the sum of the absolute values of its terms. */
-std::array<double, 2> work_in(const FreeMotion &motion,
-                              const Displacement &z,
-                              const std::vector<Plate> &plates,
-                              const DualVector &loads)
-{
+std::array<double, 2> work_in(const FreeMotion &motion, const Displacement &z,
+                              const std::vector<Plate> &plates, const DualVector &loads) {
   const double by_plates = motion.work_of_plates(plates);
   const auto by_loads = product_of(z, loads);
   return {{by_plates + by_loads[0], std::abs(by_plates) + by_loads[1]}};
 }
 
 /** Returns k - A⁻¹ A k. */
-Displacement extend(const Displacement &k,
-                    const DisplacementSpace<2> &space,
-                    const Scene<2> &scene,
-                    const StiffnessInverse &inverse)
-{
+Displacement extend(const Displacement &k, const DisplacementSpace<2> &space, const Scene<2> &scene,
+                    const StiffnessInverse &inverse) {
   DualVector r = space.dual(internal_forces(space, scene, k).forces);
   r *= -1.;
   return solve_prescribed(inverse, space, k, r);
 }
 
 /** Returns the modes of plates, and of a body that only contact holds. */
-MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space,
-                           const Scene<2> &scene,
-                           const StiffnessInverse &inverse)
-{
+MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space, const Scene<2> &scene,
+                           const StiffnessInverse &inverse) {
   MotionModes<2> modes;
   const FreeMotionBasis basis = free_motions(scene);
   modes.motions = basis.seen;
@@ -97,8 +81,7 @@ MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space,
     modes.unseen_modes.push_back(interpolate(*motion.rigid, space));
   if (space.mesh().is_curved())
     modes.unseen_tolerance = 1e-3;
-  for (const FreeMotion &motion : modes.motions)
-  {
+  for (const FreeMotion &motion : modes.motions) {
     const bool strains =
       !motion.rigid || (space.mesh().is_curved() && !motion.rigid->is_translation());
     modes.Z.push_back(strains ? extend(lift(motion, space, scene), space, scene, inverse)
@@ -109,8 +92,7 @@ MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space,
   modes.K.reinit(k, k);
   for (unsigned int i = 0; i < k; ++i)
     for (unsigned int j = i + 1; j-- > 0;)
-      if (modes.forces[i].size() > 0 && modes.forces[j].size() > 0)
-      {
+      if (modes.forces[i].size() > 0 && modes.forces[j].size() > 0) {
         const double K_ij = 0.5 * (modes.Z[i] * modes.forces[j] + modes.Z[j] * modes.forces[i]);
         // Rounding must not make K indefinite.
         const double largest = std::sqrt(modes.K(i, i) * modes.K(j, j));
@@ -121,11 +103,9 @@ MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space,
 } // namespace
 
 template <int dim>
-FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const
-{
+FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const {
   FullMatrix<double> B(D.n_columns(), size());
-  for (unsigned int j = 0; j < size(); ++j)
-  {
+  for (unsigned int j = 0; j < size(); ++j) {
     const dealii::Vector<double> column = D.transpose_product(Z[j]);
     for (unsigned int i = 0; i < column.size(); ++i)
       B(i, j) = column[i];
@@ -134,13 +114,10 @@ FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const
 }
 
 template <int dim>
-MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates,
-                                  const DualVector &loads,
-                                  const Displacement &U_0) const
-{
+MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates, const DualVector &loads,
+                                  const Displacement &U_0) const {
   MotionWork work = {dealii::Vector<double>(size()), dealii::Vector<double>(size())};
-  for (unsigned int j = 0; j < size(); ++j)
-  {
+  for (unsigned int j = 0; j < size(); ++j) {
     const auto on_boundary = work_in(motions[j], Z[j], plates, loads);
     const auto by_U_0 = forces[j].size() > 0 ? product_of(forces[j], U_0) : std::array<double, 2>();
     work.value[j] = on_boundary[0] - by_U_0[0];
@@ -151,10 +128,8 @@ MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates,
 
 template <int dim>
 std::optional<unsigned int> MotionModes<dim>::driven_unseen(const std::vector<Plate> &plates,
-                                                            const DualVector &loads) const
-{
-  for (unsigned int j = 0; j < unseen.size(); ++j)
-  {
+                                                            const DualVector &loads) const {
+  for (unsigned int j = 0; j < unseen.size(); ++j) {
     const auto [value, magnitude] = work_in(unseen[j], unseen_modes[j], plates, loads);
     if (std::abs(value) > unseen_tolerance * magnitude)
       return j;
@@ -163,16 +138,14 @@ std::optional<unsigned int> MotionModes<dim>::driven_unseen(const std::vector<Pl
 }
 
 template <int dim>
-void MotionModes<dim>::add_to(Displacement &U, const dealii::Vector<double> &q) const
-{
+void MotionModes<dim>::add_to(Displacement &U, const dealii::Vector<double> &q) const {
   for (unsigned int j = 0; j < size(); ++j)
     U.add(q[j], Z[j]);
 }
 
 template <int dim>
 std::vector<PlateMotion> MotionModes<dim>::plate_motions(const std::vector<Plate> &plates,
-                                                         const dealii::Vector<double> &q) const
-{
+                                                         const dealii::Vector<double> &q) const {
   std::vector<PlateMotion> sum =
     combine_plates(motions, std::vector<double>(q.begin(), q.end()), plates.size());
   for (std::size_t p = 0; p < plates.size(); ++p)
@@ -181,10 +154,8 @@ std::vector<PlateMotion> MotionModes<dim>::plate_motions(const std::vector<Plate
 }
 
 template <int dim>
-MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
-                                   const Scene<dim> &scene,
-                                   const StiffnessInverse &inverse)
-{
+MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                                   const StiffnessInverse &inverse) {
   if constexpr (dim == 2)
     if (!scene.plates.empty() || scene.is_held_by_contact)
       return modes_in_2d(space, scene, inverse);
@@ -197,28 +168,24 @@ INSTANTIATE_FUNCTION(make_motion_modes);
 
 // The motion of a body that neither supports nor contact stop.
 
-std::string text_of_escape(const RigidMotion &motion, const bool opens)
-{
+std::string text_of_escape(const RigidMotion &motion, const bool opens) {
   if (!opens)
     return "it slides";
   return motion.is_translation() ? "it lifts off" : "it tips over";
 }
 
-RigidMotion rigid_part(const MotionModes<2> &modes, const dealii::Vector<double> &v)
-{
+RigidMotion rigid_part(const MotionModes<2> &modes, const dealii::Vector<double> &v) {
   std::vector<RigidMotion> rigid;
   std::vector<double> weights;
   for (unsigned int j = 0; j < modes.size(); ++j)
-    if (modes.motions[j].rigid)
-    {
+    if (modes.motions[j].rigid) {
       rigid.push_back(*modes.motions[j].rigid);
       weights.push_back(v[j]);
     }
   return combine(rigid, weights);
 }
 
-bool opens(const FullMatrix<double> &B, const dealii::Vector<double> &v)
-{
+bool opens(const FullMatrix<double> &B, const dealii::Vector<double> &v) {
   constexpr double negligible = 1e-8;
   dealii::Vector<double> opening(B.m());
   B.vmult(opening, v);

@@ -17,20 +17,17 @@
 
 #include "methods.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns the number of unknowns from which V-cycles are faster than a factorisation. */
-constexpr double min_unknowns_of_cycles(const unsigned int dim)
-{
+constexpr double min_unknowns_of_cycles(const unsigned int dim) {
   return dim == 2 ? 1e5 : 5e3;
 }
 
 /** Returns whether V-cycles can find contact, whatever the number of unknowns. */
 template <int dim>
-bool may_iterate(const Parameters &parameters, const Scene<dim> &scene, const unsigned int n_ranks)
-{
+bool may_iterate(const Parameters &parameters, const Scene<dim> &scene,
+                 const unsigned int n_ranks) {
   const DiscretizationParameters &discretization = parameters.discretization;
   const bool solver_fits = parameters.solver.linear_solver == LinearSolver::automatic ||
                            parameters.solver.linear_solver == LinearSolver::multigrid;
@@ -41,18 +38,14 @@ bool may_iterate(const Parameters &parameters, const Scene<dim> &scene, const un
 }
 } // namespace
 
-Columns<DualSolve> DualSolve::columns()
-{
+Columns<DualSolve> DualSolve::columns() {
   return {{"qp_iterations", &DualSolve::iterations},
           {"kkt", &DualSolve::kkt},
           {"qp_increment_iterations", &DualSolve::increment_iterations}};
 }
 
-double algebraic_error(const AdmissibleSet &K,
-                       const dealii::Vector<double> &P,
-                       const dealii::Vector<double> &W,
-                       const dealii::Vector<double> &diagonal)
-{
+double algebraic_error(const AdmissibleSet &K, const dealii::Vector<double> &P,
+                       const dealii::Vector<double> &W, const dealii::Vector<double> &diagonal) {
   constexpr double diagonal_over_eigenvalue = 6.;
   double energy = 0.;
   for (unsigned int k = 0; k < P.size(); ++k)
@@ -62,11 +55,8 @@ double algebraic_error(const AdmissibleSet &K,
 }
 
 template <int dim>
-SolverChoice choose_solvers(const Parameters &parameters,
-                            const Scene<dim> &scene,
-                            const unsigned int level,
-                            const unsigned int n_ranks)
-{
+SolverChoice choose_solvers(const Parameters &parameters, const Scene<dim> &scene,
+                            const unsigned int level, const unsigned int n_ranks) {
   const SolverParameters &solver = parameters.solver;
   SolverChoice choice = {solver.contact_solver, solver.linear_solver};
   const double n_unknowns = dim * scene.geometry.n_coarse_cells * std::pow(2., double(dim) * level);
@@ -83,8 +73,7 @@ SolverChoice choose_solvers(const Parameters &parameters,
 template <int dim>
 std::unique_ptr<ContactMethod<dim>> make_contact_method(const Parameters &parameters,
                                                         const Scene<dim> &scene,
-                                                        const SolverChoice &choice)
-{
+                                                        const SolverChoice &choice) {
   if (choice.is_by_cycles())
     return make_cycle_method(parameters, scene);
   return make_dual_method(parameters, scene, choice);
@@ -95,15 +84,13 @@ INSTANTIATE_FUNCTION(make_contact_method);
 
 // The memory that a level needs.
 
-namespace
-{
+namespace {
 /** Returns a low estimate of the bytes of mesh, matrix and factor. They took 3.5 kB per cell for
  * 2^16 cells of a square, 4.1 kB for 2^18 and 4.4 kB for 2^20 (condensed; Amesos MUMPS takes more):
  * the factor grows like n log n. In 3-D it grows like n^{4/3}: 50 kB per cell for 2^15 cells of a
  * cube. */
 template <int dim>
-double sparse_bytes(const double cells)
-{
+double sparse_bytes(const double cells) {
   if (dim == 2)
     return cells * std::max(1e3, 240. * std::log2(cells) - 370.);
   return cells * (4e3 + 900. * std::cbrt(cells));
@@ -112,35 +99,30 @@ double sparse_bytes(const double cells)
 /** Returns a low estimate of the bytes of mesh, unknowns and vectors. They took 0.75 kB per cell of
  * a square (4096²) and 1.2 kB per cell of a cube (64³). */
 template <int dim>
-double bytes_without_factor(const double cells)
-{
+double bytes_without_factor(const double cells) {
   return cells * (dim == 2 ? 700. : 1000.);
 }
 
 /** Returns the bytes of C, its copy and its factor; with the condensed solver also those of the
  * factor of S, of order @p unknowns, and of W. */
-double dense_bytes(const double patches, const double unknowns, const bool condensed)
-{
+double dense_bytes(const double patches, const double unknowns, const bool condensed) {
   return sizeof(double) *
          (3. * patches * patches + (condensed ? unknowns * (unknowns + patches) : 0.));
 }
 
 /** Returns the finest level; with a target error, which may be reached earlier, the coarsest. */
-unsigned int judged_level(const DiscretizationParameters &given)
-{
+unsigned int judged_level(const DiscretizationParameters &given) {
   return given.target_error > 0. ? given.coarsest_level : given.finest_level;
 }
 
 /** Returns the number in a file, or infinity: "max" stands for no limit. */
-double read_limit(const char *file_name)
-{
+double read_limit(const char *file_name) {
   std::ifstream file(file_name);
   double limit = 0.;
   return file >> limit && limit > 0. ? limit : HUGE_VAL;
 }
 
-double available_bytes()
-{
+double available_bytes() {
   double available =
     static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   rlimit address_space = {};
@@ -154,11 +136,9 @@ double available_bytes()
 }
 
 /** Returns the share of the boundary length that may touch. */
-double share_of_contact(const Scene<2> &scene)
-{
+double share_of_contact(const Scene<2> &scene) {
   double length = 0., contact_length = 0.;
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-  {
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     length += scene.geometry.sides[i].length();
     if (scene.boundary[i].role == Role::contact)
       contact_length += scene.geometry.sides[i].length();
@@ -166,28 +146,23 @@ double share_of_contact(const Scene<2> &scene)
   return contact_length / length;
 }
 
-std::string gibibytes(const double bytes)
-{
+std::string gibibytes(const double bytes) {
   const double gib = bytes / (1024. * 1024. * 1024.);
   return number_text(gib < 10. ? std::round(10. * gib) / 10. : std::round(gib)) + " GiB";
 }
 } // namespace
 
 template <int dim>
-MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
-                              const Scene<dim> &scene,
+MemoryLimit<dim>::MemoryLimit(const Parameters &parameters, const Scene<dim> &scene,
                               MPI_Comm communicator)
   : n_coarse_cells_(scene.geometry.n_coarse_cells)
   , n_contact_sides_(static_cast<double>(scene.contact_sides().size()))
   , given_(parameters.discretization)
-  , solvers_(choose_solvers(parameters,
-                            scene,
-                            parameters.discretization.finest_level,
+  , solvers_(choose_solvers(parameters, scene, parameters.discretization.finest_level,
                             Utilities::MPI::n_mpi_processes(communicator)))
   , condensed_(resolve(solvers_.linear, Utilities::MPI::n_mpi_processes(communicator)) ==
                LinearSolver::condensed)
-  , available_(available_bytes())
-{
+  , available_(available_bytes()) {
   const bool may_stop_early = given_.target_error > 0.;
   const unsigned int level = judged_level(given_);
   const auto refuse_if_huge = [&]() {
@@ -202,8 +177,7 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
   scene.geometry.make_coarse_mesh(coarse_mesh);
   double all_faces = 0.;
   for (const auto &face : coarse_mesh.active_face_iterators())
-    if (face->at_boundary())
-    {
+    if (face->at_boundary()) {
       all_faces += 1.;
       // Boundary numbers are not known where sides end inside coarse faces.
       if (!scene.geometry.number_after_refinement &&
@@ -217,40 +191,35 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters,
 }
 
 template <int dim>
-double MemoryLimit<dim>::n_cells(const unsigned int level) const
-{
+double MemoryLimit<dim>::n_cells(const unsigned int level) const {
   return n_coarse_cells_ * std::pow(2., double(dim) * level);
 }
 
 template <int dim>
-double MemoryLimit<dim>::n_contact_faces(const unsigned int level) const
-{
+double MemoryLimit<dim>::n_contact_faces(const unsigned int level) const {
   return n_coarse_contact_faces_ * std::pow(2., (dim - 1.) * level);
 }
 
 template <int dim>
-double MemoryLimit<dim>::n_patches(const unsigned int level) const
-{
+double MemoryLimit<dim>::n_patches(const unsigned int level) const {
   return given_.patches > 0
            ? n_contact_sides_ * given_.patches
            : std::floor(n_contact_faces(level) / std::pow(given_.patch_ratio.value, dim - 1.));
 }
 
 template <int dim>
-double MemoryLimit<dim>::needed(const unsigned int level) const
-{
+double MemoryLimit<dim>::needed(const unsigned int level) const {
   if (solvers_.is_matrix_free())
     return bytes_without_factor<dim>(n_cells(level));
   // A cell of degree two has the unknowns of 2^dim cells of degree one.
   const double degree = given_.element == Element::q2 ? 2. : 1.;
   return sparse_bytes<dim>(std::pow(degree, dim) * n_cells(level)) +
-         dense_bytes(
-           n_patches(level), dim * std::pow(degree, dim - 1.) * n_contact_faces(level), condensed_);
+         dense_bytes(n_patches(level), dim * std::pow(degree, dim - 1.) * n_contact_faces(level),
+                     condensed_);
 }
 
 template <int dim>
-std::string MemoryLimit<dim>::describe(const unsigned int level) const
-{
+std::string MemoryLimit<dim>::describe(const unsigned int level) const {
   // Before the coarse mesh is made its contact faces are not known.
   const bool knows_patches = given_.patches > 0 || n_coarse_contact_faces_ > 0.;
   return "level " + std::to_string(level) + " has " + number_text(n_cells(level)) + " cells" +
@@ -259,14 +228,12 @@ std::string MemoryLimit<dim>::describe(const unsigned int level) const
 }
 
 template <int dim>
-std::string MemoryLimit<dim>::describe_available() const
-{
+std::string MemoryLimit<dim>::describe_available() const {
   return gibibytes(available_) + " of memory";
 }
 
 template <int dim>
-void MemoryLimit<dim>::check(const unsigned int level) const
-{
+void MemoryLimit<dim>::check(const unsigned int level) const {
   if (needed(level) >= available_)
     throw ComputationError("The target error is not reached: " + describe(level) +
                            ", but there are " + describe_available() + ".");

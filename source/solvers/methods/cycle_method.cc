@@ -11,10 +11,8 @@
 
 #include "methods.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The factor by which the scale t is expected to grow from level to level. */
 constexpr double growth_of_scale = 1.05;
 /** The share of the error of the discretisation that the algebraic error may have. */
@@ -29,15 +27,13 @@ constexpr double tolerance_of_estimates = 1e-4;
 using Vector = dealii::Vector<double>;
 
 /** Returns a serial vector of the entries, as V-cycles need it. */
-Vector serial(const DualVector &entries)
-{
+Vector serial(const DualVector &entries) {
   return Vector(entries.begin(), entries.end());
 }
 
 /** Returns the nodal values with zero in constrained rows; the zero vector if U is empty. */
 template <int dim>
-Vector free_part(const DisplacementSpace<dim> &space, const Displacement &U)
-{
+Vector free_part(const DisplacementSpace<dim> &space, const Displacement &U) {
   if (U.size() == 0)
     return Vector(space.dofs().n_dofs());
   Vector free = serial(U);
@@ -48,8 +44,7 @@ Vector free_part(const DisplacementSpace<dim> &space, const Displacement &U)
 
 /** Returns U = T U_free + k. */
 template <int dim>
-Displacement complete_free_part(const DisplacementSpace<dim> &space, const Vector &U_free)
-{
+Displacement complete_free_part(const DisplacementSpace<dim> &space, const Vector &U_free) {
   DistributedVector free = space.make_vector();
   for (const auto i : space.locally_owned())
     free(i) = U_free[i];
@@ -58,19 +53,14 @@ Displacement complete_free_part(const DisplacementSpace<dim> &space, const Vecto
 }
 
 template <int dim>
-class CycleMethod final : public ContactMethod<dim>
-{
+class CycleMethod final : public ContactMethod<dim> {
 public:
   CycleMethod(const Parameters &parameters, const Scene<dim> &scene)
     : parameters_(parameters)
-    , scene_(scene)
-  {
-  }
+    , scene_(scene) {}
 
-  ContactState<dim> solve(const Discretization<dim> &discretization,
-                          const ContactStart &start,
-                          const Progress &progress) const override
-  {
+  ContactState<dim> solve(const Discretization<dim> &discretization, const ContactStart &start,
+                          const Progress &progress) const override {
     const DisplacementSpace<dim> &space = discretization.space;
     ContactState<dim> state;
     progress("assembly");
@@ -93,27 +83,18 @@ public:
   }
 
 private:
-  void iterate(const Discretization<dim> &discretization,
-               const StiffnessOperator &A,
-               const ContactStart &start,
-               ContactState<dim> &state) const
-  {
+  void iterate(const Discretization<dim> &discretization, const StiffnessOperator &A,
+               const ContactStart &start, ContactState<dim> &state) const {
     const DisplacementSpace<dim> &space = discretization.space;
     const auto model = make_boundary_model(discretization.multipliers);
     const Vector f = serial(space.dual(state.system->f));
     Vector gap(discretization.G);
     gap -= discretization.D.transpose_product(space.prescribed(scene_));
     const ContactIterationOptions options = options_for(start);
-    const ContactIterationResult result =
-      solve_contact_by_cycles({A,
-                               f,
-                               discretization.condensed_D,
-                               gap,
-                               *model,
-                               space.condense(space.dual(state.system->loads)).l2_norm()},
-                              free_part(space, start.U),
-                              start.P.size() > 0 ? start.P : Pressure(gap.size()),
-                              options);
+    const ContactIterationResult result = solve_contact_by_cycles(
+      {A, f, discretization.condensed_D, gap, *model,
+       space.condense(space.dual(state.system->loads)).l2_norm()},
+      free_part(space, start.U), start.P.size() > 0 ? start.P : Pressure(gap.size()), options);
     state.P = Pressure(result.P);
     state.U = complete_free_part(space, result.U);
     state.cycles = CycleData{result.scale, result.energy_of_residual};
@@ -134,8 +115,7 @@ private:
       std::sqrt(2. * std::abs(result.energy_of_residual)));
   }
 
-  ContactIterationOptions options_for(const ContactStart &start) const
-  {
+  ContactIterationOptions options_for(const ContactStart &start) const {
     const SolverParameters &solver = parameters_.solver;
     ContactIterationOptions options;
     options.tolerance = solver.tolerance;
@@ -151,8 +131,7 @@ private:
    * the discretisation. u_h has about half the error of the level before, and π^{2h}u_h, which
    * gains an order where the solution is smooth, not less than the square of that.
    */
-  double energy_tolerance(const ContactStart &start) const
-  {
+  double energy_tolerance(const ContactStart &start) const {
     if (parameters_.solver.stop_at != StopAt::discretisation_error || !start.relative_error)
       return 0.;
     const double before = *start.relative_error;
@@ -166,13 +145,11 @@ private:
 
 template <int dim>
 std::unique_ptr<ContactMethod<dim>> make_cycle_method(const Parameters &parameters,
-                                                      const Scene<dim> &scene)
-{
+                                                      const Scene<dim> &scene) {
   return std::make_unique<CycleMethod<dim>>(parameters, scene);
 }
 
-void refuse_solver_for_free_motions(const SolverParameters &solver)
-{
+void refuse_solver_for_free_motions(const SolverParameters &solver) {
   throw InputError(solver.contact_solver.where() + ": found '" +
                    to_text(solver.contact_solver.value) +
                    "' for a body or a plate that moves freely, allowed there: psor, active set.");

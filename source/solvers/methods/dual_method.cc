@@ -15,26 +15,21 @@
 
 #include "methods.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 using Vector = dealii::Vector<double>;
 
 /** Returns z_j·n at the ends of all pieces of the contact boundary. */
 FullMatrix<double> closing_of_points(const Discretization<2> &discretization,
-                                     const MotionModes<2> &modes)
-{
+                                     const MotionModes<2> &modes) {
   const ContactSurface<2> &surface = discretization.surface;
   const std::vector<Point<1>> ends = {Point<1>(0.), Point<1>(1.)};
   TraceValues<2> traces(discretization.space);
   FullMatrix<double> closing(ends.size() * surface.pieces().size(), modes.size());
-  for (std::size_t i = 0; i < surface.pieces().size(); ++i)
-  {
+  for (std::size_t i = 0; i < surface.pieces().size(); ++i) {
     const Piece<2> &piece = surface.pieces()[i];
     const SurfaceRule<2> rule = surface.at(piece, ends);
-    for (unsigned int j = 0; j < modes.size(); ++j)
-    {
+    for (unsigned int j = 0; j < modes.size(); ++j) {
       const std::vector<double> z_n =
         traces.normal_displacement(surface.faces()[piece.face], rule, modes.Z[j]);
       for (std::size_t e = 0; e < ends.size(); ++e)
@@ -45,8 +40,7 @@ FullMatrix<double> closing_of_points(const Discretization<2> &discretization,
 }
 
 /** Returns the largest diagonal entry of K; one if K has no positive entry. */
-double typical_stiffness(const FreeMotions &motions)
-{
+double typical_stiffness(const FreeMotions &motions) {
   double stiffness = 0.;
   for (unsigned int j = 0; j < motions.K.m(); ++j)
     stiffness = std::max(stiffness, motions.K(j, j));
@@ -54,18 +48,15 @@ double typical_stiffness(const FreeMotions &motions)
 }
 
 /** Returns whether forces at points of the contact boundary can balance the loads. */
-bool points_balance(const Discretization<2> &discretization,
-                    const MotionModes<2> &modes,
-                    const FreeMotions &motions)
-{
+bool points_balance(const Discretization<2> &discretization, const MotionModes<2> &modes,
+                    const FreeMotions &motions) {
   FreeMotions point_motions = motions;
   point_motions.B = closing_of_points(discretization, modes);
   return !ReducedMotions(point_motions, point_motions.B.m(), typical_stiffness(motions)).escape;
 }
 
 /** Refuses loads that drive a motion along which contact sides slide. @throws InputError always. */
-[[noreturn]] void refuse_sliding(const Parameters &parameters, const RigidMotion &motion)
-{
+[[noreturn]] void refuse_sliding(const Parameters &parameters, const RigidMotion &motion) {
   throw InputError(parameters.boundary.where + ": the loads drive " + motion.name() +
                    " of the body, along which contact sides slide without friction; allowed: "
                    "loads in balance, or more sides that hold the body.");
@@ -73,11 +64,8 @@ bool points_balance(const Discretization<2> &discretization,
 
 /** Refuses a motion of the body that the pressing patches leave free, where all loads are zero and
  * only a negative gap presses. @throws InputError if there is such a motion. */
-void refuse_undetermined(const Parameters &parameters,
-                         const MotionModes<2> &modes,
-                         const FreeMotions &motions,
-                         const Vector &P)
-{
+void refuse_undetermined(const Parameters &parameters, const MotionModes<2> &modes,
+                         const FreeMotions &motions, const Vector &P) {
   if (!motions.b.all_zero())
     return;
   FreeMotions pressing_motions = motions;
@@ -102,13 +90,10 @@ void refuse_undetermined(const Parameters &parameters,
  */
 [[noreturn]] void refuse_escape(const Parameters &parameters,
                                 const Discretization<2> &discretization,
-                                const MotionModes<2> &modes,
-                                const FreeMotions &motions,
-                                const Vector &v)
-{
+                                const MotionModes<2> &modes, const FreeMotions &motions,
+                                const Vector &v) {
   const RigidMotion motion = rigid_part(modes, v);
-  if (points_balance(discretization, modes, motions))
-  {
+  if (points_balance(discretization, modes, motions)) {
     const Given<unsigned int> &coarsest = parameters.discretization.coarsest_level;
     throw InputError(coarsest.where() + ": found '" + std::to_string(coarsest.value) +
                      "', where a contact patch carries forces in its middle only and the loads "
@@ -121,8 +106,7 @@ void refuse_undetermined(const Parameters &parameters,
                    "); allowed: loads that press it onto the foundation, or more sides that hold "
                    "it.");
 }
-DualSolve summary_of(const QPResult &result, const ContactSolver method)
-{
+DualSolve summary_of(const QPResult &result, const ContactSolver method) {
   DualSolve summary;
   summary.method = method;
   summary.iterations = result.iterations;
@@ -136,8 +120,7 @@ DualSolve summary_of(const QPResult &result, const ContactSolver method)
 }
 
 /** Returns a callback that reports every twentieth part of the columns of C. */
-ColumnProgress column_progress(const Progress &progress, const unsigned int n_columns)
-{
+ColumnProgress column_progress(const Progress &progress, const unsigned int n_columns) {
   const unsigned int every = std::max(1U, n_columns / 20);
   return [&progress, every, n_columns](const unsigned int done) {
     if (done % every == 0)
@@ -147,20 +130,15 @@ ColumnProgress column_progress(const Progress &progress, const unsigned int n_co
 }
 
 template <int dim>
-class DualMethod final : public ContactMethod<dim>
-{
+class DualMethod final : public ContactMethod<dim> {
 public:
   DualMethod(const Parameters &parameters, const Scene<dim> &scene, const SolverChoice &choice)
     : parameters_(parameters)
     , scene_(scene)
-    , choice_(choice)
-  {
-  }
+    , choice_(choice) {}
 
-  ContactState<dim> solve(const Discretization<dim> &discretization,
-                          const ContactStart &start,
-                          const Progress &progress) const override
-  {
+  ContactState<dim> solve(const Discretization<dim> &discretization, const ContactStart &start,
+                          const Progress &progress) const override {
     ContactState<dim> state;
     state.dual.emplace();
     factorise_stiffness(discretization, progress, state);
@@ -169,8 +147,7 @@ public:
     state.P = Pressure(discretization.multipliers.n_multipliers());
     if (state.modes.size() == 0 && dual.free.nothing_touches())
       state.U = dual.free.U;
-    else
-    {
+    else {
       form_compliance(discretization, progress, state);
       progress("dual problem");
       find_pressure(discretization, start.P, state);
@@ -179,17 +156,15 @@ public:
       state.algebraic_error = algebraic_part(discretization, state);
     }
     prescribe_motions(state);
-    state.linear = {
-      state.inverse->n_solves(), state.inverse->max_residual(), state.inverse->rounding_error()};
+    state.linear = {state.inverse->n_solves(), state.inverse->max_residual(),
+                    state.inverse->rounding_error()};
     return state;
   }
 
 private:
   /** Computes A, f and A⁻¹. */
-  void factorise_stiffness(const Discretization<dim> &discretization,
-                           const Progress &progress,
-                           ContactState<dim> &state) const
-  {
+  void factorise_stiffness(const Discretization<dim> &discretization, const Progress &progress,
+                           ContactState<dim> &state) const {
     const DisplacementSpace<dim> &space = discretization.space;
     progress("assembly");
     state.system = timed(state.times.assembly, [&]() {
@@ -201,17 +176,14 @@ private:
     state.inverse = timed(state.times.factor, [&]() -> std::unique_ptr<StiffnessInverse> {
       if (choice_.is_matrix_free())
         return make_multigrid_inverse(space, scene_, solve_tolerance);
-      return factorise(state.system->matrix,
-                       state.system->unit,
-                       choice_.linear,
+      return factorise(state.system->matrix, state.system->unit, choice_.linear,
                        contact_unknowns(discretization.condensed_D));
     });
   }
 
   /** Computes F and the free motions. @throws InputError if loads drive a motion that no
    * contact resists. */
-  void find_free_state(const Discretization<dim> &discretization, ContactState<dim> &state) const
-  {
+  void find_free_state(const Discretization<dim> &discretization, ContactState<dim> &state) const {
     const StageTimer timer(state.times.compliance);
     const DisplacementSpace<dim> &space = discretization.space;
     DualData &dual = *state.dual;
@@ -221,8 +193,7 @@ private:
     state.modes = make_motion_modes(space, scene_, *state.inverse);
     const MotionModes<dim> &modes = state.modes;
     const DualVector loads = space.dual(state.system->loads);
-    if (modes.size() > 0)
-    {
+    if (modes.size() > 0) {
       const MotionWork work = modes.work(scene_.plates, loads, dual.free.U);
       dual.motions = {modes.couple(discretization.D), modes.K, work.value, work.magnitude};
     }
@@ -235,25 +206,21 @@ private:
   }
 
   /** Makes C; only its products where MPRGP is used with a solver without factors. */
-  void form_compliance(const Discretization<dim> &discretization,
-                       const Progress &progress,
-                       ContactState<dim> &state) const
-  {
+  void form_compliance(const Discretization<dim> &discretization, const Progress &progress,
+                       ContactState<dim> &state) const {
     const Coupling &D = discretization.condensed_D;
     const auto model = state.inverse->has_factors() ? nullptr : boundary_model(discretization);
     if (model != nullptr)
       state.dual->C =
         std::make_shared<const SolvedCompliance>(*state.inverse, D, model->diagonal());
     else
-      state.dual->C = make_compliance(
-        *state.inverse, D, state.times.compliance, column_progress(progress, D.n_columns()));
+      state.dual->C = make_compliance(*state.inverse, D, state.times.compliance,
+                                      column_progress(progress, D.n_columns()));
   }
 
   /** Computes P, and q where motions are free. */
-  void find_pressure(const Discretization<dim> &discretization,
-                     const Vector &start,
-                     ContactState<dim> &state) const
-  {
+  void find_pressure(const Discretization<dim> &discretization, const Vector &start,
+                     ContactState<dim> &state) const {
     const StageTimer timer(state.times.qp);
     const DualData &dual = *state.dual;
     const DualSolverOptions options = options_for(discretization);
@@ -275,11 +242,10 @@ private:
   }
 
   /** Computes U = A⁻¹(f + D P) + Z q. */
-  void recover(const Discretization<dim> &discretization, ContactState<dim> &state) const
-  {
+  void recover(const Discretization<dim> &discretization, ContactState<dim> &state) const {
     const StageTimer timer(state.times.recovery);
-    state.U = recover_displacement(
-      *state.inverse, discretization.space, discretization.condensed_D, state.P, state.system->f);
+    state.U = recover_displacement(*state.inverse, discretization.space, discretization.condensed_D,
+                                   state.P, state.system->f);
     state.modes.add_to(state.U, state.q);
   }
 
@@ -288,14 +254,12 @@ private:
    * is C P + B q - F + r. F - r takes the place of F, up to three times. Without rounding r is
    * zero, however P was found.
    */
-  void correct_rounding(const Discretization<dim> &discretization, ContactState<dim> &state) const
-  {
+  void correct_rounding(const Discretization<dim> &discretization, ContactState<dim> &state) const {
     constexpr unsigned int max_passes = 3;
     constexpr double negligible = 1e-10;
     const double measure = discretization.multipliers.integrals().l2_norm();
     const Vector F = state.dual->F;
-    for (unsigned int pass = 0; pass < max_passes; ++pass)
-    {
+    for (unsigned int pass = 0; pass < max_passes; ++pass) {
       // F - r = C P + B q - W
       Vector corrected(state.dual->C_P);
       if (state.modes.size() > 0)
@@ -315,8 +279,7 @@ private:
 
   /** Returns the estimated algebraic error in the energy norm. */
   double algebraic_part(const Discretization<dim> &discretization,
-                        const ContactState<dim> &state) const
-  {
+                        const ContactState<dim> &state) const {
     const AdmissibleSet K = discretization.multipliers.admissible_set();
     Vector W = discretization.D.transpose_product(state.U);
     W -= discretization.G;
@@ -328,8 +291,7 @@ private:
   }
 
   /** Adds the free motions to the free state: U_0 + Z q is then the body without contact. */
-  void prescribe_motions(ContactState<dim> &state) const
-  {
+  void prescribe_motions(ContactState<dim> &state) const {
     if (state.modes.size() == 0)
       return;
     state.modes.add_to(state.dual->free.U, state.q);
@@ -340,16 +302,14 @@ private:
 
   /** Returns Ĉ for MPRGP; null for other methods, and for multipliers that are not constants. */
   std::shared_ptr<const BoundaryModel>
-  boundary_model(const Discretization<dim> &discretization) const
-  {
+  boundary_model(const Discretization<dim> &discretization) const {
     if (choice_.contact != ContactSolver::mprgp ||
         !discretization.multipliers.is_piecewise_constant())
       return nullptr;
     return make_boundary_model(discretization.multipliers);
   }
 
-  DualSolverOptions options_for(const Discretization<dim> &discretization) const
-  {
+  DualSolverOptions options_for(const Discretization<dim> &discretization) const {
     const SolverParameters &solver = parameters_.solver;
     DualSolverOptions options = {
       {solver.tolerance, solver.maximum_iterations, solver.relaxation, {}},
@@ -371,22 +331,18 @@ private:
 template <int dim>
 std::unique_ptr<ContactMethod<dim>> make_dual_method(const Parameters &parameters,
                                                      const Scene<dim> &scene,
-                                                     const SolverChoice &choice)
-{
+                                                     const SolverChoice &choice) {
   return std::make_unique<DualMethod<dim>>(parameters, scene, choice);
 }
 
 template <int dim>
 std::optional<Vector> solve_on_other_patches(const ContactState<dim> &contact,
-                                             const CouplingPair &patches,
-                                             const Vector &F,
-                                             const Vector &start)
-{
+                                             const CouplingPair &patches, const Vector &F,
+                                             const Vector &start) {
   double seconds = 0.;
   const auto C = make_compliance(*contact.inverse, patches.condensed_D, seconds);
   FreeMotions motions;
-  if (contact.modes.size() > 0)
-  {
+  if (contact.modes.size() > 0) {
     motions = contact.dual->motions;
     motions.B = contact.modes.couple(patches.D);
     Vector K_q(contact.q.size());

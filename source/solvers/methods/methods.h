@@ -3,8 +3,7 @@
 
 #include <signorini/solvers/methods/contact_method.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Makes the method that forms F and C and solves the dual problem. */
 template <int dim>
 std::unique_ptr<ContactMethod<dim>> make_dual_method(const Parameters &parameters,
@@ -27,10 +26,8 @@ std::unique_ptr<ContactMethod<dim>> make_cycle_method(const Parameters &paramete
  * a half-plane or half-space.
  * @param diagonal C_kk, or zero where it is not computed: where P_k = 0 and W_k ≤ 0.
  */
-double algebraic_error(const AdmissibleSet &K,
-                       const dealii::Vector<double> &P,
-                       const dealii::Vector<double> &W,
-                       const dealii::Vector<double> &diagonal);
+double algebraic_error(const AdmissibleSet &K, const dealii::Vector<double> &P,
+                       const dealii::Vector<double> &W, const dealii::Vector<double> &diagonal);
 
 /** Refuses a contact solver that cannot treat bodies and plates that move freely.
  * @throws InputError always. */

@@ -14,10 +14,8 @@
 
 #include "point_kernel.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 constexpr unsigned int n_points_of_assembly = 4;
 
 template <int dim>
@@ -25,12 +23,10 @@ using BlockCells = std::vector<typename DoFHandler<dim>::active_cell_iterator>;
 
 /** Returns the cells by their numbers in a BlockGrid. */
 template <int dim>
-BlockCells<dim> cells_by_number(const DisplacementSpace<dim> &space)
-{
+BlockCells<dim> cells_by_number(const DisplacementSpace<dim> &space) {
   const std::size_t n = std::size_t(1) << space.mesh().level();
   BlockCells<dim> cells(space.mesh().triangulation().n_active_cells());
-  for (const auto &cell : space.dofs().active_cell_iterators())
-  {
+  for (const auto &cell : space.dofs().active_cell_iterators()) {
     const CellId id = cell->id();
     std::array<std::size_t, dim> place = {};
     for (const unsigned int child : id.get_child_indices())
@@ -48,12 +44,10 @@ BlockCells<dim> cells_by_number(const DisplacementSpace<dim> &space)
  * parallelepiped, and only straight edges were halved. */
 template <int dim>
 bool has_congruent_descendants(const Mesh<dim> &mesh,
-                               const typename Triangulation<dim>::cell_iterator &cell)
-{
+                               const typename Triangulation<dim>::cell_iterator &cell) {
   if (mesh.is_curved() || mesh.n_nested_ancestors() < mesh.level())
     return false;
-  for (unsigned int v = 0; v < (1U << dim); ++v)
-  {
+  for (unsigned int v = 0; v < (1U << dim); ++v) {
     Tensor<1, dim> difference = cell->vertex(v) - cell->vertex(0);
     for (int d = 0; d < dim; ++d)
       if (((v >> d) & 1U) != 0)
@@ -66,40 +60,33 @@ bool has_congruent_descendants(const Mesh<dim> &mesh,
 
 /** Fills the matrices of an operator, with the unknowns of a cell in the order of the kernels. */
 template <int dim>
-class MatrixFiller
-{
+class MatrixFiller {
 public:
   using Operator = CellOperator<dim, double>;
 
-  MatrixFiller(const DisplacementSpace<dim> &space,
-               const Scene<dim> &scene,
-               const BlockCells<dim> &cells,
-               Operator &K)
+  MatrixFiller(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+               const BlockCells<dim> &cells, Operator &K)
     : space_(space)
     , mesh_(space.mesh())
     , scene_(scene)
     , cells_(cells)
     , K_(K)
-    , stiffness_(space, scene)
-  {
+    , stiffness_(space, scene) {
     for (unsigned int v = 0; v < (1U << dim); ++v)
       for (unsigned int c = 0; c < dim; ++c)
         dof_index_[v * dim + c] = space.element().component_to_system_index(c, v);
   }
 
-  void fill()
-  {
+  void fill() {
     if (scene_.material->is_constant())
       share_matrices();
     if (*std::min_element(K_.storage.begin(), K_.storage.end()) >= 0)
       return;
     const bool is_straight =
       !mesh_.is_curved() && space_.strain_operator() == StrainOperator::symmetric_gradient;
-    if (is_straight)
-    {
+    if (is_straight) {
       set_places();
-      if (scene_.material->is_constant())
-      {
+      if (scene_.material->is_constant()) {
         K_.moduli.resize(Operator::n_moduli * n_lanes);
         for (unsigned int l = 0; l < n_lanes; ++l)
           set_moduli(&K_.moduli[l], Point<dim>());
@@ -119,14 +106,12 @@ public:
 private:
   /** Finds one matrix for each shape of blocks with congruent cells, and the batches inside such
    * blocks. */
-  void share_matrices()
-  {
+  void share_matrices() {
     const std::size_t per_block = K_.grid->n_cells / K_.grid->n_blocks;
     std::vector<typename CellStiffness<dim>::Matrix> known;
     std::vector<int> shared_by_block(K_.grid->n_blocks, -1);
     for (const auto &block : mesh_.triangulation().cell_iterators_on_level(0))
-      if (has_congruent_descendants<dim>(mesh_, block))
-      {
+      if (has_congruent_descendants<dim>(mesh_, block)) {
         const auto matrix = stiffness_.share(
           typename CellStiffness<dim>::CellIterator(cells_[block->index() * per_block]));
         const auto same = std::find(known.begin(), known.end(), matrix);
@@ -138,8 +123,7 @@ private:
           for (const unsigned int j : dof_index_)
             K_.shared.push_back(0.5 * ((*matrix)(i, j) + (*matrix)(j, i)));
       }
-    for (std::size_t batch = 0; batch < K_.grid->n_batches(); ++batch)
-    {
+    for (std::size_t batch = 0; batch < K_.grid->n_batches(); ++batch) {
       const auto first = shared_by_block.begin() + batch * n_lanes / per_block,
                  last = shared_by_block.begin() +
                         (std::min((batch + 1) * n_lanes, K_.grid->n_cells) - 1) / per_block;
@@ -149,8 +133,7 @@ private:
   }
 
   /** Sets the positions of the nodes in the body of size one. */
-  void set_places()
-  {
+  void set_places() {
     const Point<dim> origin = mesh_.from_unit_body(Point<dim>());
     K_.places = LevelVector<dim, double>(K_.grid->n_nodes());
     for (std::size_t cell = 0; cell < cells_.size(); ++cell)
@@ -161,13 +144,11 @@ private:
   }
 
   /** Writes E/E_0 at a point of the body of size one, [modulus][lane] of one lane. */
-  void set_moduli(double *const moduli, const Point<dim> &x) const
-  {
+  void set_moduli(double *const moduli, const Point<dim> &x) const {
     using Strain = SymmetricTensor<2, dim>;
     const SymmetricTensor<4, dim> hooke = scene_.material->relative_hooke(mesh_.from_unit_body(x));
     for (unsigned int s = 0; s < Operator::n_strains; ++s)
-      for (unsigned int t = 0; t <= s; ++t)
-      {
+      for (unsigned int t = 0; t <= s; ++t) {
         const auto a = Strain::unrolled_to_component_indices(s),
                    b = Strain::unrolled_to_component_indices(t);
         moduli[lower(s, t) * n_lanes] = hooke[a[0]][a[1]][b[0]][b[1]];
@@ -175,19 +156,15 @@ private:
   }
 
   /** Integrates all stored matrices with the moduli at each point. */
-  void integrate_matrices()
-  {
+  void integrate_matrices() {
     constexpr std::size_t stride = Operator::n_moduli * n_lanes;
     const QGauss<dim> gauss(n_points_of_assembly);
     std::vector<double> moduli(gauss.size() * stride);
     for (std::size_t batch = 0; batch < K_.grid->n_batches(); ++batch)
-      if (!K_.is_shared(batch))
-      {
-        for (unsigned int l = 0; l < n_lanes; ++l)
-        {
+      if (!K_.is_shared(batch)) {
+        for (unsigned int l = 0; l < n_lanes; ++l) {
           const auto nodes = K_.grid->nodes(std::min(batch * n_lanes + l, K_.grid->n_cells - 1));
-          for (unsigned int q = 0; q < gauss.size(); ++q)
-          {
+          for (unsigned int q = 0; q < gauss.size(); ++q) {
             Point<dim> x;
             for (unsigned int v = 0; v < nodes.size(); ++v)
               for (int d = 0; d < dim; ++d)
@@ -201,8 +178,7 @@ private:
   }
 
   /** Copies the matrix of a cell. */
-  void copy(const FullMatrix<double> &matrix, const std::size_t cell)
-  {
+  void copy(const FullMatrix<double> &matrix, const std::size_t cell) {
     double *const target = K_.stored_matrices(cell / n_lanes) + cell % n_lanes;
     for (unsigned int i = 0; i < dof_index_.size(); ++i)
       for (unsigned int j = 0; j <= i; ++j)
@@ -222,13 +198,11 @@ private:
 
 template <int dim>
 CellOperator<dim, double> make_fine_operator(const DisplacementSpace<dim> &space,
-                                             const Scene<dim> &scene)
-{
+                                             const Scene<dim> &scene) {
   const BlockCells<dim> cells = cells_by_number(space);
   CellOperator<dim, double> K(
     std::make_shared<const BlockGrid<dim>>(
-      space.mesh().triangulation().n_cells(0),
-      1U << space.mesh().level(),
+      space.mesh().triangulation().n_cells(0), 1U << space.mesh().level(),
       [&](const std::size_t cell, const unsigned int v) {
         return static_cast<NodeNumber>(
           cells[cell]->vertex_dof_index(v, 0, cells[cell]->active_fe_index()) / dim);

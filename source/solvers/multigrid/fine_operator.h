@@ -5,8 +5,7 @@
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/multigrid/cell_operator.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Returns K on the finest level, with the matrices that would be assembled. The identities of
  * nodes are their degrees of freedom divided by dim. */
 template <int dim>

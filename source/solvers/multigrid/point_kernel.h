@@ -9,12 +9,10 @@
  */
 #define SIGNORINI_INLINE __attribute__((always_inline))
 
-namespace Signorini
-{
+namespace Signorini {
 #ifdef __x86_64__
 template <typename Kernel>
-__attribute__((target("avx2,fma"))) void run_avx2(const Kernel &kernel)
-{
+__attribute__((target("avx2,fma"))) void run_avx2(const Kernel &kernel) {
   kernel(std::integral_constant<int, 32>());
 }
 #ifdef __clang__
@@ -24,8 +22,7 @@ __attribute__((target("avx2,fma"))) void run_avx2(const Kernel &kernel)
 #endif
 template <typename Kernel>
 __attribute__((target("avx512f,avx512vl,avx512dq,avx512bw,avx2,fma" SIGNORINI_WIDTH))) void
-run_avx512(const Kernel &kernel)
-{
+run_avx512(const Kernel &kernel) {
   kernel(std::integral_constant<int, 64>());
 }
 #endif
@@ -33,8 +30,7 @@ run_avx512(const Kernel &kernel)
 /** Calls kernel(bytes of a vector register) compiled for an instruction set: the kernel is a lambda
  * that is always inlined. */
 template <typename Kernel>
-void run(const Instructions instructions, const Kernel &kernel)
-{
+void run(const Instructions instructions, const Kernel &kernel) {
 #ifdef __x86_64__
   if (instructions == Instructions::avx512)
     return run_avx512(kernel);
@@ -47,56 +43,49 @@ void run(const Instructions instructions, const Kernel &kernel)
 
 /** A vector that fills a register of @p bytes. */
 template <typename Number, int bytes>
-struct Wide
-{
+struct Wide {
   typedef Number Type __attribute__((vector_size(bytes)));
 };
 
 /** Returns the vector that begins at a number. */
 template <typename V, typename Number>
-SIGNORINI_INLINE inline V load(const Number &first)
-{
+SIGNORINI_INLINE inline V load(const Number &first) {
   V values;
   std::memcpy(&values, &first, sizeof(V));
   return values;
 }
 
 template <typename V, typename Number>
-SIGNORINI_INLINE inline void store(Number &first, const V &values)
-{
+SIGNORINI_INLINE inline void store(Number &first, const V &values) {
   std::memcpy(&first, &values, sizeof(V));
 }
 
 /** The values of a batch, [dof][lane]. */
 template <int dim, typename Number>
-struct alignas(64) BatchValues
-{
+struct alignas(64) BatchValues {
   Number values[dim << dim][n_lanes];
 };
 
 /** Returns the place of the component (c, d) of a strain in Voigt's notation: those on the
  * diagonal, then 12, 13, 23. */
 template <int dim>
-constexpr int voigt(const int c, const int d)
-{
+constexpr int voigt(const int c, const int d) {
   return c == d ? c : dim + c + d - 1;
 }
 
-constexpr int lower(const int i, const int j)
-{
+constexpr int lower(const int i, const int j) {
   return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
 }
 
 /** Computes the inverse of J by cofactors, and its determinant. */
 template <int dim, typename V>
-SIGNORINI_INLINE inline void invert(const V (&J)[dim][dim], V (&inverse)[dim][dim], V &determinant)
-{
+SIGNORINI_INLINE inline void invert(const V (&J)[dim][dim], V (&inverse)[dim][dim],
+                                    V &determinant) {
   for (int i = 0; i < dim; ++i)
     for (int j = 0; j < dim; ++j)
       if constexpr (dim == 2)
         inverse[i][j] = i == j ? J[1 - j][1 - i] : -J[i][j];
-      else
-      {
+      else {
         const int a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
         inverse[i][j] = J[a][c] * J[b][d] - J[a][d] * J[b][c];
       }
@@ -112,12 +101,9 @@ SIGNORINI_INLINE inline void invert(const V (&J)[dim][dim], V (&inverse)[dim][di
 /** Computes the gradients of the shape functions at a point, and the weight times the determinant.
  * @param reference their derivatives on the reference cell. */
 template <int dim, typename Number, typename V>
-SIGNORINI_INLINE inline void map_gradients(V (&g)[1 << dim][dim],
-                                           V &weight,
+SIGNORINI_INLINE inline void map_gradients(V (&g)[1 << dim][dim], V &weight,
                                            const BatchValues<dim, Number> &vertices,
-                                           const Number *const reference,
-                                           const unsigned int lane)
-{
+                                           const Number *const reference, const unsigned int lane) {
   V J[dim][dim] = {}, inverse[dim][dim];
 #pragma GCC unroll 8
   for (int v = 0; v < (1 << dim); ++v)
@@ -130,8 +116,7 @@ SIGNORINI_INLINE inline void map_gradients(V (&g)[1 << dim][dim],
 #pragma GCC unroll 8
   for (int v = 0; v < (1 << dim); ++v)
 #pragma GCC unroll 3
-    for (int d = 0; d < dim; ++d)
-    {
+    for (int d = 0; d < dim; ++d) {
       g[v][d] = inverse[0][d] * reference[v * dim];
 #pragma GCC unroll 3
       for (int e = 1; e < dim; ++e)
@@ -141,9 +126,8 @@ SIGNORINI_INLINE inline void map_gradients(V (&g)[1 << dim][dim],
 
 /** Computes S = weight E:ε(G), which is symmetric. */
 template <int dim, typename Number, typename V>
-SIGNORINI_INLINE inline void
-stress(V (&S)[dim][dim], const V (&G)[dim][dim], const Number *const moduli, const V &weight)
-{
+SIGNORINI_INLINE inline void stress(V (&S)[dim][dim], const V (&G)[dim][dim],
+                                    const Number *const moduli, const V &weight) {
   constexpr int n_strains = dim * (dim + 1) / 2;
   V strain[n_strains];
 #pragma GCC unroll 3
@@ -154,8 +138,7 @@ stress(V (&S)[dim][dim], const V (&G)[dim][dim], const Number *const moduli, con
 #pragma GCC unroll 3
   for (int c = 0; c < dim; ++c)
 #pragma GCC unroll 3
-    for (int d = 0; d <= c; ++d)
-    {
+    for (int d = 0; d <= c; ++d) {
       V sum = V{};
 #pragma GCC unroll 6
       for (int s = 0; s < n_strains; ++s)
@@ -170,13 +153,11 @@ SIGNORINI_INLINE inline void multiply_integrated(BatchValues<dim, Number> &y,
                                                  const PointRule<dim, Number> &rule,
                                                  const Number *const moduli,
                                                  const BatchValues<dim, Number> &vertices,
-                                                 const BatchValues<dim, Number> &x)
-{
+                                                 const BatchValues<dim, Number> &x) {
   constexpr int n_vertices = 1 << dim;
   y = {};
   for (unsigned int lane = 0; lane < n_lanes; lane += sizeof(V) / sizeof(Number))
-    for (std::size_t q = 0; q < rule.weights.size(); ++q)
-    {
+    for (std::size_t q = 0; q < rule.weights.size(); ++q) {
       V g[n_vertices][dim], G[dim][dim] = {}, S[dim][dim], weight;
       map_gradients<dim>(g, weight, vertices, &rule.gradients[q * dim * n_vertices], lane);
       weight *= rule.weights[q];
@@ -191,8 +172,7 @@ SIGNORINI_INLINE inline void multiply_integrated(BatchValues<dim, Number> &y,
 #pragma GCC unroll 8
       for (int v = 0; v < n_vertices; ++v)
 #pragma GCC unroll 3
-        for (int c = 0; c < dim; ++c)
-        {
+        for (int c = 0; c < dim; ++c) {
           V sum = load<V>(y.values[v * dim + c][lane]);
 #pragma GCC unroll 3
           for (int d = 0; d < dim; ++d)
@@ -204,27 +184,22 @@ SIGNORINI_INLINE inline void multiply_integrated(BatchValues<dim, Number> &y,
 
 /** Adds Σ Bᵀ E B over the points to the lower triangles K of a batch, [entry][lane]. */
 template <int dim, typename Number, typename V>
-SIGNORINI_INLINE inline void integrate_matrices(Number *const K,
-                                                const PointRule<dim, Number> &rule,
+SIGNORINI_INLINE inline void integrate_matrices(Number *const K, const PointRule<dim, Number> &rule,
                                                 const Number *const moduli,
                                                 const std::size_t stride,
-                                                const BatchValues<dim, Number> &vertices)
-{
+                                                const BatchValues<dim, Number> &vertices) {
   constexpr int n_vertices = 1 << dim;
   for (unsigned int lane = 0; lane < n_lanes; lane += sizeof(V) / sizeof(Number))
-    for (std::size_t q = 0; q < rule.weights.size(); ++q)
-    {
+    for (std::size_t q = 0; q < rule.weights.size(); ++q) {
       V g[n_vertices][dim], weight;
       map_gradients<dim>(g, weight, vertices, &rule.gradients[q * dim * n_vertices], lane);
       weight *= rule.weights[q];
-      for (int i = 0; i < dim * n_vertices; ++i)
-      {
+      for (int i = 0; i < dim * n_vertices; ++i) {
         V G[dim][dim] = {}, S[dim][dim];
         for (int e = 0; e < dim; ++e)
           G[i % dim][e] = g[i / dim][e];
         stress<dim>(S, G, moduli + q * stride + lane, weight);
-        for (int j = 0; j <= i; ++j)
-        {
+        for (int j = 0; j <= i; ++j) {
           V entry = load<V>(K[lower(i, j) * n_lanes + lane]);
           for (int e = 0; e < dim; ++e)
             entry += S[j % dim][e] * g[j / dim][e];

@@ -19,21 +19,16 @@
 #include "fine_operator.h"
 #include "point_kernel.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The number of Gauss points per direction that V-cycles need where products are integrated. */
 constexpr unsigned int n_points_of_cycles = 2;
 
 /** Computes u = T u or u = Tᵀ u at all nodes that are not free. */
 template <int dim, typename Number>
-void transform(LevelVector<dim, Number> &u,
-               const ConstrainedNodes<dim> &conditions,
-               const bool transposed)
-{
-  for (const auto &[node, T] : conditions)
-  {
+void transform(LevelVector<dim, Number> &u, const ConstrainedNodes<dim> &conditions,
+               const bool transposed) {
+  for (const auto &[node, T] : conditions) {
     Tensor<1, dim> value;
     for (int c = 0; c < dim; ++c)
       value[c] = u[c][node];
@@ -45,8 +40,7 @@ void transform(LevelVector<dim, Number> &u,
 
 /** Sets constrained components to zero. */
 template <int dim>
-void clear_constrained(LevelVector<dim, float> &u, const ConstrainedNodes<dim> &conditions)
-{
+void clear_constrained(LevelVector<dim, float> &u, const ConstrainedNodes<dim> &conditions) {
   for (const auto &[node, T] : conditions)
     for (int c = 0; c < dim; ++c)
       if (T[c][c] == 0.)
@@ -57,20 +51,16 @@ void clear_constrained(LevelVector<dim, float> &u, const ConstrainedNodes<dim> &
  */
 template <int dim>
 ConstrainedNodes<dim> conditions_of(const DisplacementSpace<dim> &space,
-                                    const std::vector<NodeNumber> &identities)
-{
+                                    const std::vector<NodeNumber> &identities) {
   const auto &constraints = space.constraints();
   ConstrainedNodes<dim> conditions;
-  for (NodeNumber node = 0; node < identities.size(); ++node)
-  {
+  for (NodeNumber node = 0; node < identities.size(); ++node) {
     const auto first = static_cast<types::global_dof_index>(identities[node]) * dim;
     Tensor<2, dim> T;
-    for (unsigned int c = 0; c < dim; ++c)
-    {
+    for (unsigned int c = 0; c < dim; ++c) {
       T[c][c] = constraints.is_constrained(first + c) ? 0. : 1.;
       if (T[c][c] == 0.)
-        for (const auto &[other, weight] : *constraints.get_constraint_entries(first + c))
-        {
+        for (const auto &[other, weight] : *constraints.get_constraint_entries(first + c)) {
           AssertThrow(other / dim == identities[node],
                       ExcMessage("Multigrid: a condition joins two nodes."));
           T[c][other - first] = weight;
@@ -85,8 +75,7 @@ ConstrainedNodes<dim> conditions_of(const DisplacementSpace<dim> &space,
 /** Returns the conditions of the next coarser level: its nodes keep those of the finer one. */
 template <int dim>
 ConstrainedNodes<dim> coarsen(const ConstrainedNodes<dim> &fine,
-                              const std::vector<NodeNumber> &identities)
-{
+                              const std::vector<NodeNumber> &identities) {
   ConstrainedNodes<dim> conditions;
   for (NodeNumber node = 0; node < identities.size(); ++node)
     if (const auto found = fine.find(identities[node]); found != fine.end())
@@ -105,8 +94,7 @@ MultigridLevel<dim>::MultigridLevel(const CellOperator<dim, double> &fine_K,
   , y(x)
   , d(x)
   , B(K.grid->n_nodes())
-  , max_eigenvalue(max_cell_eigenvalue(K))
-{
+  , max_eigenvalue(max_cell_eigenvalue(K)) {
   std::vector<Tensor<2, dim>> blocks = free_diagonal_blocks();
   for (Tensor<2, dim> &block : blocks)
     block = invert(block);
@@ -119,16 +107,14 @@ MultigridLevel<dim>::MultigridLevel(const CellOperator<dim, double> &fine_K,
 }
 
 template <int dim>
-std::vector<Tensor<2, dim>> MultigridLevel<dim>::free_diagonal_blocks() const
-{
+std::vector<Tensor<2, dim>> MultigridLevel<dim>::free_diagonal_blocks() const {
   const NodeBlocks<dim> D = diagonal_blocks(K);
   std::vector<Tensor<2, dim>> blocks(K.grid->n_nodes());
   for (NodeNumber node = 0; node < blocks.size(); ++node)
     for (int c = 0; c < dim; ++c)
       for (int e = 0; e < dim; ++e)
         blocks[node][c][e] = D[voigt<dim>(c, e)][node];
-  for (const auto &[node, T] : conditions)
-  {
+  for (const auto &[node, T] : conditions) {
     blocks[node] = transpose(T) * blocks[node] * T;
     for (int c = 0; c < dim; ++c)
       blocks[node][c][c] += 1. - T[c][c];
@@ -137,11 +123,9 @@ std::vector<Tensor<2, dim>> MultigridLevel<dim>::free_diagonal_blocks() const
 }
 
 template <int dim>
-void MultigridLevel<dim>::smooth(const bool from_zero)
-{
+void MultigridLevel<dim>::smooth(const bool from_zero) {
   constexpr unsigned int n_steps = 3;
-  for (unsigned int step = 1; step <= n_steps; ++step)
-  {
+  for (unsigned int step = 1; step <= n_steps; ++step) {
     const bool is_first = from_zero && step == 1;
     if (!is_first)
       K.multiply(y, x);
@@ -161,15 +145,13 @@ StiffnessMultigrid<dim>::StiffnessMultigrid(const DisplacementSpace<dim> &space,
   : unit_(stiffness_unit(space, *scene.material))
   , K_(make_fine_operator(space, scene))
   , x_(K_.grid->n_nodes())
-  , y_(x_)
-{
+  , y_(x_) {
   // The coarsest level is the finest one with so few nodes, or the coarse mesh.
   constexpr unsigned int max_coarsest_nodes = 200;
   levels_.emplace_back(K_, conditions_of(space, K_.grid->identities));
   const CellOperator<dim, double> *last = &K_;
   std::unique_ptr<const CellOperator<dim, double>> coarse;
-  while (last->grid->n_nodes() > max_coarsest_nodes && last->grid->n > 1)
-  {
+  while (last->grid->n_nodes() > max_coarsest_nodes && last->grid->n > 1) {
     coarse = std::make_unique<const CellOperator<dim, double>>(
       last->coarsen(std::make_shared<const BlockGrid<dim>>(last->grid->coarsen())));
     last = coarse.get();
@@ -179,15 +161,13 @@ StiffnessMultigrid<dim>::StiffnessMultigrid(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-void StiffnessMultigrid<dim>::factorise(const CellOperator<dim, double> &K)
-{
+void StiffnessMultigrid<dim>::factorise(const CellOperator<dim, double> &K) {
   constexpr unsigned int n_dofs = CellOperator<dim, double>::n_dofs;
   const unsigned int n = dim * K.grid->n_nodes();
   AffineConstraints<double> constraints;
   for (const auto &[node, T] : levels_.back().conditions)
     for (int c = 0; c < dim; ++c)
-      if (T[c][c] == 0.)
-      {
+      if (T[c][c] == 0.) {
         constraints.add_line(node * dim + c);
         for (int e = 0; e < dim; ++e)
           if (T[c][e] != 0.)
@@ -209,20 +189,16 @@ void StiffnessMultigrid<dim>::factorise(const CellOperator<dim, double> &K)
   SparseMatrix<double> A(pattern);
   std::vector<double> buffer;
   FullMatrix<double> K_cell(n_dofs);
-  for (std::size_t cell = 0; cell < K.grid->n_cells; ++cell)
-  {
+  for (std::size_t cell = 0; cell < K.grid->n_cells; ++cell) {
     const double *const entries = K.entries(cell / n_lanes, buffer) + cell % n_lanes;
     for (unsigned int i = 0; i < n_dofs; ++i)
       for (unsigned int j = 0; j < n_dofs; ++j)
         K_cell(i, j) = entries[lower(i, j) * n_lanes];
     constraints.distribute_local_to_global(K_cell, dofs_of(cell), A);
   }
-  try
-  {
+  try {
     coarsest_inverse_.initialize(A);
-  }
-  catch (const ExceptionBase &)
-  {
+  } catch (const ExceptionBase &) {
     throw ComputationError("The matrix of the coarsest multigrid level is singular, by rounding: "
                            "the body is very slender, or its moduli differ much; Solver/Linear "
                            "solver = condensed factorises instead.");
@@ -230,8 +206,7 @@ void StiffnessMultigrid<dim>::factorise(const CellOperator<dim, double> &K)
 }
 
 template <int dim>
-void StiffnessMultigrid<dim>::solve_coarsest(MultigridLevel<dim> &level) const
-{
+void StiffnessMultigrid<dim>::solve_coarsest(MultigridLevel<dim> &level) const {
   transform(level.b, level.conditions, true);
   Vector u(dim * level.K.grid->n_nodes());
   for (unsigned int i = 0; i < u.size(); ++i)
@@ -243,8 +218,7 @@ void StiffnessMultigrid<dim>::solve_coarsest(MultigridLevel<dim> &level) const
 }
 
 template <int dim>
-void StiffnessMultigrid<dim>::cycle(const unsigned int l) const
-{
+void StiffnessMultigrid<dim>::cycle(const unsigned int l) const {
   MultigridLevel<dim> &level = levels_[l];
   if (l + 1 == levels_.size())
     return solve_coarsest(level);
@@ -268,14 +242,12 @@ void StiffnessMultigrid<dim>::cycle(const unsigned int l) const
 }
 
 template <int dim>
-unsigned int StiffnessMultigrid<dim>::size() const
-{
+unsigned int StiffnessMultigrid<dim>::size() const {
   return dim * K_.grid->n_nodes();
 }
 
 template <int dim>
-typename StiffnessMultigrid<dim>::Vector StiffnessMultigrid<dim>::diagonal() const
-{
+typename StiffnessMultigrid<dim>::Vector StiffnessMultigrid<dim>::diagonal() const {
   const std::vector<Tensor<2, dim>> blocks = levels_.front().free_diagonal_blocks();
   Vector result(size());
   for (unsigned int i = 0; i < result.size(); ++i)
@@ -285,8 +257,7 @@ typename StiffnessMultigrid<dim>::Vector StiffnessMultigrid<dim>::diagonal() con
 }
 
 template <int dim>
-std::size_t StiffnessMultigrid<dim>::memory() const
-{
+std::size_t StiffnessMultigrid<dim>::memory() const {
   std::size_t bytes = K_.memory() + x_.memory() + y_.memory();
   for (const MultigridLevel<dim> &level : levels_)
     bytes += level.memory();
@@ -295,10 +266,8 @@ std::size_t StiffnessMultigrid<dim>::memory() const
 
 template <int dim>
 template <typename Number>
-void StiffnessMultigrid<dim>::copy_to_level(LevelVector<dim, Number> &to,
-                                            const Vector &from,
-                                            const double factor) const
-{
+void StiffnessMultigrid<dim>::copy_to_level(LevelVector<dim, Number> &to, const Vector &from,
+                                            const double factor) const {
   const std::vector<NodeNumber> &identities = K_.grid->identities;
   for (unsigned int node = 0; node < identities.size(); ++node)
     for (unsigned int c = 0; c < dim; ++c)
@@ -307,10 +276,8 @@ void StiffnessMultigrid<dim>::copy_to_level(LevelVector<dim, Number> &to,
 
 template <int dim>
 template <typename Number>
-void StiffnessMultigrid<dim>::copy_from_level(Vector &to,
-                                              const LevelVector<dim, Number> &from,
-                                              const double factor) const
-{
+void StiffnessMultigrid<dim>::copy_from_level(Vector &to, const LevelVector<dim, Number> &from,
+                                              const double factor) const {
   const std::vector<NodeNumber> &identities = K_.grid->identities;
   for (unsigned int node = 0; node < identities.size(); ++node)
     for (unsigned int c = 0; c < dim; ++c)
@@ -319,8 +286,7 @@ void StiffnessMultigrid<dim>::copy_from_level(Vector &to,
 
 /** Computes y = Tᵀ K T x. */
 template <int dim>
-void StiffnessMultigrid<dim>::vmult(Vector &y, const Vector &x) const
-{
+void StiffnessMultigrid<dim>::vmult(Vector &y, const Vector &x) const {
   copy_to_level(x_, x, 1.);
   transform(x_, levels_.front().conditions, false);
   K_.multiply(y_, x_);
@@ -332,11 +298,9 @@ void StiffnessMultigrid<dim>::vmult(Vector &y, const Vector &x) const
  * the displacements that the conditions allow, and its entries at free components are those of z.
  */
 template <int dim>
-void StiffnessMultigrid<dim>::precondition(Vector &z, const Vector &r) const
-{
+void StiffnessMultigrid<dim>::precondition(Vector &z, const Vector &r) const {
   const double size = r.linfty_norm();
-  if (!(size > 0.))
-  {
+  if (!(size > 0.)) {
     z = 0.;
     return;
   }
@@ -355,8 +319,7 @@ template class StiffnessMultigrid<3>;
 
 // Conjugate gradients with V-cycles.
 
-namespace
-{
+namespace {
 constexpr unsigned int max_cycles = 500;
 /** The rounding error of products with A, relative to a smooth load: 1e-16 / h². */
 constexpr double refine_solves_above = 1e-8;
@@ -364,60 +327,45 @@ constexpr double refine_solves_above = 1e-8;
 constexpr double loose_goal = 1e-10;
 constexpr double refuse_solves_above = 1e-4;
 
-dealii::Vector<double> to_nodal(const StiffnessInverse::Vector &from)
-{
+dealii::Vector<double> to_nodal(const StiffnessInverse::Vector &from) {
   return dealii::Vector<double>(from.begin(), from.end());
 }
 
 /** The V-cycle as SolverCG calls it. */
-struct VCycle
-{
+struct VCycle {
   const StiffnessOperator &A;
 
-  void vmult(dealii::Vector<double> &z, const dealii::Vector<double> &r) const
-  {
+  void vmult(dealii::Vector<double> &z, const dealii::Vector<double> &r) const {
     A.precondition(z, r);
   }
 };
 } // namespace
 
 MultigridInverse::MultigridInverse(std::shared_ptr<const StiffnessOperator> A,
-                                   const Vector &diagonal,
-                                   const double goal)
-  : StiffnessInverse(diagonal,
-                     1.,
+                                   const Vector &diagonal, const double goal)
+  : StiffnessInverse(diagonal, 1.,
                      SolveAccuracy{goal > loose_goal ? std::numeric_limits<double>::infinity()
                                                      : refine_solves_above,
                                    refuse_solves_above})
   , A_(std::move(A))
-  , tolerance_(goal)
-{
-}
+  , tolerance_(goal) {}
 
-void MultigridInverse::residual(Vector &r,
-                                const Vector &x,
-                                const Vector &b,
-                                const bool /*accurate*/) const
-{
+void MultigridInverse::residual(Vector &r, const Vector &x, const Vector &b,
+                                const bool /*accurate*/) const {
   dealii::Vector<double> product(A_->size());
   A_->vmult(product, to_nodal(x));
   product.sadd(-1., 1., to_nodal(b));
   std::copy(product.begin(), product.end(), r.begin());
 }
 
-void MultigridInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &b) const
-{
-  for (std::size_t k = 0; k < x.size(); ++k)
-  {
+void MultigridInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &b) const {
+  for (std::size_t k = 0; k < x.size(); ++k) {
     ReductionControl control(max_cycles, 0., tolerance_, false, false);
     SolverCG<dealii::Vector<double>> solver(control);
     dealii::Vector<double> u(A_->size());
-    try
-    {
+    try {
       solver.solve(*A_, u, to_nodal(b[k]), VCycle{*A_});
-    }
-    catch (const SolverControl::NoConvergence &)
-    {
+    } catch (const SolverControl::NoConvergence &) {
       std::ostringstream message;
       message << "Multigrid reduced the residual of a linear system only to "
               << control.last_value() / control.initial_value() << " of what it was, in at most "
@@ -432,8 +380,7 @@ void MultigridInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &
 template <int dim>
 std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace<dim> &space,
                                                          const Scene<dim> &scene,
-                                                         const double goal)
-{
+                                                         const double goal) {
   const auto A = std::make_shared<const StiffnessMultigrid<dim>>(space, scene);
   DistributedVector diagonal = space.make_vector();
   const dealii::Vector<double> entries = A->diagonal();

@@ -9,17 +9,14 @@
 
 #include <numeric>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** The size below which groups are left to the sparse factorisation. */
 constexpr int min_group_size = 8;
 } // namespace
 
 Rows::Rows(const TrilinosWrappers::SparseMatrix &A)
-  : n(A.trilinos_matrix().NumMyRows())
-{
+  : n(A.trilinos_matrix().NumMyRows()) {
   // With all rows on this rank the columns are numbered like the rows.
   Assert(A.trilinos_matrix().ColMap().SameAs(A.trilinos_matrix().RowMap()), ExcInternalError());
   const int error = A.trilinos_matrix().ExtractCrsDataPointers(start, column, value);
@@ -27,15 +24,13 @@ Rows::Rows(const TrilinosWrappers::SparseMatrix &A)
 }
 
 CellInteriors::CellInteriors(const Rows &A, const std::vector<bool> &kept)
-  : rest_(A)
-{
+  : rest_(A) {
   const std::vector<std::pair<int, int>> groups = find_groups(A, kept);
   numbers_.assign(A.n, 0);
   for (const auto &[first, size] : groups)
     std::fill_n(numbers_.begin() + first, size, -1);
   for (int i = 0; i < A.n; ++i)
-    if (numbers_[i] == 0)
-    {
+    if (numbers_[i] == 0) {
       numbers_[i] = static_cast<int>(unknowns_.size());
       unknowns_.push_back(i);
     }
@@ -48,8 +43,7 @@ CellInteriors::CellInteriors(const Rows &A, const std::vector<bool> &kept)
 }
 
 std::vector<std::pair<int, int>> CellInteriors::find_groups(const Rows &A,
-                                                            const std::vector<bool> &kept) const
-{
+                                                            const std::vector<bool> &kept) const {
   std::vector<std::pair<int, int>> groups;
   std::vector<bool> eliminated(A.n, false);
   // What is eliminated adds entries for all pairs of the others, which must have a place in A.
@@ -61,8 +55,7 @@ std::vector<std::pair<int, int>> CellInteriors::find_groups(const Rows &A,
               std::includes(A.column + A.start[i], A.column + A.start[i + 1], begin, end));
     });
   };
-  for (int first = 0, next = 0; first < A.n; first = next)
-  {
+  for (int first = 0, next = 0; first < A.n; first = next) {
     next = first + 1;
     if (kept[first] || A.start[next] - A.start[first] < min_group_size)
       continue;
@@ -78,14 +71,11 @@ std::vector<std::pair<int, int>> CellInteriors::find_groups(const Rows &A,
   return groups;
 }
 
-void CellInteriors::copy_the_rest(const Rows &A)
-{
+void CellInteriors::copy_the_rest(const Rows &A) {
   start_ = {0};
-  for (const int i : unknowns_)
-  {
+  for (const int i : unknowns_) {
     for (int entry = A.start[i]; entry < A.start[i + 1]; ++entry)
-      if (numbers_[A.column[entry]] >= 0)
-      {
+      if (numbers_[A.column[entry]] >= 0) {
         column_.push_back(numbers_[A.column[entry]]);
         value_.push_back(A.value[entry]);
       }
@@ -97,8 +87,7 @@ void CellInteriors::copy_the_rest(const Rows &A)
   rest_.value = value_.data();
 }
 
-void CellInteriors::eliminate(const Rows &A, const int first, const int size)
-{
+void CellInteriors::eliminate(const Rows &A, const int first, const int size) {
   const int begin = A.start[first], n_others = A.start[first + 1] - begin - size;
   groups_.push_back({first,
                      size,
@@ -109,8 +98,7 @@ void CellInteriors::eliminate(const Rows &A, const int first, const int size)
   LAPACKFullMatrix<double> A_GG(size, size);
   // The rows of G have the same columns.
   int inside = 0;
-  for (int entry = 0; entry < size + n_others; ++entry)
-  {
+  for (int entry = 0; entry < size + n_others; ++entry) {
     const int number = numbers_[A.column[begin + entry]];
     const int column = number < 0 ? inside++ : static_cast<int>(group.others.size());
     for (int i = 0; i < size; ++i)
@@ -119,12 +107,9 @@ void CellInteriors::eliminate(const Rows &A, const int first, const int size)
       group.others.push_back(number);
   }
   A_GG.set_property(LAPACKSupport::symmetric);
-  try
-  {
+  try {
     A_GG.compute_cholesky_factorization();
-  }
-  catch (const LACExceptions::ExcSingular &)
-  {
+  } catch (const LACExceptions::ExcSingular &) {
     throw ComputationError("The factorisation of the stiffness matrix failed: the matrix is "
                            "singular or not positive definite.");
   }
@@ -135,12 +120,10 @@ void CellInteriors::eliminate(const Rows &A, const int first, const int size)
   group.L.solve(group.W);
   LAPACKFullMatrix<double> product(n_others, n_others);
   group.W.Tmmult(product, group.W);
-  for (int i = 0; i < n_others; ++i)
-  {
+  for (int i = 0; i < n_others; ++i) {
     // Both are in increasing order.
     int entry = start_[group.others[i]];
-    for (int j = 0; j < n_others; ++j)
-    {
+    for (int j = 0; j < n_others; ++j) {
       while (column_[entry] != group.others[j])
         ++entry;
       value_[entry] -= product(std::max(i, j), std::min(i, j));
@@ -148,12 +131,10 @@ void CellInteriors::eliminate(const Rows &A, const int first, const int size)
   }
 }
 
-void CellInteriors::reduce(const double *const b, double *const rest) const
-{
+void CellInteriors::reduce(const double *const b, double *const rest) const {
   for (std::size_t i = 0; i < unknowns_.size(); ++i)
     rest[i] = b[unknowns_[i]];
-  for (const Group &group : groups_)
-  {
+  for (const Group &group : groups_) {
     dealii::Vector<double> b_G(b + group.first, b + group.first + group.size),
       change(group.others.size());
     group.L.solve(b_G);
@@ -163,12 +144,10 @@ void CellInteriors::reduce(const double *const b, double *const rest) const
   }
 }
 
-void CellInteriors::expand(double *const x, const double *const rest) const
-{
+void CellInteriors::expand(double *const x, const double *const rest) const {
   for (std::size_t i = 0; i < unknowns_.size(); ++i)
     x[unknowns_[i]] = rest[i];
-  for (const Group &group : groups_)
-  {
+  for (const Group &group : groups_) {
     dealii::Vector<double> x_G(x + group.first, x + group.first + group.size),
       x_R(group.others.size());
     group.L.solve(x_G);

@@ -10,18 +10,15 @@
 #include <utility>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The rows of a serial matrix, with columns in increasing order. */
-struct Rows
-{
+struct Rows {
   Rows() = default;
   explicit Rows(const TrilinosWrappers::SparseMatrix &A);
 
-  bool same_pattern(const int i, const int j) const
-  {
-    return std::equal(
-      column + start[i], column + start[i + 1], column + start[j], column + start[j + 1]);
+  bool same_pattern(const int i, const int j) const {
+    return std::equal(column + start[i], column + start[i + 1], column + start[j],
+                      column + start[j + 1]);
   }
 
   int n = 0;
@@ -40,8 +37,7 @@ struct Rows
  * a sparse factorisation makes several copies before it computes anything: without this, graded
  * meshes need a seventh more memory and CPU seconds.
  */
-class CellInteriors
-{
+class CellInteriors {
 public:
   /**
    * Finds groups of unknowns that follow each other and have the same couplings, of which none is
@@ -51,13 +47,11 @@ public:
   CellInteriors(const Rows &A, const std::vector<bool> &kept);
 
   /** Returns A_RR - sum WᵀW. */
-  const Rows &rest() const
-  {
+  const Rows &rest() const {
     return rest_;
   }
   /** Returns the unknown of A that belongs to each unknown of rest(), in increasing order. */
-  const std::vector<int> &unknowns() const
-  {
+  const std::vector<int> &unknowns() const {
     return unknowns_;
   }
   /** Computes the right-hand side of rest() from that of A. */
@@ -66,8 +60,7 @@ public:
   void expand(double *x, const double *rest) const;
 
 private:
-  struct Group
-  {
+  struct Group {
     int first;
     int size;
     /** The unknowns R by numbers of rest(). */

@@ -11,10 +11,8 @@
 
 #include "cell_interiors.h"
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** CHOLMOD's long integers, which allow factors of more than 2^31 entries. */
 using Long = SuiteSparse_long;
 
@@ -23,10 +21,8 @@ using Long = SuiteSparse_long;
 constexpr double doubtful_pivot = 1e-9;
 
 /** The workspace of CHOLMOD, with its error states. */
-struct Workspace
-{
-  Workspace()
-  {
+struct Workspace {
+  Workspace() {
     cholmod_l_start(&common);
     common.print = 0;
     common.supernodal = CHOLMOD_SUPERNODAL;
@@ -34,8 +30,7 @@ struct Workspace
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_GIVEN;
   }
-  ~Workspace()
-  {
+  ~Workspace() {
     cholmod_l_finish(&common);
   }
   Workspace(const Workspace &) = delete;
@@ -45,8 +40,7 @@ struct Workspace
    * Checks the state.
    * @throws after a failed call.
    */
-  void check() const
-  {
+  void check() const {
     if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
       throw std::bad_alloc();
     if (common.status == CHOLMOD_NOT_POSDEF)
@@ -60,11 +54,9 @@ struct Workspace
 };
 
 /** A sparse symmetric matrix, or its pattern: the upper triangle by columns. */
-struct UpperTriangle
-{
+struct UpperTriangle {
   /** Returns the arrays as CHOLMOD reads them. */
-  cholmod_sparse view()
-  {
+  cholmod_sparse view() {
     cholmod_sparse matrix = {};
     matrix.nrow = matrix.ncol = start.size() - 1;
     matrix.nzmax = row.size();
@@ -83,14 +75,11 @@ struct UpperTriangle
 };
 
 /** Copies A without the zeros that the sparsity pattern holds. */
-UpperTriangle upper_triangle(const Rows &A)
-{
+UpperTriangle upper_triangle(const Rows &A) {
   UpperTriangle matrix;
-  for (int j = 0; j < A.n; ++j)
-  {
+  for (int j = 0; j < A.n; ++j) {
     for (int entry = A.start[j]; entry < A.start[j + 1]; ++entry)
-      if (A.column[entry] == j || (A.column[entry] < j && A.value[entry] != 0.))
-      {
+      if (A.column[entry] == j || (A.column[entry] < j && A.value[entry] != 0.)) {
         matrix.row.push_back(A.column[entry]);
         matrix.value.push_back(A.value[entry]);
       }
@@ -107,11 +96,9 @@ constexpr double couplings_in_3d = 20.;
 /** Returns an ordering of A with little fill: approximate minimum degree, in 3-D METIS. Unknowns
  * that follow each other with the same couplings (those of one node) are ordered as one: this takes
  * a quarter of the time, and the factor gets smaller. */
-std::vector<Long> fill_reducing_order(Workspace &workspace, const Rows &A)
-{
+std::vector<Long> fill_reducing_order(Workspace &workspace, const Rows &A) {
   std::vector<int> first = {0}, node(A.n, 0);
-  for (int i = 1; i < A.n; ++i)
-  {
+  for (int i = 1; i < A.n; ++i) {
     if (A.start[i + 1] - A.start[i] == 1 || !A.same_pattern(i - 1, i))
       first.push_back(i);
     node[i] = static_cast<int>(first.size()) - 1;
@@ -119,8 +106,7 @@ std::vector<Long> fill_reducing_order(Workspace &workspace, const Rows &A)
   const Long n_nodes = static_cast<Long>(first.size());
   first.push_back(A.n);
   UpperTriangle graph;
-  for (Long j = 0; j < n_nodes; ++j)
-  {
+  for (Long j = 0; j < n_nodes; ++j) {
     for (int entry = A.start[first[j]]; entry < A.start[first[j] + 1]; ++entry)
       if (node[A.column[entry]] <= j)
         graph.row.push_back(node[A.column[entry]]);
@@ -146,15 +132,13 @@ std::vector<Long> fill_reducing_order(Workspace &workspace, const Rows &A)
 } // namespace
 
 /** The factor L with the workspace it lives in. */
-class CondensedInverse::Factor
-{
+class CondensedInverse::Factor {
 public:
   Factor(const Rows &whole, const std::vector<Index> &last)
     : chosen_(marks(whole.n, last))
     , interiors_(whole, chosen_)
     , n_(interiors_.rest().n)
-    , n_last_(static_cast<Long>(last.size()))
-  {
+    , n_last_(static_cast<Long>(last.size())) {
     const Rows &A = interiors_.rest();
     UpperTriangle triangle = upper_triangle(A);
     cholmod_sparse matrix = triangle.view();
@@ -162,8 +146,7 @@ public:
     cholmod_l_factorize(&matrix, L_, &workspace_.common);
     workspace_.check();
   }
-  ~Factor()
-  {
+  ~Factor() {
     for (cholmod_dense **const dense : {&x_, &y_, &e_})
       cholmod_l_free_dense(dense, &workspace_.common);
     cholmod_l_free_factor(&L_, &workspace_.common);
@@ -173,8 +156,7 @@ public:
 
   /** Calls @p visit(i, j, L_ij) for every i ≥ j of the columns from @p first_column on. */
   template <typename Visitor>
-  void for_each_entry(const Long first_column, const Visitor &visit) const
-  {
+  void for_each_entry(const Long first_column, const Visitor &visit) const {
     const Long *const super = static_cast<Long *>(L_->super);
     const Long *const row_start = static_cast<Long *>(L_->pi);
     const Long *const value_start = static_cast<Long *>(L_->px);
@@ -182,11 +164,9 @@ public:
     const double *const values = static_cast<double *>(L_->x);
     const auto n_supernodes = static_cast<Long>(L_->nsuper);
     Long s = std::upper_bound(super, super + n_supernodes, first_column) - super - 1;
-    for (s = std::max(s, Long(0)); s < n_supernodes; ++s)
-    {
+    for (s = std::max(s, Long(0)); s < n_supernodes; ++s) {
       const Long n_rows = row_start[s + 1] - row_start[s];
-      for (Long j = std::max(super[s], first_column); j < super[s + 1]; ++j)
-      {
+      for (Long j = std::max(super[s], first_column); j < super[s + 1]; ++j) {
         const Long c = j - super[s];
         for (Long r = c; r < n_rows; ++r)
           visit(rows[row_start[s] + r], j, values[value_start[s] + c * n_rows + r]);
@@ -195,24 +175,20 @@ public:
   }
 
   /** Returns the unknown of A that is eliminated at this place, after the insides of cells. */
-  Long unknown_at(const Long place) const
-  {
+  Long unknown_at(const Long place) const {
     return interiors_.unknowns()[order()[place]];
   }
-  Long first_of_last() const
-  {
+  Long first_of_last() const {
     return n_ - n_last_;
   }
 
   /** Returns the smallest pivot over the largest one. */
-  double min_pivot()
-  {
+  double min_pivot() {
     return cholmod_l_rcond(L_, &workspace_.common);
   }
 
   /** Computes X = A⁻¹ X for n right-hand sides, one column after another. */
-  void solve(std::vector<double> &X, const Long n)
-  {
+  void solve(std::vector<double> &X, const Long n) {
     const std::size_t n_rows = X.size() / n;
     std::vector<double> B(n_ * n);
     for (Long k = 0; k < n; ++k)
@@ -224,16 +200,15 @@ public:
     right_hand_sides.x = B.data();
     right_hand_sides.xtype = CHOLMOD_REAL;
     right_hand_sides.dtype = CHOLMOD_DOUBLE;
-    cholmod_l_solve2(
-      CHOLMOD_A, L_, &right_hand_sides, nullptr, &x_, nullptr, &y_, &e_, &workspace_.common);
+    cholmod_l_solve2(CHOLMOD_A, L_, &right_hand_sides, nullptr, &x_, nullptr, &y_, &e_,
+                     &workspace_.common);
     workspace_.check();
     for (Long k = 0; k < n; ++k)
       interiors_.expand(X.data() + k * n_rows, static_cast<double *>(x_->x) + k * n_);
   }
 
 private:
-  static std::vector<bool> marks(const Long n, const std::vector<Index> &last)
-  {
+  static std::vector<bool> marks(const Long n, const std::vector<Index> &last) {
     std::vector<bool> chosen(n, false);
     for (const Index i : last)
       chosen[i] = true;
@@ -241,22 +216,19 @@ private:
   }
 
   /** Returns the unknowns of the rest in the order of their elimination. */
-  const Long *order() const
-  {
+  const Long *order() const {
     return static_cast<Long *>(L_->Perm);
   }
 
   /** Analyses the pattern. Postordering makes supernodes large; it keeps the chosen unknowns last
    * wherever the others are connected. Elsewhere they are moved once more, behind the trees that
    * came after them. */
-  void analyse(const Rows &A, cholmod_sparse &matrix)
-  {
+  void analyse(const Rows &A, cholmod_sparse &matrix) {
     std::vector<bool> chosen(n_, false);
     for (Long i = 0; i < n_; ++i)
       chosen[i] = chosen_[interiors_.unknowns()[i]];
     std::vector<Long> given = fill_reducing_order(workspace_, A);
-    for (const bool postorder : {true, false})
-    {
+    for (const bool postorder : {true, false}) {
       std::stable_partition(given.begin(), given.end(), [&](const Long i) { return !chosen[i]; });
       workspace_.common.postorder = postorder ? 1 : 0;
       cholmod_l_free_factor(&L_, &workspace_.common);
@@ -280,12 +252,10 @@ private:
   cholmod_dense *e_ = nullptr;
 };
 
-CondensedInverse::CondensedInverse(const TrilinosWrappers::SparseMatrix &matrix,
-                                   const double unit,
+CondensedInverse::CondensedInverse(const TrilinosWrappers::SparseMatrix &matrix, const double unit,
                                    const std::vector<Index> &last)
   : MatrixInverse(matrix, unit)
-  , factor_(std::make_unique<Factor>(Rows(matrix), last))
-{
+  , factor_(std::make_unique<Factor>(Rows(matrix), last)) {
   const Long first = factor_->first_of_last();
   for (unsigned int row = 0; row < last.size(); ++row)
     rows_[factor_->unknown_at(first + row)] = row;
@@ -297,10 +267,9 @@ CondensedInverse::CondensedInverse(const TrilinosWrappers::SparseMatrix &matrix,
 CondensedInverse::~CondensedInverse() = default;
 
 std::optional<TrailingFactor>
-CondensedInverse::trailing_factor(const std::vector<Index> &unknowns) const
-{
-  if (!std::all_of(
-        unknowns.begin(), unknowns.end(), [&](const Index i) { return rows_.count(i) == 1; }))
+CondensedInverse::trailing_factor(const std::vector<Index> &unknowns) const {
+  if (!std::all_of(unknowns.begin(), unknowns.end(),
+                   [&](const Index i) { return rows_.count(i) == 1; }))
     return {};
   const Long first = factor_->first_of_last();
   const auto n = static_cast<unsigned int>(rows_.size());
@@ -312,8 +281,7 @@ CondensedInverse::trailing_factor(const std::vector<Index> &unknowns) const
   return trailing;
 }
 
-void CondensedInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &b) const
-{
+void CondensedInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &b) const {
   if (b.empty())
     return;
   std::vector<double> X;
@@ -322,8 +290,7 @@ void CondensedInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &
     X.insert(X.end(), right_hand_side.begin(), right_hand_side.end());
   factor_->solve(X, static_cast<Long>(b.size()));
   auto begin = X.cbegin();
-  for (Vector &solution : x)
-  {
+  for (Vector &solution : x) {
     std::copy(begin, begin + solution.size(), solution.begin());
     begin += static_cast<std::ptrdiff_t>(solution.size());
   }

@@ -22,14 +22,11 @@
 #include <set>
 #include <sstream>
 
-namespace Signorini
-{
-namespace
-{
+namespace Signorini {
+namespace {
 /** Returns a number in [-1, 1) without a pattern that a kernel could be orthogonal to (a hash of
  * i). */
-double irregular_number(const types::global_dof_index i)
-{
+double irregular_number(const types::global_dof_index i) {
   const unsigned long long hash = (static_cast<unsigned long long>(i) + 1) * 0x9E3779B97F4A7C15ULL;
   return std::ldexp(static_cast<double>((hash ^ (hash >> 29U)) & 0xFFFFFFFFULL), -31) - 1.;
 }
@@ -42,26 +39,20 @@ double irregular_number(const types::global_dof_index i)
  * the users' guide of MUMPS.
  */
 template <typename Work>
-void call_solver(const std::string &failure, const Work &work)
-{
-  static const std::set<int> out_of_memory = {
-    -5, -7, -8, -9, -11, -13, -14, -15, -17, -18, -19, -20, -23, -25};
+void call_solver(const std::string &failure, const Work &work) {
+  static const std::set<int> out_of_memory = {-5,  -7,  -8,  -9,  -11, -13, -14,
+                                              -15, -17, -18, -19, -20, -23, -25};
   std::ostringstream printed;
-  struct Screen
-  {
+  struct Screen {
     std::streambuf *buffer;
-    ~Screen()
-    {
+    ~Screen() {
       std::cerr.rdbuf(buffer);
     }
   };
   const Screen screen = {std::cerr.rdbuf(printed.rdbuf())};
-  try
-  {
+  try {
     work();
-  }
-  catch (const ExceptionBase &)
-  {
+  } catch (const ExceptionBase &) {
     const std::string text = printed.str(), key = "INFOG(1) = ";
     const auto found = text.find(key);
     const int code = found == std::string::npos ? 0 : std::atoi(&text[found + key.size()]);
@@ -77,8 +68,7 @@ void call_solver(const std::string &failure, const Work &work)
   }
 }
 
-StiffnessInverse::Vector diagonal_of(const TrilinosWrappers::SparseMatrix &matrix)
-{
+StiffnessInverse::Vector diagonal_of(const TrilinosWrappers::SparseMatrix &matrix) {
   StiffnessInverse::Vector diagonal(matrix.locally_owned_range_indices(),
                                     matrix.get_mpi_communicator());
   for (const auto i : matrix.locally_owned_range_indices())
@@ -88,17 +78,13 @@ StiffnessInverse::Vector diagonal_of(const TrilinosWrappers::SparseMatrix &matri
 }
 
 /** The inverse by KLU (gathers the matrix on one rank) or MUMPS (distributed), through Amesos. */
-class AmesosInverse final : public MatrixInverse
-{
+class AmesosInverse final : public MatrixInverse {
 public:
-  AmesosInverse(const TrilinosWrappers::SparseMatrix &matrix,
-                const double unit,
-                const char *const type,
-                const unsigned int n_threads)
+  AmesosInverse(const TrilinosWrappers::SparseMatrix &matrix, const double unit,
+                const char *const type, const unsigned int n_threads)
     : MatrixInverse(matrix, unit)
     , n_threads_(n_threads)
-    , solver_(control_, TrilinosWrappers::SolverDirect::AdditionalData(false, type))
-  {
+    , solver_(control_, TrilinosWrappers::SolverDirect::AdditionalData(false, type)) {
     const LibraryThreads threads(n_threads_);
     call_solver("The factorisation of the stiffness matrix by " + std::string(type) + " failed",
                 [&]() { solver_.initialize(matrix); });
@@ -106,8 +92,7 @@ public:
   }
 
 private:
-  void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override
-  {
+  void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override {
     const LibraryThreads threads(n_threads_);
     call_solver("A linear solve failed", [&]() {
       for (std::size_t k = 0; k < x.size(); ++k)
@@ -121,32 +106,27 @@ private:
 };
 } // namespace
 
-StiffnessInverse::StiffnessInverse(const Vector &diagonal,
-                                   const double unit,
+StiffnessInverse::StiffnessInverse(const Vector &diagonal, const double unit,
                                    const SolveAccuracy &accuracy)
   : unit_(unit)
   , accuracy_(accuracy)
-  , scaling_(diagonal)
-{
+  , scaling_(diagonal) {
   for (const auto i : diagonal.locally_owned_elements())
     scaling_(i) = 1. / std::sqrt(diagonal(i));
   scaling_.compress(VectorOperation::insert);
 }
 
-StiffnessInverse::Vector StiffnessInverse::make_vector() const
-{
+StiffnessInverse::Vector StiffnessInverse::make_vector() const {
   return Vector(scaling_.locally_owned_elements(), communicator());
 }
 
-double StiffnessInverse::scaled_norm(const Vector &r) const
-{
+double StiffnessInverse::scaled_norm(const Vector &r) const {
   Vector scaled(r);
   scaled.scale(scaling_);
   return scaled.l2_norm();
 }
 
-double StiffnessInverse::refine(Vector &x, const Vector &r) const
-{
+double StiffnessInverse::refine(Vector &x, const Vector &r) const {
   std::vector<Vector> correction = {r};
   apply(correction, {r});
   x += correction[0];
@@ -156,20 +136,17 @@ double StiffnessInverse::refine(Vector &x, const Vector &r) const
 
 MatrixInverse::MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, const double unit)
   : StiffnessInverse(diagonal_of(matrix), unit, SolveAccuracy())
-  , matrix_(matrix)
-{
-}
+  , matrix_(matrix) {}
 
-void MatrixInverse::residual(Vector &r, const Vector &x, const Vector &b, const bool accurate) const
-{
+void MatrixInverse::residual(Vector &r, const Vector &x, const Vector &b,
+                             const bool accurate) const {
   if (accurate)
     accurate_residual(r, x, b);
   else
     matrix_.residual(r, x, b);
 }
 
-void MatrixInverse::accurate_residual(Vector &r, const Vector &x, const Vector &b) const
-{
+void MatrixInverse::accurate_residual(Vector &r, const Vector &x, const Vector &b) const {
   const Epetra_CrsMatrix &A = matrix_.trilinos_matrix();
   // The entries of x that the rows of this rank need.
   Epetra_Vector columns(A.ColMap());
@@ -180,8 +157,7 @@ void MatrixInverse::accurate_residual(Vector &r, const Vector &x, const Vector &
   const double *const x_values = columns.Values();
   const double *const right_hand_side = b.trilinos_vector()[0];
   double *const result = r.trilinos_vector()[0];
-  for (int row = 0; row < A.NumMyRows(); ++row)
-  {
+  for (int row = 0; row < A.NumMyRows(); ++row) {
     int n_entries = 0;
     double *values = nullptr;
     int *indices = nullptr;
@@ -198,8 +174,7 @@ void MatrixInverse::accurate_residual(Vector &r, const Vector &x, const Vector &
   }
 }
 
-StiffnessInverse::Check StiffnessInverse::improve(Vector &x, const Vector &b) const
-{
+StiffnessInverse::Check StiffnessInverse::improve(Vector &x, const Vector &b) const {
   Vector r(b);
   residual(r, x, b, false);
   const double size = scaled_norm(b);
@@ -209,8 +184,7 @@ StiffnessInverse::Check StiffnessInverse::improve(Vector &x, const Vector &b) co
     return check;
   residual(r, x, b, true);
   check.rounding_error = refine(x, r);
-  if (!(check.rounding_error < accuracy_.refuse_above))
-  {
+  if (!(check.rounding_error < accuracy_.refuse_above)) {
     std::ostringstream message;
     message
       << "Rounding errors are too large in a linear solve: one step of refinement changes the "
@@ -223,8 +197,7 @@ StiffnessInverse::Check StiffnessInverse::improve(Vector &x, const Vector &b) co
   // The first step shows what rounding does, also that in the entries of the matrix. Further ones
   // make answers to different right-hand sides agree with each other.
   double change = check.rounding_error;
-  for (unsigned int step = 0; step < 2 && change > 1e-13; ++step)
-  {
+  for (unsigned int step = 0; step < 2 && change > 1e-13; ++step) {
     residual(r, x, b, true);
     change = refine(x, r);
   }
@@ -233,11 +206,9 @@ StiffnessInverse::Check StiffnessInverse::improve(Vector &x, const Vector &b) co
   return check;
 }
 
-void StiffnessInverse::solve(std::vector<Vector> &x, const std::vector<Vector> &b) const
-{
+void StiffnessInverse::solve(std::vector<Vector> &x, const std::vector<Vector> &b) const {
   apply(x, b);
-  for (std::size_t k = 0; k < x.size(); ++k)
-  {
+  for (std::size_t k = 0; k < x.size(); ++k) {
     const Check check = improve(x[k], b[k]);
     x[k] /= unit_;
     ++n_solves_;
@@ -246,15 +217,13 @@ void StiffnessInverse::solve(std::vector<Vector> &x, const std::vector<Vector> &
   }
 }
 
-void StiffnessInverse::solve(Vector &x, const Vector &b) const
-{
+void StiffnessInverse::solve(Vector &x, const Vector &b) const {
   std::vector<Vector> several = {x};
   solve(several, {b});
   x = several[0];
 }
 
-void StiffnessInverse::refuse_singular_matrix() const
-{
+void StiffnessInverse::refuse_singular_matrix() const {
   Vector b = make_vector();
   for (const auto i : b.locally_owned_elements())
     b(i) = irregular_number(i);
@@ -264,31 +233,26 @@ void StiffnessInverse::refuse_singular_matrix() const
   improve(x[0], b);
 }
 
-LinearSolver resolve(const LinearSolver solver, const unsigned int n_ranks)
-{
+LinearSolver resolve(const LinearSolver solver, const unsigned int n_ranks) {
   if (solver != LinearSolver::automatic)
     return solver;
   return n_ranks == 1 ? LinearSolver::condensed : LinearSolver::amesos_mumps;
 }
 
 std::unique_ptr<StiffnessInverse>
-factorise(const TrilinosWrappers::SparseMatrix &matrix,
-          const double unit,
-          const LinearSolver solver,
-          const std::vector<types::global_dof_index> &contact_unknowns)
-{
+factorise(const TrilinosWrappers::SparseMatrix &matrix, const double unit,
+          const LinearSolver solver, const std::vector<types::global_dof_index> &contact_unknowns) {
   MPI_Comm communicator = matrix.get_mpi_communicator();
   const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-  switch (resolve(solver == LinearSolver::multigrid ? LinearSolver::automatic : solver, n_ranks))
-  {
+  switch (resolve(solver == LinearSolver::multigrid ? LinearSolver::automatic : solver, n_ranks)) {
   case LinearSolver::condensed:
     AssertThrow(n_ranks == 1, ExcMessage("The condensed factorisation works on one rank only."));
     return std::make_unique<CondensedInverse>(matrix, unit, contact_unknowns);
   case LinearSolver::amesos_klu:
     return std::make_unique<AmesosInverse>(matrix, unit, "Amesos_Klu", 1);
   default:
-    return std::make_unique<AmesosInverse>(
-      matrix, unit, "Amesos_Mumps", n_available_threads(communicator));
+    return std::make_unique<AmesosInverse>(matrix, unit, "Amesos_Mumps",
+                                           n_available_threads(communicator));
   }
 }
 } // namespace Signorini

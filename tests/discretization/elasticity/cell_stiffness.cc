@@ -11,52 +11,42 @@ using namespace Signorini;
 using dealii::Point;
 using dealii::Tensor;
 
-namespace
-{
+namespace {
 constexpr double lambda = 2., mu = 3.;
 /** E = mu (3 lambda + 2 mu)/(lambda + mu), nu = lambda/(2 (lambda + mu)). */
 const std::string elastic = "subsection Material\nset Young's modulus = 7.2\n"
                             "set Poisson's ratio = 0.2\nend\n";
 
-std::string rectangle(const std::string &upper_right, const std::string &material)
-{
+std::string rectangle(const std::string &upper_right, const std::string &material) {
   return "subsection Geometry\nset Upper right = " + upper_right +
          "\nend\nsubsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" + material;
 }
 
-std::string polygon(const std::string &vertices)
-{
+std::string polygon(const std::string &vertices) {
   return "subsection Geometry\nset Shape = polygon\nset Vertices = " + vertices +
          "\nend\nsubsection Boundary\nset Clamped = side2\nset Contact = side0\nend\n" + elastic;
 }
 
 /** A mesh without contact faces, which the stiffness does not know of. */
-struct Body
-{
-  Body(const std::string &text,
-       const unsigned int level,
+struct Body {
+  Body(const std::string &text, const unsigned int level,
        const StrainOperator strain_operator = StrainOperator::symmetric_gradient)
     : scene(scene_of(text))
     , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
     , space(mesh, scene, strain_operator)
     , stiffness(space, scene)
-    , unit(stiffness_unit(space, *scene.material))
-  {
-  }
+    , unit(stiffness_unit(space, *scene.material)) {}
 
-  dealii::FullMatrix<double> first_matrix()
-  {
+  dealii::FullMatrix<double> first_matrix() {
     dealii::FullMatrix<double> matrix = stiffness(mesh.triangulation().begin_active());
     matrix *= unit;
     return matrix;
   }
   /** a(u,u) on the first cell for the nodal interpolant of u. */
-  double energy(const Field &u)
-  {
+  double energy(const Field &u) {
     const auto cell = mesh.triangulation().begin_active();
     dealii::Vector<double> U(8);
-    for (unsigned int i = 0; i < 8; ++i)
-    {
+    for (unsigned int i = 0; i < 8; ++i) {
       const auto component_and_vertex = space.element().system_to_component_index(i);
       U[i] = u(cell->vertex(component_and_vertex.second))[component_and_vertex.first];
     }
@@ -74,13 +64,8 @@ struct Body
  * a(phi_j e_d, phi_i e_c) on the rectangle [0,a] x [0,b] from the integrals of X' X' (stretch), X X
  * (mass) and X' (slope) of linear X on [0,1].
  */
-double exact_entry(const unsigned int v,
-                   const unsigned int c,
-                   const unsigned int w,
-                   const unsigned int d,
-                   const double a,
-                   const double b)
-{
+double exact_entry(const unsigned int v, const unsigned int c, const unsigned int w,
+                   const unsigned int d, const double a, const double b) {
   const auto stretch = [](const unsigned int i, const unsigned int j) { return i == j ? 1. : -1.; };
   const auto mass = [](const unsigned int i, const unsigned int j) {
     return i == j ? 1. / 3. : 1. / 6.;
@@ -97,53 +82,46 @@ double exact_entry(const unsigned int v,
   return c == 0 ? lambda * v_x_w_y + mu * v_y_w_x : lambda * v_y_w_x + mu * v_x_w_y;
 }
 
-double distance_to_exact(Body &body, const double a, const double b)
-{
+double distance_to_exact(Body &body, const double a, const double b) {
   const auto matrix = body.first_matrix();
   const auto &element = body.space.element();
   double largest = 0.;
   for (unsigned int i = 0; i < 8; ++i)
-    for (unsigned int j = 0; j < 8; ++j)
-    {
+    for (unsigned int j = 0; j < 8; ++j) {
       const auto vi = element.system_to_component_index(i);
       const auto wj = element.system_to_component_index(j);
-      largest = std::max(
-        largest,
-        std::abs(matrix(i, j) - exact_entry(vi.second, vi.first, wj.second, wj.first, a, b)));
+      largest = std::max(largest, std::abs(matrix(i, j) - exact_entry(vi.second, vi.first,
+                                                                      wj.second, wj.first, a, b)));
     }
   return largest;
 }
 
-double distance(const dealii::FullMatrix<double> &a, const dealii::FullMatrix<double> &b)
-{
+double distance(const dealii::FullMatrix<double> &a, const dealii::FullMatrix<double> &b) {
   dealii::FullMatrix<double> difference(a);
   difference.add(-1., b);
   return difference.linfty_norm();
 }
 
-void rectangles(Checks &checks)
-{
+void rectangles(Checks &checks) {
   Body square(rectangle("1, 1", elastic), 0);
   const auto matrix = square.first_matrix();
   checks.near("square: all 64 entries", distance_to_exact(square, 1., 1.), 0., 1e-14);
   Body stretched(rectangle("3, 0.5", elastic), 0);
   checks.near("rectangle: all 64 entries", distance_to_exact(stretched, 3., 0.5), 0., 1e-13);
   Body tiny(rectangle("1e-6, 1e-6", elastic), 3);
-  checks.near(
-    "independent of the size of the square", distance(matrix, tiny.first_matrix()), 0., 1e-13);
+  checks.near("independent of the size of the square", distance(matrix, tiny.first_matrix()), 0.,
+              1e-13);
 }
 
 /** Rigid motions cost nothing, linear fields |K| sigma:eps, on every shape of cell. */
-void shapes(Checks &checks)
-{
+void shapes(Checks &checks) {
   const std::pair<const char *, const char *> vertices[] = {
     {"square", "0,0; 1,0; 1,1; 0,1"},
     {"parallelogram", "0,0; 2,1; 3,3; 1,2"},
     {"quadrilateral", "0,0; 2,-0.5; 2.5,1.5; -0.3,1"}};
   // The shoelace formula.
   const double areas[] = {1., 3., 3.6};
-  for (unsigned int k = 0; k < 3; ++k)
-  {
+  for (unsigned int k = 0; k < 3; ++k) {
     Body body(polygon(vertices[k].second), 0);
     checks.about(vertices[k].first);
     const double scale = body.first_matrix().linfty_norm();
@@ -163,14 +141,11 @@ void shapes(Checks &checks)
 }
 
 /** Cells of several shapes in turn: the matrix is that of a fresh integration. */
-void congruent_cells(Checks &checks)
-{
-  for (const char *vertices : {"0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1", "0,0; 2,1; 3,3; 1,2"})
-  {
+void congruent_cells(Checks &checks) {
+  for (const char *vertices : {"0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1", "0,0; 2,1; 3,3; 1,2"}) {
     Body body(polygon(vertices), 2);
     double largest = 0.;
-    for (const auto &cell : body.mesh.triangulation().active_cell_iterators())
-    {
+    for (const auto &cell : body.mesh.triangulation().active_cell_iterators()) {
       CellStiffness<2> fresh(body.space, body.scene);
       largest = std::max(largest, distance(body.stiffness(cell), fresh(cell)));
     }
@@ -179,8 +154,7 @@ void congruent_cells(Checks &checks)
 }
 
 /** nu = 0: a(u,u) = int E eps:eps. */
-void varying_modulus(Checks &checks)
-{
+void varying_modulus(Checks &checks) {
   const auto material = [](const std::string &modulus) {
     return "subsection Material\nset Young's modulus = " + modulus +
            "\nset Poisson's ratio = 0\nend\n";
@@ -194,27 +168,23 @@ void varying_modulus(Checks &checks)
   Body kinked(
     rectangle("1, 1", material("1 + max(x - 0.3, 0)") + "Discretization/Kinks at x = 0.3\n"), 0);
   // int_0.3^1 (x - 0.3) = 0.245.
-  checks.near("E with a kink",
-              kinked.energy([](const Point<2> &x) { return Point<2>(x[0], 0.); }),
-              1.245,
-              1e-14);
+  checks.near("E with a kink", kinked.energy([](const Point<2> &x) { return Point<2>(x[0], 0.); }),
+              1.245, 1e-14);
 }
 
 /** u = (x y, 0): tr eps = y has the mean 1/2, so that the strain is (y/2 + 1/4, 1/4 - y/2, x/2). */
-void mean_dilatation(Checks &checks)
-{
+void mean_dilatation(Checks &checks) {
   Body square(rectangle("1, 1", elastic), 0, StrainOperator::mean_dilatation);
   const double linear = square.energy(
     [](const Point<2> &x) { return Point<2>(0.3 * x[0] + 0.4 * x[1], -0.2 * x[0] - 0.2 * x[1]); });
-  checks.near(
-    "B-bar: linear fields are not affected", linear, lambda * 0.01 + 2. * mu * 0.15, 1e-14);
+  checks.near("B-bar: linear fields are not affected", linear, lambda * 0.01 + 2. * mu * 0.15,
+              1e-14);
   const double twist = square.energy([](const Point<2> &x) { return Point<2>(x[0] * x[1], 0.); });
   checks.near("B-bar: u = (x y, 0)", twist, lambda / 4. + 2. * mu * 22. / 48., 1e-14);
 }
 
 /** internal_forces is the product with the unconstrained matrix: work and resultants. */
-void forces(Checks &checks)
-{
+void forces(Checks &checks) {
   const Body body(polygon("0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1"), 2);
   RandomNumbers random(1);
   const Displacement U = body.space.displacement(random_rows(body.space, random));
@@ -222,13 +192,9 @@ void forces(Checks &checks)
   const double scale = internal.l1_norm();
   const Field rotation = [](const Point<2> &x) { return Point<2>(-x[1], x[0]); };
   const Field translation = [](const Point<2> &) { return Point<2>(1., 2.); };
-  checks.near("internal forces have no resultant",
-              internal * nodal_values(body.space, translation),
-              0.,
-              1e-13 * scale);
-  checks.near("internal forces have no moment",
-              internal * nodal_values(body.space, rotation),
-              0.,
+  checks.near("internal forces have no resultant", internal * nodal_values(body.space, translation),
+              0., 1e-13 * scale);
+  checks.near("internal forces have no moment", internal * nodal_values(body.space, rotation), 0.,
               1e-13 * scale);
   const auto linear = nodal_values(body.space, [](const Point<2> &x) {
     return Point<2>(0.3 * x[0] + 0.4 * x[1], -0.2 * x[0] - 0.2 * x[1]);
@@ -236,13 +202,11 @@ void forces(Checks &checks)
   // Area of the pentagon by the shoelace formula: 5.
   checks.near("work of a linear field",
               linear * body.space.dual(internal_forces(body.space, body.scene, linear).forces),
-              5. * (lambda * 0.01 + 2. * mu * 0.15),
-              1e-12);
+              5. * (lambda * 0.01 + 2. * mu * 0.15), 1e-12);
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
-  return run_tests(
-    argc, argv, {rectangles, shapes, congruent_cells, varying_modulus, mean_dilatation, forces});
+int main(int argc, char **argv) {
+  return run_tests(argc, argv,
+                   {rectangles, shapes, congruent_cells, varying_modulus, mean_dilatation, forces});
 }

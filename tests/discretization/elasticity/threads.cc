@@ -13,16 +13,13 @@
 
 using namespace Signorini;
 
-namespace
-{
-void set_threads(const std::string &n)
-{
+namespace {
+void set_threads(const std::string &n) {
   setenv("DEAL_II_NUM_THREADS", n.c_str(), 1);
 }
 
 /** Expressions everywhere, a kink, and cells of which no two are congruent. */
-std::string scene(const std::string &body_force)
-{
+std::string scene(const std::string &body_force) {
   return "subsection Boundary\nset Clamped = top\nset Contact = bottom\nset Traction = left: "
          "sin(y); x\n"
          "end\n" +
@@ -32,13 +29,11 @@ std::string scene(const std::string &body_force)
          "Discretization/Kinks at x = 0.3\n";
 }
 
-void assembly(Checks &checks)
-{
+void assembly(Checks &checks) {
   const OneLevel level(scene("exp(x); max(0, x - 0.3)"), 5);
   set_threads("1");
   const LinearSystem<2> one = assemble_linear_system(level.space(), level.scene, 3);
-  for (const std::string n : {"2", "5"})
-  {
+  for (const std::string n : {"2", "5"}) {
     set_threads(n);
     LinearSystem<2> several = assemble_linear_system(level.space(), level.scene, 3);
     several.matrix.add(-1., one.matrix);
@@ -47,18 +42,14 @@ void assembly(Checks &checks)
     several.applied.force -= one.applied.force;
     several.applied.moment -= one.applied.moment;
     checks.near("the same on " + n + " threads",
-                {several.matrix.frobenius_norm(),
-                 several.f.linfty_norm(),
-                 several.loads.linfty_norm(),
-                 several.applied.force.norm(),
+                {several.matrix.frobenius_norm(), several.f.linfty_norm(),
+                 several.loads.linfty_norm(), several.applied.force.norm(),
                  several.applied.moment.norm()},
-                std::vector<double>(5, 0.),
-                0.);
+                std::vector<double>(5, 0.), 0.);
   }
 }
 
-void failures(Checks &checks)
-{
+void failures(Checks &checks) {
   set_threads("3");
   const OneLevel level(scene("0; (x-0.78)^2+(y-0.5)^2 < 8e-5 ? 1/0 : 0"), 5);
   checks.throws<InputError>("what fails in a thread", "Load/Body force: ", [&]() {
@@ -66,25 +57,20 @@ void failures(Checks &checks)
   });
 }
 
-void order(Checks &checks)
-{
+void order(Checks &checks) {
   set_threads("4");
   checks.that("DEAL_II_NUM_THREADS", n_available_threads(MPI_COMM_WORLD) == 4);
-  for (const std::size_t n : {0U, 1U, 3U, 100U})
-  {
+  for (const std::size_t n : {0U, 1U, 3U, 100U}) {
     std::vector<std::size_t> expected(n), found;
     std::iota(expected.begin(), expected.end(), 0U);
     produce_in_parallel<std::size_t>(
-      4,
-      n,
-      [](const std::size_t i) { return i; },
+      4, n, [](const std::size_t i) { return i; },
       [&](const std::size_t i) { found.push_back(i); });
     checks.that(std::to_string(n) + " results in order", found == expected);
   }
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {assembly, failures, order});
 }

@@ -13,8 +13,7 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 using Point = dealii::Point<2>;
 using S = dealii::Point<1>;
 
@@ -22,8 +21,7 @@ using S = dealii::Point<1>;
 constexpr Partition by_faces = {1, 0};
 
 /** A body that may touch on the sides of these numbers. */
-Scene<2> touching(const Geometry<2> &geometry, const std::vector<unsigned int> &sides)
-{
+Scene<2> touching(const Geometry<2> &geometry, const std::vector<unsigned int> &sides) {
   Scene<2> scene;
   scene.geometry = geometry;
   scene.boundary.resize(geometry.sides.size());
@@ -32,8 +30,7 @@ Scene<2> touching(const Geometry<2> &geometry, const std::vector<unsigned int> &
   return scene;
 }
 
-std::vector<unsigned int> all_sides(const Geometry<2> &geometry)
-{
+std::vector<unsigned int> all_sides(const Geometry<2> &geometry) {
   std::vector<unsigned int> sides;
   for (unsigned int i = 0; i < geometry.sides.size(); ++i)
     sides.push_back(i);
@@ -41,13 +38,11 @@ std::vector<unsigned int> all_sides(const Geometry<2> &geometry)
 }
 
 /** The arc lengths at which a face of the mesh begins and ends. */
-struct Interval
-{
+struct Interval {
   double start, end;
 };
 
-Interval interval_of(const ContactFace<2> &face, const Side<2> &side)
-{
+Interval interval_of(const ContactFace<2> &face, const Side<2> &side) {
   const auto line = face.cell->face(face.face_no);
   const double a = side.arc_length(line->vertex(0)), b = side.arc_length(line->vertex(1));
   return {std::min(a, b), std::max(a, b)};
@@ -55,44 +50,38 @@ Interval interval_of(const ContactFace<2> &face, const Side<2> &side)
 
 /** The largest distance of the points of a rule from the points of the face at their own
  * parameters, and from the points of the side at their arc lengths. */
-double parameter_error(const ContactFace<2> &face, const Side<2> &side, const SurfaceRule<2> &rule)
-{
+double parameter_error(const ContactFace<2> &face, const Side<2> &side,
+                       const SurfaceRule<2> &rule) {
   const auto line = face.cell->face(face.face_no);
   double largest = 0.;
-  for (std::size_t q = 0; q < rule.size(); ++q)
-  {
+  for (std::size_t q = 0; q < rule.size(); ++q) {
     const Point x = line->vertex(0) + rule.on_face[q][0] * (line->vertex(1) - line->vertex(0));
-    largest = std::max({largest,
-                        x.distance(side.point(rule.on_side[q])),
-                        x.distance(rule.points[q]),
-                        (rule.normals[q] - side.normal(0.)).norm()});
+    largest = std::max({largest, x.distance(side.point(rule.on_side[q])),
+                        x.distance(rule.points[q]), (rule.normals[q] - side.normal(0.)).norm()});
   }
   return largest;
 }
 
 /** Pieces lie in their face and patch, in the order of arc length, fill both, and are no slivers;
  * their points on the mesh integrate s and s^2 along the side. */
-void test_pieces(Checks &checks, const Geometry<2> &geometry, const ContactSurface<2> &surface)
-{
+void test_pieces(Checks &checks, const Geometry<2> &geometry, const ContactSurface<2> &surface) {
   const auto &faces = surface.faces();
   const auto &patches = surface.patches();
   std::vector<double> in_face(faces.size(), 0.), in_patch(patches.size(), 0.);
   double reached = 0., off = 0.;
-  for (std::size_t i = 0; i < surface.pieces().size(); ++i)
-  {
+  for (std::size_t i = 0; i < surface.pieces().size(); ++i) {
     const Piece<2> &piece = surface.pieces()[i];
     const ContactFace<2> &face = faces.at(piece.face);
     const Patch<2> &patch = patches.at(piece.patch);
     const Side<2> &side = geometry.sides[face.side];
     const Interval whole = interval_of(face, side);
     const double start = piece.lower[0], end = piece.upper[0];
-    checks.that("pieces in face and patch",
-                face.side == patch.side && start >= std::max(whole.start, patch.lower[0]) &&
-                  end <= std::min(whole.end, patch.upper[0]));
+    checks.that("pieces in face and patch", face.side == patch.side &&
+                                              start >= std::max(whole.start, patch.lower[0]) &&
+                                              end <= std::min(whole.end, patch.upper[0]));
     if (i > 0)
-      checks.that("sorted",
-                  piece.face >= surface.pieces()[i - 1].face &&
-                    piece.patch >= surface.pieces()[i - 1].patch);
+      checks.that("sorted", piece.face >= surface.pieces()[i - 1].face &&
+                              piece.patch >= surface.pieces()[i - 1].patch);
     const bool is_first = i == 0 || faces[surface.pieces()[i - 1].face].side != face.side;
     checks.near("no holes", start, is_first ? 0. : reached, 1e-14);
     if (i + 1 == surface.pieces().size() || faces[surface.pieces()[i + 1].face].side != face.side)
@@ -103,19 +92,15 @@ void test_pieces(Checks &checks, const Geometry<2> &geometry, const ContactSurfa
     checks.that("no slivers", end - start > 1e-4 * (whole.end - whole.start));
     const Piece<2> half = surface.part(piece, 0, 2);
     checks.near("half a piece", half.upper[0] - half.lower[0], 0.5 * (end - start), 1e-14);
-    off = std::max({off,
-                    parameter_error(face, side, piece.on_mesh),
+    off = std::max({off, parameter_error(face, side, piece.on_mesh),
                     parameter_error(face, side, surface.at(half, {S(0.), S(0.3), S(1.)})),
                     parameter_error(face, side, surface.at(piece, {S(0.), S(0.3), S(1.)}))});
-    for (unsigned int k = 0; k <= 2; ++k)
-    {
+    for (unsigned int k = 0; k <= 2; ++k) {
       double sum = 0.;
       for (std::size_t q = 0; q < piece.on_mesh.size(); ++q)
         sum += std::pow(piece.on_mesh.on_side[q][0], k) * piece.on_mesh.weights[q];
-      checks.near("points on the mesh integrate s^k",
-                  sum,
-                  (std::pow(end, k + 1) - std::pow(start, k + 1)) / (k + 1),
-                  1e-13);
+      checks.near("points on the mesh integrate s^k", sum,
+                  (std::pow(end, k + 1) - std::pow(start, k + 1)) / (k + 1), 1e-13);
     }
   }
   checks.near("pieces fill faces", in_face, std::vector<double>(faces.size(), 1.), 1e-13);
@@ -124,10 +109,8 @@ void test_pieces(Checks &checks, const Geometry<2> &geometry, const ContactSurfa
 }
 
 /** Every side is covered by so many faces. */
-void test_faces(Checks &checks,
-                const Geometry<2> &geometry,
-                const std::vector<double> &faces_per_side)
-{
+void test_faces(Checks &checks, const Geometry<2> &geometry,
+                const std::vector<double> &faces_per_side) {
   const Mesh<2> mesh(geometry, 0, 2, MPI_COMM_WORLD);
   const Scene<2> scene = touching(geometry, all_sides(geometry));
   const ContactSurface<2> surface(mesh, scene, by_faces);
@@ -139,8 +122,8 @@ void test_faces(Checks &checks,
   test_pieces(checks, geometry, surface);
 }
 
-void compare(Checks &checks, const ContactSurface<2> &surface, const std::vector<double> &expected)
-{
+void compare(Checks &checks, const ContactSurface<2> &surface,
+             const std::vector<double> &expected) {
   std::vector<double> lengths;
   for (const auto &patch : surface.patches())
     lengths.push_back(patch.measure);
@@ -148,16 +131,14 @@ void compare(Checks &checks, const ContactSurface<2> &surface, const std::vector
 }
 
 /** The bottom of a rectangle 3 x 1 with 8 faces of length 3/8, and its left side with 4. */
-void test_ratios(Checks &checks)
-{
+void test_ratios(Checks &checks) {
   const Geometry<2> geometry = make_rectangle(Point(-1., 0.), Point(2., 1.), {2, 1});
   const Mesh<2> mesh(geometry, 0, 2, MPI_COMM_WORLD);
   const double h = 0.375;
   const Scene<2> bottom = touching(geometry, {2});
-  checks.near(
-    "only contact sides are found", ContactSurface<2>(mesh, bottom, by_faces).faces().size(), 8, 0);
-  struct Row
-  {
+  checks.near("only contact sides are found",
+              ContactSurface<2>(mesh, bottom, by_faces).faces().size(), 8, 0);
+  struct Row {
     unsigned int ratio;
     std::vector<double> expected;
     bool unstable;
@@ -167,8 +148,7 @@ void test_ratios(Checks &checks)
                                  {3, {3 * h, 5 * h}, false},
                                  {5, {8 * h}, false},
                                  {100, {8 * h}, false}};
-  for (const Row &row : rows)
-  {
+  for (const Row &row : rows) {
     checks.about("ratio " + std::to_string(row.ratio));
     const ContactSurface<2> surface(mesh, bottom, Partition{row.ratio, 0});
     compare(checks, surface, row.expected);
@@ -197,13 +177,11 @@ void test_ratios(Checks &checks)
 }
 
 /** n equal patches on the 8 faces of the bottom and the 4 of the left side. */
-void test_equal_patches(Checks &checks)
-{
+void test_equal_patches(Checks &checks) {
   const Geometry<2> geometry = make_rectangle(Point(-1., 0.), Point(2., 1.), {2, 1});
   const Mesh<2> mesh(geometry, 0, 2, MPI_COMM_WORLD);
   const Scene<2> bottom = touching(geometry, {2});
-  for (const unsigned int n : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 16U})
-  {
+  for (const unsigned int n : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 16U}) {
     checks.about(std::to_string(n) + " equal patches");
     const ContactSurface<2> surface(mesh, bottom, Partition{2, n});
     compare(checks, surface, std::vector<double>(n, 3. / n));
@@ -225,18 +203,14 @@ void test_equal_patches(Checks &checks)
   const Scene<2> around = touching(odd, all_sides(odd));
   for (const unsigned int n : {2, 4, 8, 16})
     checks.near("aligned with 16 faces",
-                ContactSurface<2>(odd_mesh, around, Partition{2, n}).pieces().size(),
-                48,
-                0);
+                ContactSurface<2>(odd_mesh, around, Partition{2, n}).pieces().size(), 48, 0);
   test_pieces(checks, odd, ContactSurface<2>(odd_mesh, around, Partition{2, 5}));
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(
-    argc,
-    argv,
+    argc, argv,
     {[](Checks &checks) {
        test_faces(checks, make_rectangle(Point(-1., 0.), Point(2., 1.), {2, 1}), {4., 4., 8., 8.});
        test_faces(
@@ -244,6 +218,5 @@ int main(int argc, char **argv)
          make_polygon({Point(0., 0.), Point(2., -1.), Point(4., 0.), Point(4., 3.), Point(1., 2.)}),
          std::vector<double>(5, 8.));
      },
-     test_ratios,
-     test_equal_patches});
+     test_ratios, test_equal_patches});
 }

@@ -18,41 +18,35 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 using Point = dealii::Point<2>;
 using Cell = dealii::Triangulation<2>::active_cell_iterator;
 using Integrand = std::function<double(const Point &)>;
 
-std::vector<KinkLine<2>> lines(const std::vector<double> &at_x, const std::vector<double> &at_y)
-{
+std::vector<KinkLine<2>> lines(const std::vector<double> &at_x, const std::vector<double> &at_y) {
   return lines_at<2>({{at_x, at_y}});
 }
 
 using RuleOf = std::function<dealii::Quadrature<2>(const Cell &)>;
 
-dealii::Triangulation<2> mesh_of(const Geometry<2> &geometry)
-{
+dealii::Triangulation<2> mesh_of(const Geometry<2> &geometry) {
   dealii::Triangulation<2> mesh;
   geometry.make_coarse_mesh(mesh);
   return mesh;
 }
 
-RuleOf cut(const Kinks<2> &kinks, const unsigned int n_points)
-{
+RuleOf cut(const Kinks<2> &kinks, const unsigned int n_points) {
   return [&kinks, n_points](const Cell &cell) { return cut_quadrature(kinks, cell, n_points); };
 }
 
 /** The integral over a mesh; rules are without negative weights. */
-double integrate(const dealii::Triangulation<2> &mesh, const RuleOf &rule_of, const Integrand &f)
-{
+double integrate(const dealii::Triangulation<2> &mesh, const RuleOf &rule_of, const Integrand &f) {
   const dealii::FE_Q<2> fe(1);
   double sum = 0.;
-  for (const Cell &cell : mesh.active_cell_iterators())
-  {
+  for (const Cell &cell : mesh.active_cell_iterators()) {
     const dealii::Quadrature<2> rule = rule_of(cell);
-    dealii::FEValues<2> values(
-      fe, rule, dealii::update_quadrature_points | dealii::update_JxW_values);
+    dealii::FEValues<2> values(fe, rule,
+                               dealii::update_quadrature_points | dealii::update_JxW_values);
     values.reinit(typename dealii::Triangulation<2>::cell_iterator(cell));
     for (const unsigned int q : values.quadrature_point_indices())
       sum += rule.weight(q) < 0. ? std::nan("") : f(values.quadrature_point(q)) * values.JxW(q);
@@ -60,25 +54,21 @@ double integrate(const dealii::Triangulation<2> &mesh, const RuleOf &rule_of, co
   return sum;
 }
 
-double positive_power(const double t, const unsigned int k)
-{
+double positive_power(const double t, const unsigned int k) {
   return t > 0. ? std::pow(t, k) : 0.;
 }
 
-void test_rectangle(Checks &checks)
-{
+void test_rectangle(Checks &checks) {
   const auto mesh = mesh_of(make_rectangle(Point(0., 0.), Point(1., 2.), {1, 1}));
   const Kinks<2> kinks(lines({0.3}, {}));
   for (unsigned int k = 1; k <= 4; ++k)
     for (unsigned int j = 0; j <= 2; ++j)
       checks.near("rectangle: max(x-c,0)^k y^j",
-                  integrate(mesh,
-                            cut(kinks, 4),
+                  integrate(mesh, cut(kinks, 4),
                             [&](const Point &x) {
                               return positive_power(x[0] - 0.3, k) * std::pow(x[1], j);
                             }),
-                  std::pow(0.7, k + 1) / (k + 1) * std::pow(2., j + 1) / (j + 1),
-                  1e-14);
+                  std::pow(0.7, k + 1) / (k + 1) * std::pow(2., j + 1) / (j + 1), 1e-14);
 
   // |x-a| |x-b| |y-c| |y-d| with the lines in any order, twice and outside of the cell.
   const Kinks<2> several(lines({0.6, 0.3, 0.6, -1., 7.}, {1.7, 0.5, 2., 0.}));
@@ -89,31 +79,26 @@ void test_rectangle(Checks &checks)
     return 2. * primitive(a) - 2. * primitive(b) + primitive(end);
   };
   checks.near("rectangle: crossing lines",
-              integrate(mesh,
-                        cut(several, 3),
+              integrate(mesh, cut(several, 3),
                         [](const Point &x) {
                           return std::abs((x[0] - 0.3) * (x[0] - 0.6) * (x[1] - 0.5) *
                                           (x[1] - 1.7));
                         }),
-              signed_integral(0.3, 0.6, 1.) * signed_integral(0.5, 1.7, 2.),
-              1e-14);
+              signed_integral(0.3, 0.6, 1.) * signed_integral(0.5, 1.7, 2.), 1e-14);
 }
 
 /** The corners (0,0), (3,0), (2,2), (0,1). */
-void test_quadrilateral(Checks &checks)
-{
+void test_quadrilateral(Checks &checks) {
   const auto mesh =
     mesh_of(make_polygon({Point(0., 0.), Point(3., 0.), Point(2., 2.), Point(0., 1.)}));
   const Kinks<2> kinks(lines({1.}, {1.}));
-  for (unsigned int k = 1; k <= 4; ++k)
-  {
+  for (unsigned int k = 1; k <= 4; ++k) {
     const double p = std::pow(2., k + 1);
     const auto of = [&](const unsigned int d) {
-      return integrate(
-        mesh, cut(kinks, 4), [&](const Point &x) { return positive_power(x[d] - 1., k); });
+      return integrate(mesh, cut(kinks, 4),
+                       [&](const Point &x) { return positive_power(x[d] - 1., k); });
     };
-    checks.near("quadrilateral: max(x-1,0)^k",
-                of(0),
+    checks.near("quadrilateral: max(x-1,0)^k", of(0),
                 1.5 / (k + 1) + 0.5 / (k + 2) + 4. * (p - 1.) / (k + 1) -
                   2. * (2. * p - 1.) / (k + 2),
                 1e-12);
@@ -122,8 +107,7 @@ void test_quadrilateral(Checks &checks)
 }
 
 /** A distorted mesh of the unit square: crossed cells by pieces, the others by the plain rule. */
-void test_mesh(Checks &checks)
-{
+void test_mesh(Checks &checks) {
   auto mesh = mesh_of(make_rectangle(Point(0., 0.), Point(1., 1.), {7, 5}));
   dealii::GridTools::distort_random(0.25, mesh, true);
   const double xi = std::sqrt(0.5), eta = 0.4;
@@ -132,8 +116,7 @@ void test_mesh(Checks &checks)
   unsigned int crossed = 0;
   const auto of = [&](const RuleOf &rule_of) {
     const double exact = (1. - xi) * (1. - xi) / 2. * eta * eta * eta / 3.;
-    return integrate(mesh,
-                     rule_of,
+    return integrate(mesh, rule_of,
                      [&](const Point &x) {
                        return positive_power(x[0] - xi, 1) * positive_power(eta - x[1], 2);
                      }) /
@@ -151,19 +134,16 @@ void test_mesh(Checks &checks)
 }
 
 /** 1/r and r, integrated over [0,a] x [0,c] with r counted from the origin. */
-double integral_of_inverse(const double a, const double c)
-{
+double integral_of_inverse(const double a, const double c) {
   return a * std::asinh(c / a) + c * std::asinh(a / c);
 }
-double integral_of_distance(const double a, const double c)
-{
+double integral_of_distance(const double a, const double c) {
   return a * c * std::hypot(a, c) / 3. +
          (a * a * a * std::asinh(c / a) + c * c * c * std::asinh(a / c)) / 6.;
 }
 
 /** A line meets the contact side at (xi, 0): the rule gathers there. */
-void test_ends(Checks &checks)
-{
+void test_ends(Checks &checks) {
   const double xi = 0.3;
   const Geometry<2> geometry = make_rectangle(Point(0., 0.), Point(1., 1.), {4, 4});
   const auto mesh = mesh_of(geometry);
@@ -177,13 +157,11 @@ void test_ends(Checks &checks)
   checks.near("ends: 1/r",
               integrate(mesh, cut(kinks, 4), [&](const Point &x) { return 1. / r(x); }) /
                 (integral_of_inverse(xi, 1.) + integral_of_inverse(1. - xi, 1.)),
-              1.,
-              1e-4);
+              1., 1e-4);
   checks.near("ends: r",
               integrate(mesh, cut(kinks, 4), r) /
                 (integral_of_distance(xi, 1.) + integral_of_distance(1. - xi, 1.)),
-              1.,
-              1e-8);
+              1., 1e-8);
   const Cell near = mesh.begin_active(), far = mesh.last();
   checks.that("ends: cells beside a line are affected near contact only",
               needs_cuts<2>(kinks, near) && !needs_cuts<2>(kinks, far) &&
@@ -193,8 +171,7 @@ void test_ends(Checks &checks)
 /** The rules of all cells of a pentagon on the side from (0, 0) to (2, 0), where each line ends:
  * they hold the area 2.25 and the integrals of polynomials, for lines anywhere, through vertices,
  * almost so, and along edges. */
-void test_many_ends(Checks &checks)
-{
+void test_many_ends(Checks &checks) {
   const Geometry<2> geometry =
     make_polygon({Point(0., 0.), Point(2., 0.), Point(2., 1.), Point(0.5, 1.25), Point(0., 1.)});
   auto mesh = mesh_of(geometry);
@@ -212,8 +189,7 @@ void test_many_ends(Checks &checks)
   const double exact = integrate(
     mesh, [](const Cell &) { return dealii::QGauss<2>(6); }, polynomial);
   std::size_t max_points = 0;
-  for (const double position : positions)
-  {
+  for (const double position : positions) {
     Kinks<2> kinks(lines({position}, {0.3}));
     kinks.add_ends_on(geometry.sides[0]);
     const RuleOf rule_of = [&](const Cell &cell) {
@@ -221,18 +197,16 @@ void test_many_ends(Checks &checks)
       max_points = std::max<std::size_t>(max_points, rule.size());
       return rule;
     };
-    checks.near(
-      "many ends: area", integrate(mesh, rule_of, [](const Point &) { return 1.; }), 2.25, 3e-12);
+    checks.near("many ends: area", integrate(mesh, rule_of, [](const Point &) { return 1.; }), 2.25,
+                3e-12);
     checks.near("many ends: polynomials", integrate(mesh, rule_of, polynomial) / exact, 1., 1e-12);
   }
   checks.between("many ends: points in a cell", static_cast<double>(max_points), 16., 1e5);
 }
 
-void test_segments(Checks &checks)
-{
+void test_segments(Checks &checks) {
   const Kinks<2> kinks(lines({0.5, 0.25}, {0.8}));
-  struct Row
-  {
+  struct Row {
     Point a, b;
     std::vector<double> expected;
   };
@@ -245,8 +219,7 @@ void test_segments(Checks &checks)
     checks.near("cut", kinks.cut(row.a, row.b), row.expected, 1e-15);
   const dealii::Quadrature<1> split = split_quadrature(dealii::QGauss<1>(2), {0., 0.3, 0.8, 1.});
   double sum = 0., weights = 0.;
-  for (unsigned int q = 0; q < split.size(); ++q)
-  {
+  for (unsigned int q = 0; q < split.size(); ++q) {
     sum += split.weight(q) * positive_power(split.point(q)[0] - 0.3, 3);
     weights += split.weight(q);
   }
@@ -255,40 +228,32 @@ void test_segments(Checks &checks)
   checks.near("split rule: max(t-c,0)^3", sum, std::pow(0.7, 4) / 4., 1e-15);
 }
 /** The same on sides, by arc length. */
-void test_sides(Checks &checks)
-{
+void test_sides(Checks &checks) {
   const Kinks<2> kinks(lines({0.5, 0.25}, {0.8}));
   const Side<2> bottom("bottom", Curve(Point(-1., 0.), Point(1., 0.), Point(0., -1.)));
   checks.near("cut of a side", kinks.cut(bottom, 0., 2.), {0., 1.25, 1.5, 2.}, 1e-15);
   checks.near("cut of a part", kinks.cut(bottom, 1.3, 1.6), {1.3, 1.5, 1.6}, 1e-15);
   checks.near("ends are no cuts", kinks.cut(bottom, 1.25, 1.5), {1.25, 1.5}, 1e-15);
   const Side<2> column("column", Curve(Point(0.6, 0.), Point(0.6, 2.), Point(1., 0.)));
-  checks.that("touch",
-              kinks.touch(bottom, 1.25, 1.3) && kinks.touch(column, 0., 0.8) &&
-                !kinks.touch(bottom, 0., 2.));
+  checks.that("touch", kinks.touch(bottom, 1.25, 1.3) && kinks.touch(column, 0., 0.8) &&
+                         !kinks.touch(bottom, 0., 2.));
 
   // On the circle of radius 2 about (1, 0) from the angle -pi the line y = 0.8 is met where
   // sin(angle) = 0.4, x = 0.5 and x = 0.25 where cos(angle) = -0.25 and -0.375.
   const double pi = dealii::numbers::PI;
   const Side<2> circle("circle", Curve::arc(Point(1., 0.), 2., -pi, pi, Body::inside));
   std::vector<double> expected = {0., 4. * pi};
-  for (const double angle : {std::asin(0.4),
-                             pi - std::asin(0.4),
-                             std::acos(-0.25),
-                             -std::acos(-0.25),
-                             std::acos(-0.375),
-                             -std::acos(-0.375)})
+  for (const double angle : {std::asin(0.4), pi - std::asin(0.4), std::acos(-0.25),
+                             -std::acos(-0.25), std::acos(-0.375), -std::acos(-0.375)})
     expected.push_back(2. * (angle + pi));
   std::sort(expected.begin(), expected.end());
   checks.near("cut of a circle", kinks.cut(circle, 0., 4. * pi), expected, 1e-14);
   const double first = expected[1];
-  checks.that("touch a circle",
-              kinks.touch(circle, first, first + 0.1) && kinks.touch(circle, 0., first) &&
-                !kinks.touch(circle, 0., 4. * pi));
-  checks.near("cut beyond the seam",
-              kinks.cut(circle, 4. * pi, 4. * pi + first + 0.1),
-              {4. * pi, 4. * pi + first, 4. * pi + first + 0.1},
-              1e-14);
+  checks.that("touch a circle", kinks.touch(circle, first, first + 0.1) &&
+                                  kinks.touch(circle, 0., first) &&
+                                  !kinks.touch(circle, 0., 4. * pi));
+  checks.near("cut beyond the seam", kinks.cut(circle, 4. * pi, 4. * pi + first + 0.1),
+              {4. * pi, 4. * pi + first, 4. * pi + first + 0.1}, 1e-14);
 
   // |y - 2 x| on the unit square.
   const auto mesh = mesh_of(make_rectangle(Point(0., 0.), Point(1., 1.), {1, 1}));
@@ -298,18 +263,11 @@ void test_sides(Checks &checks)
   checks.near(
     "an oblique line",
     integrate(mesh, cut(slope, 3), [](const Point &x) { return std::abs(x[1] - 2. * x[0]); }),
-    2. / 3.,
-    1e-14);
+    2. / 3., 1e-14);
 }
 } // namespace
 
-int main()
-{
-  return run_tests({test_rectangle,
-                    test_quadrilateral,
-                    test_mesh,
-                    test_ends,
-                    test_many_ends,
-                    test_segments,
-                    test_sides});
+int main() {
+  return run_tests({test_rectangle, test_quadrilateral, test_mesh, test_ends, test_many_ends,
+                    test_segments, test_sides});
 }

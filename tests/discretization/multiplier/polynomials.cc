@@ -14,23 +14,18 @@
 using namespace Signorini;
 using dealii::Point;
 
-namespace
-{
+namespace {
 /** Degrees 2 to 7, one to six unknowns per patch, on faces of two oblique sides. */
-struct Pentagon : public GradedLevel
-{
+struct Pentagon : public GradedLevel {
   explicit Pentagon(const std::string &gap)
     : GradedLevel("subsection Geometry\nset Shape = polygon\n"
                   "set Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\nend\n"
                   "subsection Boundary\nset Clamped = side0\nset Contact = side2 side3\nend\n" +
                     entry("Contact", "Gap", gap),
-                  plan())
-  {
-  }
+                  plan()) {}
 
 private:
-  static MeshPlan plan()
-  {
+  static MeshPlan plan() {
     MeshPlan plan = uniform_plan(1, 7);
     plan.base_size = 0.5;
     plan.singularities = {corner({1., 2.5}, 5.)};
@@ -39,8 +34,7 @@ private:
 };
 
 /** int f over a patch. */
-double integral(const Patch<2> &patch, const std::function<double(const Point<1> &)> &f)
-{
+double integral(const Patch<2> &patch, const std::function<double(const Point<1> &)> &f) {
   const dealii::QGauss<1> gauss(12);
   double sum = 0.;
   for (unsigned int q = 0; q < gauss.size(); ++q)
@@ -48,47 +42,41 @@ double integral(const Patch<2> &patch, const std::function<double(const Point<1>
   return sum * patch.measure;
 }
 
-void basis(Checks &checks, const MultiplierSpace<2> &space)
-{
+void basis(Checks &checks, const MultiplierSpace<2> &space) {
   const std::vector<Patch<2>> &patches = space.surface().patches();
   unsigned int most = 0, n_all = 0;
   double unity = 0., lagrange = 0., integrals = 0., products = 0., values = 0.;
   const dealii::Vector<double> squares = space.integrals();
   const Pressure P(RandomNumbers(5).vector(space.n_multipliers()));
-  for (unsigned int patch = 0; patch < patches.size(); ++patch)
-  {
+  for (unsigned int patch = 0; patch < patches.size(); ++patch) {
     const unsigned int first = space.first_of(patch), n = space.n_of(patch);
     most = std::max(most, n);
     n_all += n;
-    for (const double r : {0., 0.1, 0.6, 1.})
-    {
+    for (const double r : {0., 0.1, 0.6, 1.}) {
       const Point<1> s = patches[patch].lower + r * (patches[patch].upper - patches[patch].lower);
       double sum = 0., p = 0.;
-      for (unsigned int k = first; k < first + n; ++k)
-      {
+      for (unsigned int k = first; k < first + n; ++k) {
         sum += space.shape_value(k, s);
         p += P[k] * space.shape_value(k, s);
       }
       unity = std::max(unity, std::abs(sum - 1.));
       values = std::max(values, std::abs(space.value(P, patch, s) - p));
     }
-    for (unsigned int k = first; k < first + n; ++k)
-    {
+    for (unsigned int k = first; k < first + n; ++k) {
       if (space.patch_of(k) != patch)
         lagrange = 1.;
       integrals =
         std::max(integrals, std::abs(squares[k] - integral(patches[patch], [&](const Point<1> &s) {
                                        return space.shape_value(k, s);
                                      })));
-      for (unsigned int j = first; j < first + n; ++j)
-      {
+      for (unsigned int j = first; j < first + n; ++j) {
         lagrange =
           std::max(lagrange, std::abs(space.shape_value(k, space.node(j)) - (j == k ? 1. : 0.)));
-        products = std::max(
-          products,
-          std::abs((j == k ? squares[k] : 0.) - integral(patches[patch], [&](const Point<1> &s) {
-                     return space.shape_value(j, s) * space.shape_value(k, s);
-                   })));
+        products =
+          std::max(products, std::abs((j == k ? squares[k] : 0.) -
+                                      integral(patches[patch], [&](const Point<1> &s) {
+                                        return space.shape_value(j, s) * space.shape_value(k, s);
+                                      })));
       }
     }
   }
@@ -104,11 +92,9 @@ void basis(Checks &checks, const MultiplierSpace<2> &space)
 
 /** R^H of s^n on n unknowns is its interpolant at the Gauss points: the remainder is a multiple of
  * Legendre's polynomial of degree n, which is orthogonal to Q^H and vanishes there. */
-void projections(Checks &checks, const MultiplierSpace<2> &space)
-{
+void projections(Checks &checks, const MultiplierSpace<2> &space) {
   for (const Grading grading : {Grading::none, Grading::towards_kinks})
-    for (unsigned int degree = 0; degree <= 6; ++degree)
-    {
+    for (unsigned int degree = 0; degree <= 6; ++degree) {
       const auto moments = integrate_against_multipliers(
         space, 4, grading, [&](const Piece<2> &, const SurfaceRule<2> &rule) {
           std::vector<double> values;
@@ -128,16 +114,12 @@ void projections(Checks &checks, const MultiplierSpace<2> &space)
 
 /** max over patches of |sum_k b_k s_k^j - int f s^j| for all s^j in Q^H: sum_k s_k^j psi_k = s^j.
  */
-double moment_error(const MultiplierSpace<2> &space,
-                    const dealii::Vector<double> &b,
-                    const std::function<double(const Patch<2> &, const Point<1> &)> &f)
-{
+double moment_error(const MultiplierSpace<2> &space, const dealii::Vector<double> &b,
+                    const std::function<double(const Patch<2> &, const Point<1> &)> &f) {
   double error = 0.;
-  for (unsigned int patch = 0; patch < space.surface().patches().size(); ++patch)
-  {
+  for (unsigned int patch = 0; patch < space.surface().patches().size(); ++patch) {
     const Patch<2> &place = space.surface().patches()[patch];
-    for (unsigned int j = 0; j < space.n_of(patch); ++j)
-    {
+    for (unsigned int j = 0; j < space.n_of(patch); ++j) {
       double found = 0.;
       for (unsigned int k = space.first_of(patch); k < space.first_of(patch + 1); ++k)
         found += b[k] * std::pow(space.node(k)[0], j);
@@ -150,8 +132,7 @@ double moment_error(const MultiplierSpace<2> &space,
 }
 
 /** D^T U = int u_n psi_k for u of degree two, which all elements have; G = int g psi_k. */
-void couplings(Checks &checks, const Pentagon &level)
-{
+void couplings(Checks &checks, const Pentagon &level) {
   const MultiplierSpace<2> &space = level.multipliers();
   const Field u = [](const Point<2> &x) {
     return Point<2>(0.3 * x[0] * x[0] - x[1], x[0] * x[1] + 0.2 * x[1] * x[1] + 1.);
@@ -164,28 +145,23 @@ void couplings(Checks &checks, const Pentagon &level)
   const Coupling &D = level.discretization.D, &condensed_D = level.discretization.condensed_D;
   checks.near("D^T U", moment_error(space, D.transpose_product(U), normal), 0., 1e-13);
   checks.near("G",
-              moment_error(space,
-                           level.discretization.G,
+              moment_error(space, level.discretization.G,
                            [&](const Patch<2> &patch, const auto &s) {
                              const Point<2> x = space.surface().side(patch).point(s);
                              return std::pow(x[0], 3) - 0.1 * x[1];
                            }),
-              0.,
-              1e-13);
+              0., 1e-13);
   // u = 0 on the clamped side0, where y = 0: the condensed D sees the free values only, and gives
   // the same product, hanging nodes or not.
   const Field held = [](const Point<2> &x) { return Point<2>(x[0] * x[1], x[1] * x[1]); };
   const Displacement V = nodal_values(level.space(), held);
-  checks.near("condensed D^T U",
-              distance(condensed_D.transpose_product(V), D.transpose_product(V)),
-              0.,
-              1e-13);
+  checks.near("condensed D^T U", distance(condensed_D.transpose_product(V), D.transpose_product(V)),
+              0., 1e-13);
 }
 
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {[](Checks &checks) {
                      const Pentagon level("x^3 - 0.1*y");
                      basis(checks, level.multipliers());

@@ -13,22 +13,19 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** u = (0, 0, -0.1 - 0.2 z). */
 const auto compression = field([](const auto &x) { return Vector3({0., 0., -0.1 - 0.2 * x[2]}); });
 constexpr double sigma = -0.2 * confined_modulus, sigma_across = -0.2 * lambda;
 
-NodalForces forces_of(const Box &box, const Displacement &U, const Pressure &P)
-{
+NodalForces forces_of(const Box &box, const Displacement &U, const Pressure &P) {
   const LinearSystem<3> system = assemble_linear_system(box.space, box.scene, 3);
   return nodal_forces(box.space, box.scene, system.loads, box.D, U, P);
 }
 
 /** Uniform stress in a box of 1 x 2 x 1: every side carries sigma n times its area in its middle.
  */
-void forces(Checks &checks)
-{
+void forces(Checks &checks) {
   const Scene<3> scene =
     make_box_scene(scalar([](const auto &) { return 0.1; }), compression, {1., 2., 1.});
   const Box box(scene, 2, 2);
@@ -36,8 +33,7 @@ void forces(Checks &checks)
   const Pressure P = box.at_centres([](const auto &) { return sigma; });
   const Answer answer =
     compute_answer(box.space, scene, box.multipliers, forces_of(box, U, P), U, P);
-  struct Expected
-  {
+  struct Expected {
     Vector3 force;
     dealii::Point<3> middle;
   };
@@ -51,27 +47,22 @@ void forces(Checks &checks)
   checks.near("five sides hold the body", answer.reactions.size(), 5, 0.);
   std::vector<SideForce> found = answer.reactions;
   found.push_back(answer.contact_by_side.at(0));
-  for (const SideForce &side : found)
-  {
+  for (const SideForce &side : found) {
     const Expected &expected = all.at(side.side);
     checks.near(side.side + ": force", side.resultant.force, expected.force, 1e-13);
-    checks.near(side.side + ": moment",
-                side.resultant.moment,
-                moment_of(expected.middle, expected.force),
-                1e-13);
+    checks.near(side.side + ": moment", side.resultant.moment,
+                moment_of(expected.middle, expected.force), 1e-13);
     checks.near(side.side + ": acts in the middle", *side.through, expected.middle, 1e-12);
   }
   checks.near("contact force", answer.contact_force.resultant.force, all.at("bottom").force, 1e-13);
   checks.near("peak, penetration, von Mises stress",
               {answer.peak_pressure->value, answer.penetration->value, answer.von_mises.value},
-              {-sigma, 0., 0.4 * mu},
-              1e-13);
+              {-sigma, 0., 0.4 * mu}, 1e-13);
   checks.that("no zones in 3-D", answer.zones.empty() && answer.dimension == 3);
 }
 
 /** -p = 1 + x at a bottom of 1 x 2: the force 3 acts at x = (1/2 + 1/3)/(3/2), y = 1. */
-void uneven_pressure(Checks &checks)
-{
+void uneven_pressure(Checks &checks) {
   Scene<3> scene = make_box_scene(zero, nothing, {1., 2., 1.});
   scene.boundary[scene.geometry.find_side("right")].role = Role::free;
   const Box box(scene, 3, 2);
@@ -84,15 +75,12 @@ void uneven_pressure(Checks &checks)
   checks.near("its line of action", *found.through, Vector3({x_moment / 3., 1., 0.}), 1e-13);
   const auto peak = peak_pressure(box.multipliers, P);
   checks.near("peak of 1 + x, at the edge, and the mean of its patch",
-              {peak->value, peak->place.point[0], peak->mean},
-              {2., 1., 1.875},
-              1e-13);
+              {peak->value, peak->place.point[0], peak->mean}, {2., 1., 1.875}, 1e-13);
   checks.that("no pressure, no peak", !peak_pressure(box.multipliers, Pressure(P.size())));
 
   // A paraboloid: mean of (x - c)² over a patch of length H is (middle - c)² + H²/12. In the corner
   // between two rollers it goes on symmetrically.
-  for (const dealii::Point<2> &c : {dealii::Point<2>(0.43, 0.9), dealii::Point<2>(0., 2.)})
-  {
+  for (const dealii::Point<2> &c : {dealii::Point<2>(0.43, 0.9), dealii::Point<2>(0., 2.)}) {
     const auto top = peak_pressure(box.multipliers, box.at_centres([&](const auto &s) {
       return -1. + 0.5 * (std::pow(s[0] - c[0], 2) + 1. / 192.) +
              0.1 * (std::pow(s[1] - c[1], 2) + 1. / 48.);
@@ -103,15 +91,12 @@ void uneven_pressure(Checks &checks)
   Resultant<3> screw;
   screw.add(Vector3({0., 0., 2.}), {1., 0., 0.});
   screw.moment[2] += 5.;
-  checks.near("axis of a screw",
-              *side_force("", screw, dealii::Point<3>(3., 4., 5.), 1.).through,
-              Vector3({1., 0., 5.}),
-              1e-14);
+  checks.near("axis of a screw", *side_force("", screw, dealii::Point<3>(3., 4., 5.), 1.).through,
+              Vector3({1., 0., 5.}), 1e-14);
 }
 
 /** Two sides that hold all components and a roller share edges and corners. */
-void held_sides(Checks &checks)
-{
+void held_sides(Checks &checks) {
   Scene<3> scene = make_box_scene(scalar([](const auto &) { return 1.; }), compression);
   auto &left = scene.boundary[scene.geometry.find_side("left")];
   left.role = Role::displacement;
@@ -119,26 +104,20 @@ void held_sides(Checks &checks)
   const Box box(scene, 3, 2);
   Vector3 sum({0., 0., -sigma});
   for (const SideForce &side :
-       reactions(box.space,
-                 scene,
-                 forces_of(box,
-                           interpolate_at_nodes(box.space, *compression),
-                           box.at_centres([](const auto &) { return sigma; }))))
-  {
+       reactions(box.space, scene,
+                 forces_of(box, interpolate_at_nodes(box.space, *compression),
+                           box.at_centres([](const auto &) { return sigma; })))) {
     for (unsigned int d = 0; d < 3; ++d)
       sum[d] += side.resultant.force[d];
     if (side.side == "front")
-      checks.near("a roller takes what acts along its normal",
-                  side.resultant.force,
-                  Vector3({0., -sigma_across, 0.}),
-                  1e-13);
+      checks.near("a roller takes what acts along its normal", side.resultant.force,
+                  Vector3({0., -sigma_across, 0.}), 1e-13);
   }
   checks.near("all together", sum.norm(), 0., 1e-13);
 }
 
 /** u_n = -u_3 = 0.05 at the bottom: the deepest point is a sample between the nodes. */
-void penetration(Checks &checks)
-{
+void penetration(Checks &checks) {
   const Scene<3> scene =
     make_box_scene(scalar([](const auto &x) {
                      return 0.01 + std::pow(x[0] - 0.3125, 2) + std::pow(x[1] - 0.625, 2);
@@ -153,20 +132,17 @@ void penetration(Checks &checks)
 }
 
 /** K/mu = 2 (1 + nu)/(3 (1 - 2 nu)), times (h/l)²; zero where it is small. */
-void locking(Checks &checks)
-{
+void locking(Checks &checks) {
   const Scene<3> scene = make_box_scene(zero, nothing, {1., 2., 1.});
   const Mesh<3> mesh(scene.geometry, 0, 2, MPI_COMM_WORLD);
   const Expression<3> E("7", {}, "E"), nu("0.49", {}, "nu");
   const auto material = make_isotropic<3>(E, nu, PlaneState::strain);
   checks.near("locking numbers of nu = 0.3 and 0.49",
               {locking_number(mesh, *scene.material), locking_number(mesh, *material)},
-              {0., 2. * 1.49 / (3. * 0.02) / 16.},
-              1e-10);
+              {0., 2. * 1.49 / (3. * 0.02) / 16.}, 1e-10);
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {forces, uneven_pressure, held_sides, penetration, locking});
 }

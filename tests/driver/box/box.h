@@ -20,14 +20,12 @@ constexpr double confined_modulus = lambda + 2. * mu;
 
 /** Functions of x with one component, or with three. */
 inline Signorini::FunctionPointer<3>
-scalar(const std::function<double(const dealii::Point<3> &)> &f)
-{
+scalar(const std::function<double(const dealii::Point<3> &)> &f) {
   return std::make_shared<dealii::ScalarFunctionFromFunctionObject<3>>(f);
 }
 using Vector3 = dealii::Tensor<1, 3>;
 inline Signorini::FunctionPointer<3>
-field(const std::function<Vector3(const dealii::Point<3> &)> &f)
-{
+field(const std::function<Vector3(const dealii::Point<3> &)> &f) {
   return std::make_shared<Signorini::FieldFunction<3>>(f);
 }
 
@@ -38,8 +36,7 @@ inline const Signorini::FunctionPointer<3> zero = scalar([](const auto &) { retu
 /** A box between rollers on its upright sides, prescribed at the top, in contact at the bottom. */
 inline Signorini::Scene<3> make_box_scene(const Signorini::FunctionPointer<3> &gap,
                                           const Signorini::FunctionPointer<3> &top,
-                                          const dealii::Point<3> &upper = {1., 1., 1.})
-{
+                                          const dealii::Point<3> &upper = {1., 1., 1.}) {
   using namespace Signorini;
   Scene<3> scene;
   scene.name = "box";
@@ -59,11 +56,8 @@ inline Signorini::Scene<3> make_box_scene(const Signorini::FunctionPointer<3> &g
 }
 
 /** Mesh, spaces and couplings of a box. */
-struct Box
-{
-  Box(const Signorini::Scene<3> &scene_,
-      const unsigned int level,
-      const unsigned int ratio,
+struct Box {
+  Box(const Signorini::Scene<3> &scene_, const unsigned int level, const unsigned int ratio,
       const unsigned int degree = 1)
     : scene(scene_)
     , mesh(scene.geometry, 0, level, MPI_COMM_WORLD)
@@ -72,14 +66,11 @@ struct Box
     , multipliers(surface)
     , D(assemble_coupling(space, multipliers))
     , condensed_D(condense(D, space.constraints()))
-    , G(assemble_gap(multipliers, 3))
-  {
-  }
+    , G(assemble_gap(multipliers, 3)) {}
   Box(const Box &) = delete;
 
   /** The values of p at the centres of the patches: of a product of linear functions the means. */
-  Signorini::Pressure at_centres(const std::function<double(const dealii::Point<2> &)> &p) const
-  {
+  Signorini::Pressure at_centres(const std::function<double(const dealii::Point<2> &)> &p) const {
     Signorini::Pressure P(multipliers.n_multipliers());
     for (unsigned int tau = 0; tau < P.size(); ++tau)
       P[tau] = p(surface.patches()[tau].centre());

@@ -13,11 +13,9 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** Energies of linear fields, rigid motions, resultants of the loads. */
-void stiffness_and_loads(Checks &checks)
-{
+void stiffness_and_loads(Checks &checks) {
   Scene<3> scene = make_box_scene(zero, nothing, {1., 2., 0.5});
   scene.body_force = field([](const auto &x) { return Vector3({0., x[0], -2.}); });
   auto &right = scene.boundary[scene.geometry.find_side("right")];
@@ -43,25 +41,20 @@ void stiffness_and_loads(Checks &checks)
   });
   const Displacement U = interpolate_at_nodes(box.space, *strained);
   // eps = diag(1, 0, 3) + 1/2 off the diagonal twice: sigma:eps = lambda 16 + 2 mu (10 + 1).
-  checks.near("energy of a linear field",
-              U * box.space.dual(internal(strained)),
-              16. * lambda + 22. * mu,
-              1e-13);
+  checks.near("energy of a linear field", U * box.space.dual(internal(strained)),
+              16. * lambda + 22. * mu, 1e-13);
 }
 
 /** In confined compression the body is a rod of the length 1.5: 1^T C 1 = area length/modulus. */
-void compliance(Checks &checks)
-{
+void compliance(Checks &checks) {
   const Scene<3> scene = make_box_scene(zero, nothing, {2., 1., 1.5});
-  for (const unsigned int ratio : {1U, 2U, 4U})
-  {
+  for (const unsigned int ratio : {1U, 2U, 4U}) {
     const Box box(scene, 2, ratio);
     const LinearSystem<3> system = assemble_linear_system(box.space, scene, 3);
     double seconds = 0.;
     dealii::Vector<double> ones(box.multipliers.n_multipliers());
     ones = 1.;
-    for (const LinearSolver solver : {LinearSolver::condensed, LinearSolver::amesos_klu})
-    {
+    for (const LinearSolver solver : {LinearSolver::condensed, LinearSolver::amesos_klu}) {
       const auto inverse =
         factorise(system.matrix, system.unit, solver, contact_unknowns(box.condensed_D));
       const auto C = make_compliance(*inverse, box.condensed_D, seconds);
@@ -72,8 +65,7 @@ void compliance(Checks &checks)
 
 /** (x^2, y^2, z^2): the strains of pi^{2h} u_h - u_h have the mean zero in each cell and depend on
  * one coordinate each, with squares h^2/3; those of u_h have squares 4/3 - h^2/3 and the mean 1. */
-void estimate(Checks &checks)
-{
+void estimate(Checks &checks) {
   const Scene<3> scene = make_box_scene(zero, nothing);
   const Box box(scene, 2, 2);
   const auto squares = field([](const auto &x) {
@@ -83,14 +75,11 @@ void estimate(Checks &checks)
   const double scale = std::sqrt(lambda * (3. * square + 6.) + 2. * mu * 3. * square);
   const ErrorEstimate found =
     estimate_error(box.space, scene, interpolate_at_nodes(box.space, *squares));
-  checks.near("estimate in the energy norm, and relative",
-              {found.energy, found.relative},
-              {energy, energy / scale},
-              1e-13);
+  checks.near("estimate in the energy norm, and relative", {found.energy, found.relative},
+              {energy, energy / scale}, 1e-13);
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {stiffness_and_loads, compliance, estimate});
 }

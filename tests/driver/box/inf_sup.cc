@@ -9,10 +9,8 @@
 
 using namespace Signorini;
 
-namespace
-{
-double beta(const unsigned int n, const unsigned int ratio)
-{
+namespace {
+double beta(const unsigned int n, const unsigned int ratio) {
   Scene<3> scene = make_box_scene(zero, nothing);
   scene.geometry = make_box({0., 0., 0.}, {1., 1., 1.}, {n / 2, n / 2, n / 2});
   for (const char *side : {"left", "right", "front", "back"})
@@ -22,8 +20,7 @@ double beta(const unsigned int n, const unsigned int ratio)
 }
 
 /** The other program cuts the cosine series off, so that its numbers are larger by up to 3e-3. */
-void test_inf_sup(Checks &checks)
-{
+void test_inf_sup(Checks &checks) {
   for (const auto &[n, low] :
        {std::pair(4, 0.870), std::pair(6, 0.8315), std::pair(8, 0.7955), std::pair(12, 0.7665)})
     checks.between("2 x 2 faces, n = " + std::to_string(n), beta(n, 2), low, low + 0.003);
@@ -32,7 +29,6 @@ void test_inf_sup(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {test_inf_sup});
 }

@@ -16,11 +16,9 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** p = -(1 + x + 2 y), at the bottom of 1 x 2. */
-Scene<3> scene_with_pressure(const FunctionPointer<3> &u)
-{
+Scene<3> scene_with_pressure(const FunctionPointer<3> &u) {
   Scene<3> scene = make_box_scene(
     scalar([](const dealii::Point<3> &x) { return 0.2 + x[0] * x[1]; }), u, {1., 2., 1.});
   scene.boundary[scene.geometry.find_side("bottom")].exact_pressure =
@@ -28,8 +26,7 @@ Scene<3> scene_with_pressure(const FunctionPointer<3> &u)
   return scene;
 }
 
-void contact(Checks &checks)
-{
+void contact(Checks &checks) {
   const auto sinking = field([](const auto &x) { return Vector3({0.1 * x[1], 0., -0.3 - x[0]}); });
   const Scene<3> scene = scene_with_pressure(sinking);
   const Box box(scene, 3, 2);
@@ -47,8 +44,7 @@ void contact(Checks &checks)
                    u = read_vtu_field(vtu.str(), "displacement"),
                    patch = read_vtu_field(vtu.str(), "patch");
   double force = 0.;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     const double x = points[i][0], y = points[i][1];
     force += p[i][0] * (1. / 8.) * (2. / 8.) / 4.;
     checks.near("recovered pressure", recovered[i][0], 1. + x + 2. * y, 1e-6);
@@ -69,14 +65,12 @@ void contact(Checks &checks)
   for (const auto &row : rows)
     checks.near("p_recovered, p_exact, patch_area",
                 {std::stod(row.at("p_recovered")), std::stod(row.at("patch_area"))},
-                {std::stod(row.at("p_exact")), 1. / 8.},
-                1e-14);
+                {std::stod(row.at("p_exact")), 1. / 8.}, 1e-14);
 }
 
 /** u = (0.1 x + 0.2 y z, 0.3 y, x z): its stresses are linear, and patches of degree two know them.
  */
-void body(Checks &checks)
-{
+void body(Checks &checks) {
   const auto u = field([](const auto &x) {
     return Vector3({0.1 * x[0] + 0.2 * x[1] * x[2], 0.3 * x[1], x[0] * x[2]});
   });
@@ -92,26 +86,22 @@ void body(Checks &checks)
                    mises = read_vtu_field(vtu, "von_mises_stress"),
                    shear = read_vtu_field(vtu, "stress_yz"),
                    displacement = read_vtu_field(vtu, "displacement");
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
+  for (std::size_t i = 0; i < points.size(); ++i) {
     const double x = points[i][0], y = points[i][1], z = points[i][2];
     const double trace = lambda * (0.4 + x), xy = 0.2 * mu * z, xz = mu * (0.2 * y + z);
     const double xx = trace + 0.2 * mu, yy = trace + 0.6 * mu, zz = trace + 2. * mu * x;
-    checks.near(
-      "stress", {stress[i].begin(), stress[i].end()}, {xx, xy, xz, xy, yy, 0., xz, 0., zz}, 1e-6);
+    checks.near("stress", {stress[i].begin(), stress[i].end()},
+                {xx, xy, xz, xy, yy, 0., xz, 0., zz}, 1e-6);
     const double a = xx - yy, b = yy - zz, c = zz - xx;
     checks.near("von Mises stress, displacement, components by name",
                 {mises[i][0], displacement[i][0], displacement[i][2], shear[i][0]},
                 {std::sqrt(0.5 * (a * a + b * b + c * c) + 3. * (xy * xy + xz * xz)),
-                 0.1 * x + 0.2 * y * z,
-                 x * z,
-                 0.},
+                 0.1 * x + 0.2 * y * z, x * z, 0.},
                 1e-6);
   }
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {contact, body});
 }

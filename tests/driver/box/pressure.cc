@@ -13,26 +13,19 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 constexpr double pi = dealii::numbers::PI;
 
 using Function2 = std::function<double(const dealii::Point<2> &)>;
 
 /** The recovered pressure is a function at points of all patches, on their edges, too. */
-void check_recovery(Checks &checks,
-                    const std::string &name,
-                    const Box &box,
-                    const Function2 &p,
-                    const Function2 &expected)
-{
+void check_recovery(Checks &checks, const std::string &name, const Box &box, const Function2 &p,
+                    const Function2 &expected) {
   const RecoveredPressure<3> recovered(box.multipliers, box.at_centres(p));
-  for (unsigned int tau = 0; tau < box.surface.patches().size(); ++tau)
-  {
+  for (unsigned int tau = 0; tau < box.surface.patches().size(); ++tau) {
     const Patch<3> &patch = box.surface.patches()[tau];
     for (const double x : {0., 0.3, 0.5, 1.})
-      for (const double y : {0., 0.6, 1.})
-      {
+      for (const double y : {0., 0.6, 1.}) {
         const dealii::Point<2> s(patch.lower[0] + x * (patch.upper[0] - patch.lower[0]),
                                  patch.lower[1] + y * (patch.upper[1] - patch.lower[1]));
         checks.near(name, recovered(tau, s), expected(s), 1e-14);
@@ -40,8 +33,7 @@ void check_recovery(Checks &checks,
   }
 }
 
-void recovery(Checks &checks)
-{
+void recovery(Checks &checks) {
   const Scene<3> scene = make_box_scene(zero, nothing, {1., 2., 1.});
   const Function2 bilinear = [](const auto &s) {
     return -(4. + s[0] - 1.5 * s[1] + 0.5 * s[0] * s[1]);
@@ -50,15 +42,14 @@ void recovery(Checks &checks)
                   cut = [](const auto &s) { return std::min(0., s[0] - 0.75); },
                   constant = [](const auto &) { return -3.; };
   for (const unsigned int ratio : {1U, 2U, 4U})
-    check_recovery(
-      checks, "a bilinear pressure is recovered", Box(scene, 3, ratio), bilinear, bilinear);
-  check_recovery(
-    checks, "nowhere positive, but the line goes on to zero", Box(scene, 3, 2), pulling, cut);
+    check_recovery(checks, "a bilinear pressure is recovered", Box(scene, 3, ratio), bilinear,
+                   bilinear);
+  check_recovery(checks, "nowhere positive, but the line goes on to zero", Box(scene, 3, 2),
+                 pulling, cut);
   check_recovery(checks, "a single patch: a constant", Box(scene, 1, 2), constant, constant);
 }
 
-void transfer(Checks &checks)
-{
+void transfer(Checks &checks) {
   const Scene<3> scene = make_box_scene(zero, nothing, {1., 2., 1.});
   const Function2 linear = [](const auto &s) { return -(1. + s[0] + 2. * s[1]); };
   const Box fine(scene, 3, 2), coarse(scene, 2, 2), next(scene, 4, 2);
@@ -75,14 +66,12 @@ void transfer(Checks &checks)
   same("to finer ones and back", move(next, move(fine, P, next), fine), P);
   checks.near(
     "force",
-    summarise_contact(next.multipliers, move(coarse, move(fine, P, coarse), next)).normal_force,
-    7.,
+    summarise_contact(next.multipliers, move(coarse, move(fine, P, coarse), next)).normal_force, 7.,
     1e-13);
 }
 
 /** Patches of 2, 2 and 3 cells; errors() and inf_sup.cc have the norms themselves. */
-void unequal_patches(Checks &checks)
-{
+void unequal_patches(Checks &checks) {
   const PatchGrid uneven = {0, {{{0., 0.2, 0.4, 0.7}, {0., 0.2}}}, {2, 0, 1}};
   checks.that("unequal patches: cells",
               equal_cells(uneven)[0] == std::vector<unsigned int>({0, 2, 4, 7}));
@@ -90,20 +79,17 @@ void unequal_patches(Checks &checks)
   const auto values = values_on(uneven, dealii::Vector<double>(P.begin(), P.end()));
   checks.near("their values",
               {values.m() * 1., values.n() * 1., values(1, 0), values(2, 0), values(6, 0)},
-              {7., 1., 4., 5., 6.},
-              0.);
+              {7., 1., 4., 5., 6.}, 0.);
 }
 
 /** A scene with the pressure p at the bottom of 1 x 2. */
-Scene<3> with_pressure(const std::function<double(const dealii::Point<3> &)> &p)
-{
+Scene<3> with_pressure(const std::function<double(const dealii::Point<3> &)> &p) {
   Scene<3> scene = make_box_scene(zero, nothing, {1., 2., 1.});
   scene.boundary[scene.geometry.find_side("bottom")].exact_pressure = scalar(p);
   return scene;
 }
 
-void errors(Checks &checks)
-{
+void errors(Checks &checks) {
   const auto wave = [](const dealii::Point<3> &x) {
     return -std::cos(pi * x[0]) * std::cos(1.5 * pi * x[1]);
   };
@@ -120,11 +106,10 @@ void errors(Checks &checks)
   // sinc(pi H_x/2) sinc(3 pi H_y/4) at the centre of the patch.
   const double factor = std::sin(pi / 8.) / (pi / 8.) * std::sin(3. * pi / 8.) / (3. * pi / 8.);
   const Patch<3> &first = box.surface.patches()[0];
-  checks.near(
-    "its first value", means[0], factor * wave({first.centre()[0], first.centre()[1], 0.}), 1e-6);
+  checks.near("its first value", means[0],
+              factor * wave({first.centre()[0], first.centre()[1], 0.}), 1e-6);
   double before = 0.;
-  for (const unsigned int level : {4U, 5U})
-  {
+  for (const unsigned int level : {4U, 5U}) {
     const Box refined(waves, level, 2);
     const double error =
       exact.errors(refined.multipliers, Pressure(exact.project(refined.multipliers))).spectral;
@@ -137,8 +122,7 @@ void errors(Checks &checks)
     with_pressure([](const dealii::Point<3> &x) { return -(1. + x[0] + 3. * x[1]); });
   const Box linear(slope, 3, 2);
   const PressureErrors found = compute_pressure_errors(
-    linear.multipliers,
-    linear.at_centres([](const auto &s) { return -(1. + s[0] + 3. * s[1]); }),
+    linear.multipliers, linear.at_centres([](const auto &s) { return -(1. + s[0] + 3. * s[1]); }),
     2);
   // H = 1/4 and 1/2; the variance of a linear function on a patch is slope² H²/12 per coordinate.
   checks.near("p - p_H in L2", found.l2, std::sqrt(2. * (1. / 16. + 9. / 4.) / 12.), 1e-13);
@@ -146,7 +130,6 @@ void errors(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {recovery, transfer, unequal_patches, errors});
 }

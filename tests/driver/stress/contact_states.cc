@@ -6,24 +6,20 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** The unit square, E = 1, held or pressed at the top. */
-std::string block(const std::string &boundary, const std::string &gap)
-{
+std::string block(const std::string &boundary, const std::string &gap) {
   return "subsection Boundary\nset Contact = bottom\n" + boundary + "end\n" +
          entry("Contact", "Gap", gap);
 }
 
 const std::string clamped = "set Clamped = top\n";
 
-std::string pressed_by(const std::string &depth)
-{
+std::string pressed_by(const std::string &depth) {
   return "set Displacement = top: 0; -" + depth + "\n";
 }
 
-struct State
-{
+struct State {
   std::string name, boundary, gap;
   /** Patches of 16 that press on level 5. */
   unsigned int fewest, most;
@@ -43,32 +39,26 @@ const std::vector<State> states = {
   {"lowered until it touches", pressed_by("0.01"), "0.01", 0, 16},
   {"a gap of 1e12 beside contact", pressed_by("0.01"), "x < 0.5 ? 0 : 1e12", 8, 8},
   {"up to both corners", pressed_by("0.01"), "0", 16, 16},
-  {"up to clamped ends",
-   "set Clamped = left right\nset Displacement = top: 0; -0.01*x*(1-x)\n",
-   "0",
-   8,
-   16},
+  {"up to clamped ends", "set Clamped = left right\nset Displacement = top: 0; -0.01*x*(1-x)\n",
+   "0", 8, 16},
   {"penetration at one end", clamped, "0.1*x-0.05", 4, 12}};
 
-void test_states(Checks &checks)
-{
+void test_states(Checks &checks) {
   StabilityTable table("contact_states", "gap and contact");
-  for (const State &state : states)
-  {
+  for (const State &state : states) {
     checks.about(state.name);
     const Measured measured = measure(block(state.boundary, state.gap), levels(2, 5));
     table.add(state.name, measured);
     checks.that("certified", measured.is_certified());
-    checks.between(
-      "patches that press", measured.finest().contact.active, state.fewest, state.most);
+    checks.between("patches that press", measured.finest().contact.active, state.fewest,
+                   state.most);
     if (measured.condition > 0.)
       checks.between("active set from scratch", measured.active_set, 1., 12.);
   }
 }
 
 /** The problem is piecewise linear: depth d instead of 0.01 gives d/0.01 times the answer. */
-void test_proportions(Checks &checks)
-{
+void test_proportions(Checks &checks) {
   const auto force = [](const std::string &depth, const std::string &gap) {
     return last(solve(block(pressed_by(depth), gap), levels(2, 4)), "contact_force_n");
   };
@@ -78,7 +68,6 @@ void test_proportions(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {test_states, test_proportions});
 }

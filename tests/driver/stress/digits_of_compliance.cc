@@ -9,10 +9,8 @@
 
 using namespace Signorini;
 
-namespace
-{
-void test(Checks &checks)
-{
+namespace {
+void test(Checks &checks) {
   std::ofstream table("digits_of_compliance.md");
   table << "| scene | cond(C) | condensed against columns | rounding of the columns "
            "|\n|---|---|---|---|\n";
@@ -24,9 +22,8 @@ void test(Checks &checks)
     return std::pair("height " + h, entry("Geometry", "Upper right", "1, " + h));
   };
   const auto b_bar = [](const std::string &nu) {
-    return std::pair("B-bar, ν = " + nu,
-                     entry("Material", "Poisson's ratio", nu) +
-                       entry("Discretization", "Element", "Q1 B-bar"));
+    return std::pair("B-bar, ν = " + nu, entry("Material", "Poisson's ratio", nu) +
+                                           entry("Discretization", "Element", "Q1 B-bar"));
   };
   for (const auto &[name, text] : std::vector<std::pair<std::string, std::string>>{
          {"square", ""},
@@ -40,8 +37,7 @@ void test(Checks &checks)
          modulus("1e8"),
          height("0.01"),
          height("10"),
-         height("100")})
-  {
+         height("100")}) {
     const OneLevel level(
       "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" + text, 5);
     const LinearSystem<2> system = assemble_linear_system(level.space(), level.scene, 3);
@@ -53,22 +49,18 @@ void test(Checks &checks)
     const dealii::FullMatrix<double> C = make_compliance(*condensed, D, seconds)->dense(),
                                      other = make_compliance(*columns, D, seconds)->dense();
     for (unsigned int i = 0; i < C.m(); ++i)
-      for (unsigned int j = 0; j < C.n(); ++j)
-      {
+      for (unsigned int j = 0; j < C.n(); ++j) {
         lost = std::max(lost, std::abs(C(i, j) - other(i, j)));
         size = std::max(size, std::abs(other(i, j)));
       }
     table << "| " << name << " | " << std::setprecision(2) << condition_number(C) << " | "
           << lost / size << " | " << columns->rounding_error() << " |\n";
-    checks.near(name + ": both agree as far as the refinement of columns says",
-                lost / size,
-                0.,
+    checks.near(name + ": both agree as far as the refinement of columns says", lost / size, 0.,
                 name == "square" ? 1e-12 : std::max(1e-10, 100. * columns->rounding_error()));
   }
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {test});
 }

@@ -5,13 +5,10 @@
 
 using namespace Signorini;
 
-namespace
-{
-void aspect(Checks &checks)
-{
+namespace {
+void aspect(Checks &checks) {
   StabilityTable table("aspect_ratio", "height / width of cells");
-  for (const char *height : {"1e-4", "1e-3", "1e-2", "0.1", "1", "10", "100", "1e3", "1e4"})
-  {
+  for (const char *height : {"1e-4", "1e-3", "1e-2", "0.1", "1", "10", "100", "1e3", "1e4"}) {
     Family family;
     family.height = height;
     const Measured measured = measure(text_of(family), levels(3, 4));
@@ -21,11 +18,9 @@ void aspect(Checks &checks)
   }
 }
 
-void distortion(Checks &checks)
-{
+void distortion(Checks &checks) {
   StabilityTable table("distortion", "distortion of the coarsest level");
-  for (const std::string share : {"0", "0.1", "0.2", "0.3", "0.4", "0.45"})
-  {
+  for (const std::string share : {"0", "0.1", "0.2", "0.3", "0.4", "0.45"}) {
     checks.about("distortion " + share);
     const Measured measured = measure(text_of({}), levels(2, 5, {"Geometry/Distortion=" + share}));
     table.add(share, measured);
@@ -35,8 +30,7 @@ void distortion(Checks &checks)
 }
 
 /** A cantilever of 100 x 1 under a load at its end, not touching. */
-void bending(Checks &checks)
-{
+void bending(Checks &checks) {
   const std::string cantilever = "subsection Boundary\nset Clamped = left\nset Contact = bottom\n"
                                  "set Traction = right: 0; -1e-6\nend\n" +
                                  entry("Contact", "Gap", "10") +
@@ -48,13 +42,10 @@ void bending(Checks &checks)
   // Beam in plane strain, E' = E/(1 - nu^2), I = 1/12: the energy is -F^2 L^3/(6 E' I), and shear
   // and the square cells' own stiffness change it by less than five per cent.
   checks.near("bending of square cells: the beam's energy",
-              last(square.study, "energy") / (-1e-12 * 1e6 * 2. * (1. - 0.09)),
-              1.,
-              0.05);
+              last(square.study, "energy") / (-1e-12 * 1e6 * 2. * (1. - 0.09)), 1., 0.05);
 }
 
-void smallest(Checks &checks)
-{
+void smallest(Checks &checks) {
   StabilityTable table("smallest", "smallest meshes");
   const std::string block = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
                             entry("Contact", "Gap", "-0.01");
@@ -70,7 +61,6 @@ void smallest(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {aspect, distortion, bending, smallest});
 }

@@ -18,8 +18,7 @@
 #include "tests.h"
 
 /** Constants of the family below. */
-struct Family
-{
+struct Family {
   std::string nu = "0.3";
   /** Height of the body, in widths. */
   std::string height = "1";
@@ -39,8 +38,7 @@ struct Family
  * which is bounded as nu tends to 1/2 (div u = r q). On y = 0: sigma_12 = 0, u_n = 0, p = sigma_22,
  * and the gap L max(X - xi, 0)^2 opens where p vanishes. u is prescribed on the other sides.
  */
-inline std::string text_of(const Family &family)
-{
+inline std::string text_of(const Family &family) {
   const bool uniform = family.contrast_x == "0" && family.contrast_y == "0";
   const std::string m = uniform ? "1" : "exp(kx*x/L+ky*y/L)";
   const std::string u = "0.1*L*sin(pi*x/L); y*(-w*cos(pi*x/L)*(1-2*r) - 10*r*max(xi-x/L,0)^3)";
@@ -49,8 +47,7 @@ inline std::string text_of(const Family &family)
   std::string f1 = "w*pi*sin(pi*x/L) - (c+r)*" + q1;
   std::string f2 = "y/L*(-w*pi^2*cos(pi*x/L)*(1-2*r) + 60*r*max(xi-x/L,0))";
   // Terms that vanish would be computed a million times.
-  if (!uniform)
-  {
+  if (!uniform) {
     f1 += " - kx*(2*w*cos(pi*x/L)*(1+c) - 10*c*max(xi-x/L,0)^3) - ky*" + s12;
     f2 += " - kx*" + s12 + " + ky*10*max(xi-x/L,0)^3";
   }
@@ -74,26 +71,22 @@ inline std::string text_of(const Family &family)
 }
 
 /** What is known of one value on an axis. */
-struct Measured
-{
+struct Measured {
   Signorini::StudyResult<2> study;
   double condition = 0.;
   unsigned int psor = 0, active_set = 0;
 
-  const Signorini::LevelRecord &finest() const
-  {
+  const Signorini::LevelRecord &finest() const {
     return study.levels.back();
   }
   /** Whether the equations are solved. These tests use meshes that are too coarse for a small bound
    * of the error. */
-  bool is_certified() const
-  {
+  bool is_certified() const {
     return study.verdict.equations_hold();
   }
   /** Whether the answer is withheld, and the message holds this; it may be how a sentence begins.
    */
-  bool names(const std::string &cause) const
-  {
+  bool names(const std::string &cause) const {
     std::string beginning = cause;
     beginning[0] = static_cast<char>(std::toupper(beginning[0]));
     const std::string &reason = study.verdict.reason;
@@ -102,8 +95,7 @@ struct Measured
   }
 };
 
-inline double condition_number(const dealii::FullMatrix<double> &C)
-{
+inline double condition_number(const dealii::FullMatrix<double> &C) {
   dealii::LAPACKFullMatrix<double> copy(C.m(), C.n());
   copy = C;
   dealii::Vector<double> eigenvalues;
@@ -114,8 +106,7 @@ inline double condition_number(const dealii::FullMatrix<double> &C)
 
 /** The study, and the dual problem of its finest level solved once more from P = 0 by both methods.
  */
-inline Measured measure(const std::string &text, const std::vector<std::string> &overrides)
-{
+inline Measured measure(const std::string &text, const std::vector<std::string> &overrides) {
   using namespace Signorini;
   Measured measured;
   std::vector<std::string> all = {"Output/VTU=none"};
@@ -124,9 +115,8 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
   if (measured.study.levels.empty())
     return measured;
   // The bound of the error belongs to the finest level, and is known.
-  all.insert(
-    all.end(),
-    {"Output/Inf-sup constant=false", "Output/Compliance=true", "Discretization/Finest level=14"});
+  all.insert(all.end(), {"Output/Inf-sup constant=false", "Output/Compliance=true",
+                         "Discretization/Finest level=14"});
   const OneLevel one(text, measured.finest().sizes.level, all);
   const LevelSolution<2> level = one.solve();
   if (level.dual->C == nullptr)
@@ -134,8 +124,7 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
   const BoundConstrainedQP qp(level.dual->C->dense(), level.dual->F);
   const SolverParameters &solver = one.parameters.solver;
   measured.condition = condition_number(level.dual->C->dense());
-  measured.psor = solve_by_psor(qp,
-                                dealii::Vector<double>(qp.size()),
+  measured.psor = solve_by_psor(qp, dealii::Vector<double>(qp.size()),
                                 {solver.tolerance, solver.maximum_iterations, solver.relaxation})
                     .iterations;
   if (measured.condition > 0. && measured.condition < 1e14)
@@ -144,23 +133,19 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
 }
 
 /** A table in Markdown, in a file of the working directory; scripts/stability collects them. */
-class StabilityTable
-{
+class StabilityTable {
 public:
   StabilityTable(const std::string &name, const std::string &axis)
-    : file_(name + ".md")
-  {
+    : file_(name + ".md") {
     file_
       << "| " << axis
       << " | KKT | β | cond(C) | PSOR | active set | ‖u−u_h‖₁ | ‖p−p_H‖₀ | rounding | verdict |\n"
       << "|---|---|---|---|---|---|---|---|---|---|\n";
   }
 
-  void add(const std::string &setting, const Measured &measured)
-  {
+  void add(const std::string &setting, const Measured &measured) {
     file_ << "| " << setting << " | ";
-    if (measured.study.levels.empty())
-    {
+    if (measured.study.levels.empty()) {
       file_ << "| | | | | | | | " << verdict(measured) << " |\n" << std::flush;
       return;
     }
@@ -176,16 +161,14 @@ public:
   }
 
 private:
-  void number(const std::optional<double> &value)
-  {
+  void number(const std::optional<double> &value) {
     if (value)
       file_ << std::setprecision(2) << *value;
     file_ << " | ";
   }
 
   /** For answers that are withheld, the first half sentence of the cause. */
-  static std::string verdict(const Measured &measured)
-  {
+  static std::string verdict(const Measured &measured) {
     const std::string &failure = measured.study.verdict.reason;
     return measured.is_certified()
              ? "certified"

@@ -5,10 +5,8 @@
 
 using namespace Signorini;
 
-namespace
-{
-void test_units(Checks &checks)
-{
+namespace {
+void test_units(Checks &checks) {
   const Measured reference = measure(text_of({}), levels(2, 6));
   for (const auto &[length, stress] :
        std::vector<std::pair<std::string, std::string>>{{"1", "1e9"},
@@ -16,8 +14,7 @@ void test_units(Checks &checks)
                                                         {"1e6", "1"},
                                                         {"1e-6", "1"},
                                                         {"1e-6", "1e9"},
-                                                        {"1e6", "1e-9"}})
-  {
+                                                        {"1e6", "1e-9"}}) {
     checks.about("lengths times " + length + ", stresses times " + stress);
     Family family;
     family.length = length;
@@ -28,25 +25,19 @@ void test_units(Checks &checks)
                 found.psor == reference.psor && found.active_set == reference.active_set);
     const double L = std::stod(length), S = std::stod(stress);
     for (std::size_t k = 0; k < reference.study.levels.size(); ++k)
-      for (const auto &[column, unit] : {std::pair("qp_iterations", 1.),
-                                         std::pair("u_l2", L * L),
-                                         std::pair("p_l2", S * std::sqrt(L)),
-                                         std::pair("energy", S * L * L),
-                                         std::pair("contact_force_n", S * L),
-                                         std::pair("max_pressure", S),
-                                         std::pair("estimated_relative", 1.)})
-      {
+      for (const auto &[column, unit] :
+           {std::pair("qp_iterations", 1.), std::pair("u_l2", L * L),
+            std::pair("p_l2", S * std::sqrt(L)), std::pair("energy", S * L * L),
+            std::pair("contact_force_n", S * L), std::pair("max_pressure", S),
+            std::pair("estimated_relative", 1.)}) {
         const double expected = *value(reference.study.levels[k], column);
-        checks.near(column,
-                    *value(found.study.levels.at(k), column) / unit,
-                    expected,
+        checks.near(column, *value(found.study.levels.at(k), column) / unit, expected,
                     1e-9 * std::abs(expected));
       }
   }
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {test_units});
 }

@@ -12,17 +12,14 @@
 
 using namespace Signorini;
 
-namespace
-{
-struct Range
-{
+namespace {
+struct Range {
   double low, high;
 };
 using Orders = std::map<std::string, Range>;
 
 /** A scene, and what differs from the orders of its kind. */
-struct Expectation
-{
+struct Expectation {
   std::string scene;
   const Orders &orders;
   Orders others = {};
@@ -100,32 +97,26 @@ const std::vector<Expectation> expectations = {
   {"V1", smooth, late}};
 
 /** Without the inf-sup constant. */
-StudyResult<2> solve_levels(const std::string &scene,
-                            const unsigned int from,
-                            const unsigned int to)
-{
+StudyResult<2> solve_levels(const std::string &scene, const unsigned int from,
+                            const unsigned int to) {
   return solve(named_scene(scene), levels(from, to, {"Output/Inf-sup constant=false"}));
 }
 
 /** A1: recovered fields; C1: everywhere contact; B3: force and peak pressure of Hertz. */
-void check_known_contact(Checks &checks, const StudyResult<2> &result, const std::string &scene)
-{
+void check_known_contact(Checks &checks, const StudyResult<2> &result, const std::string &scene) {
   const std::vector<LevelRecord> &levels = result.levels;
-  if (scene == "A1")
-  {
+  if (scene == "A1") {
     check_orders(checks, levels, {{"u_post4_h1", 1.9, 2.1}, {"p_post_l2", 1.3, 1.6}});
     checks.between("effectivity", last(result, "effectivity"), 0.98, 1.02);
   }
   if (scene == "C1")
     for (const LevelRecord &level : levels)
       checks.near("all patches active", level.contact.active, level.sizes.multipliers, 0.);
-  if (scene == "B3")
-  {
+  if (scene == "B3") {
     const double peak = dealii::numbers::E / 4. - 1. / std::sqrt(10.);
     const double force = dealii::numbers::PI * peak * peak / 4.;
     for (const auto &[column, exact, digits] :
-         {std::tuple("contact_force_n", force, 1e-4), std::tuple("max_pressure", peak, 1e-3)})
-    {
+         {std::tuple("contact_force_n", force, 1e-4), std::tuple("max_pressure", peak, 1e-3)}) {
       const auto error = [name = column, expected = exact](const LevelRecord &level) {
         return std::abs(value(level, name).value() / expected - 1.);
       };
@@ -139,10 +130,8 @@ void check_known_contact(Checks &checks, const StudyResult<2> &result, const std
  * Certified, and at most three active sets on every level that starts from the one before; four in
  * C3 and C4, where pressure and opening vanish together on several patches.
  */
-void check_scenes(Checks &checks)
-{
-  for (const Expectation &expected : expectations)
-  {
+void check_scenes(Checks &checks) {
+  for (const Expectation &expected : expectations) {
     const std::string &scene = expected.scene;
     checks.about(scene);
     const StudyResult<2> result = solve_levels(scene, expected.coarsest, expected.coarsest + 3);
@@ -155,8 +144,7 @@ void check_scenes(Checks &checks)
       checks.that("few active sets per level",
                   result.levels[k].dual.iterations <=
                     (result.levels[k].sizes.dofs > 100000 ? max_cycles : limit));
-    for (const auto &[column, range] : expected.orders)
-    {
+    for (const auto &[column, range] : expected.orders) {
       const auto other = expected.others.find(column);
       const Range &allowed = other == expected.others.end() ? range : other->second;
       checks.between(column, slope(result.levels, column), allowed.low, allowed.high);
@@ -166,17 +154,14 @@ void check_scenes(Checks &checks)
 }
 
 /** C2: nothing touches; linear elasticity. */
-void check_no_contact(Checks &checks)
-{
+void check_no_contact(Checks &checks) {
   const StudyResult<2> result = solve_levels("C2", 4, 7);
   checks.that("C2 certified", result.verdict.is_certified());
   for (const LevelRecord &level : result.levels)
-    checks.that("C2, nothing touches",
-                level.contact.active == 0 && level.dual.iterations == 0 &&
-                  value(level, "p_l2") == 0.);
+    checks.that("C2, nothing touches", level.contact.active == 0 && level.dual.iterations == 0 &&
+                                         value(level, "p_l2") == 0.);
   // u_superclose_h1 is O(h^2 |ln h|).
-  check_orders(checks,
-               result.levels,
+  check_orders(checks, result.levels,
                {{"u_h1", 0.9, 1.1},
                 {"u_l2", 1.9, 2.1},
                 {"u_superclose_h1", 1.85, 2.15},
@@ -184,8 +169,7 @@ void check_no_contact(Checks &checks)
 }
 
 /** D1: exact on every level. */
-void check_patch_test(Checks &checks)
-{
+void check_patch_test(Checks &checks) {
   const StudyResult<2> result = solve_levels("D1", 3, 5);
   checks.that("D1 certified", result.verdict.is_certified());
   for (const LevelRecord &level : result.levels)
@@ -194,30 +178,26 @@ void check_patch_test(Checks &checks)
 }
 
 /** The constant of Lemma 1, as found by an independent implementation. */
-void check_inf_sup(Checks &checks)
-{
+void check_inf_sup(Checks &checks) {
   const auto measure = [](const unsigned int ratio, const unsigned int coarsest) {
     return solve(named_scene("A1"),
                  levels(coarsest, 6, {"Discretization/Patch ratio=" + std::to_string(ratio)}));
   };
   for (const auto &[ratio, beta] :
        {std::pair(2, 0.8456), std::pair(3, 0.8727), std::pair(4, 0.8727)})
-    checks.near(
-      "beta, H/h = " + std::to_string(ratio), last(measure(ratio, 6), "inf_sup"), beta, 0.002);
-  for (const LevelRecord &level : measure(1, 4).levels)
-  {
+    checks.near("beta, H/h = " + std::to_string(ratio), last(measure(ratio, 6), "inf_sup"), beta,
+                0.002);
+  for (const LevelRecord &level : measure(1, 4).levels) {
     checks.near("H = h: beta/h", *level.inf_sup / level.sizes.h, 2.36, 0.236);
     checks.that("H = h: unstable", level.sizes.unstable);
   }
 }
 
 /** The orders of Lemmas 2, 3 and 5 and of the bounds (26), (27) and (30) on scene A1, H = 2 h. */
-void check_lemmas(Checks &checks)
-{
+void check_lemmas(Checks &checks) {
   const StudyResult<2> result =
     solve(named_scene("A1"), levels(3, 6, {"Output/Lemmas=true", "Output/Inf-sup constant=false"}));
-  check_orders(checks,
-               result.levels,
+  check_orders(checks, result.levels,
                {{"lemma_2_l2", 0.95, 1.05},
                 {"lemma_2_dual", 1.45, 1.7},
                 {"lemma_3_h1", 0.95, 1.05},
@@ -230,36 +210,21 @@ void check_lemmas(Checks &checks)
 
 /** Middle meshes integrate as with twelve points: loads that oscillate (A2), and a gap with a
  * fractional power at the end of contact (B4). */
-void check_quadrature(Checks &checks)
-{
-  for (const std::string scene : {"A2", "B4"})
-  {
+void check_quadrature(Checks &checks) {
+  for (const std::string scene : {"A2", "B4"}) {
     const StudyResult<2> usual = solve(named_scene(scene), levels(6, 6)),
                          accurate = solve(named_scene(scene),
                                           levels(6, 6, {"Discretization/Quadrature points=12"}));
-    for (const std::string column : {"energy",
-                                     "contact_force_n",
-                                     "u_h1",
-                                     "u_l2",
-                                     "u_superclose_h1",
-                                     "p_l2",
-                                     "p_superclose_dual_spectral"})
-      checks.near(scene + ", quadrature of " + column,
-                  last(usual, column) / last(accurate, column),
-                  1.,
-                  5e-9);
+    for (const std::string column : {"energy", "contact_force_n", "u_h1", "u_l2", "u_superclose_h1",
+                                     "p_l2", "p_superclose_dual_spectral"})
+      checks.near(scene + ", quadrature of " + column, last(usual, column) / last(accurate, column),
+                  1., 5e-9);
   }
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
-  return run_tests(argc,
-                   argv,
-                   {check_scenes,
-                    check_no_contact,
-                    check_patch_test,
-                    check_inf_sup,
-                    check_lemmas,
+int main(int argc, char **argv) {
+  return run_tests(argc, argv,
+                   {check_scenes, check_no_contact, check_patch_test, check_inf_sup, check_lemmas,
                     check_quadrature});
 }

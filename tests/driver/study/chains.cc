@@ -6,8 +6,7 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 using Point = dealii::Point<2>;
 
 const std::string text = "subsection Boundary\n set Contact = left bottom\n"
@@ -15,8 +14,7 @@ const std::string text = "subsection Boundary\n set Contact = left bottom\n"
                          " set Gap = 0.02*x^2 + 0.03*y^2 + 0.001\nend\n";
 
 /** The sides left and bottom as one, in the place of the first. */
-Scene<2> with_one_side(const Scene<2> &two, const bool gap_jumps)
-{
+Scene<2> with_one_side(const Scene<2> &two, const bool gap_jumps) {
   Scene<2> one = two;
   const Curve around = Curve::chain({Curve(Point(0., 1.), Point(0., 0.), Point(-1., 0.)),
                                      Curve(Point(0., 0.), Point(1., 0.), Point(0., -1.))});
@@ -35,23 +33,16 @@ Scene<2> with_one_side(const Scene<2> &two, const bool gap_jumps)
   return one;
 }
 
-void compare(Checks &checks,
-             const std::string &name,
-             const std::vector<std::string> &overrides,
-             const bool gap_jumps = false)
-{
+void compare(Checks &checks, const std::string &name, const std::vector<std::string> &overrides,
+             const bool gap_jumps = false) {
   checks.about(name);
   const Parameters parameters = parse_parameters(text, "test", overrides);
   const Scene<2> two = make_scene<2>(parameters);
   const StudyResult<2> of_two = run(parameters, two),
                        of_one = run(parameters, with_one_side(two, gap_jumps));
   checks.near("levels", of_one.levels.size(), of_two.levels.size(), 0);
-  for (const char *column : {"energy",
-                             "contact_force_n",
-                             "max_pressure",
-                             "contact_length",
-                             "active",
-                             "estimated_energy"})
+  for (const char *column : {"energy", "contact_force_n", "max_pressure", "contact_length",
+                             "active", "estimated_energy"})
     checks.near(column, last(of_one, column) / last(of_two, column), 1., 1e-8);
   // Below a straight side the bound knows a better displacement.
   if (value(of_two.levels.back(), "bound_energy"))
@@ -59,19 +50,15 @@ void compare(Checks &checks,
   checks.that("the same verdict", of_one.verdict.outcome == of_two.verdict.outcome);
 }
 
-void test_chains(Checks &checks)
-{
+void test_chains(Checks &checks) {
   compare(checks, "nested", levels(3, 5));
   compare(checks, "jump", levels(3, 5, {"Contact/Gap=left: 0.002 | bottom: 0.005"}), true);
-  compare(checks,
-          "graded",
-          {"Discretization/Strategy=hp",
-           "Discretization/Coarsest level=2",
+  compare(checks, "graded",
+          {"Discretization/Strategy=hp", "Discretization/Coarsest level=2",
            "Discretization/Target error=0.01"});
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {test_chains});
 }

@@ -17,76 +17,52 @@
 using namespace Signorini;
 using Vector = dealii::Vector<double>;
 
-namespace
-{
+namespace {
 using Settings = std::vector<std::string>;
 
-Settings operator+(Settings a, const Settings &b)
-{
+Settings operator+(Settings a, const Settings &b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
-const Settings held = {"Boundary/Clamped=top",
-                       "Boundary/Contact=bottom",
+const Settings held = {"Boundary/Clamped=top", "Boundary/Contact=bottom",
                        "Load/Body force=0.05; -0.2"};
 const Settings block = held + Settings{"Contact/Gap=2*(x-0.4)^2-0.02"};
 
-const std::vector<Settings> described = {block,
-                                         // Nothing touches.
-                                         held + Settings{"Contact/Gap=1"},
-                                         block + Settings{"Material/Young's modulus=1+9*y"},
-                                         // Patches aligned with nothing.
-                                         block + Settings{"Discretization/Patches=11"},
-                                         {"Boundary/Clamped=top",
-                                          "Boundary/Contact=bottom left",
-                                          "Load/Body force=-0.4; -0.5*x",
-                                          "Contact/Gap=bottom: 0.3*x^2 | left: 0.1*y"},
-                                         {"Boundary/Clamped=top",
-                                          "Boundary/Contact=bottom, right",
-                                          "Boundary/Traction=left: 0.3; 0",
-                                          "Load/Body force=0.05; -0.2",
-                                          "Contact/Gap=0.02"},
-                                         {"Boundary/Displacement=top: 0.01*x; -0.05",
-                                          "Boundary/Rollers=left",
-                                          "Boundary/Contact=bottom",
-                                          "Contact/Gap=0.01+0.06*(x-0.8)^2"},
-                                         // The corner of the contact side is moved.
-                                         {"Boundary/Displacement=left: 0.01; -0.02*(1-y)",
-                                          "Boundary/Contact=bottom",
-                                          "Boundary/Traction=top: 0; -0.1",
-                                          "Contact/Gap=0.3*x^2"},
-                                         {"Geometry/Shape=polygon",
-                                          "Geometry/Vertices=0,0; 2,0; 2.5,1; 1,2; -0.5,1",
-                                          "Boundary/Clamped=side2",
-                                          "Boundary/Contact=side0",
-                                          "Load/Body force=0.05; -0.2",
-                                          "Contact/Gap=0.1*(x-1)^2-0.01"},
-                                         {"Boundary/Displacement=top: 0; -0.1",
-                                          "Boundary/Contact=bottom",
-                                          "Material/Poisson's ratio=0.49",
-                                          "Discretization/Element=Q1 B-bar",
-                                          "Contact/Gap=0.2*(x-0.5)^2"}};
+const std::vector<Settings> described = {
+  block,
+  // Nothing touches.
+  held + Settings{"Contact/Gap=1"},
+  block + Settings{"Material/Young's modulus=1+9*y"},
+  // Patches aligned with nothing.
+  block + Settings{"Discretization/Patches=11"},
+  {"Boundary/Clamped=top", "Boundary/Contact=bottom left", "Load/Body force=-0.4; -0.5*x",
+   "Contact/Gap=bottom: 0.3*x^2 | left: 0.1*y"},
+  {"Boundary/Clamped=top", "Boundary/Contact=bottom, right", "Boundary/Traction=left: 0.3; 0",
+   "Load/Body force=0.05; -0.2", "Contact/Gap=0.02"},
+  {"Boundary/Displacement=top: 0.01*x; -0.05", "Boundary/Rollers=left", "Boundary/Contact=bottom",
+   "Contact/Gap=0.01+0.06*(x-0.8)^2"},
+  // The corner of the contact side is moved.
+  {"Boundary/Displacement=left: 0.01; -0.02*(1-y)", "Boundary/Contact=bottom",
+   "Boundary/Traction=top: 0; -0.1", "Contact/Gap=0.3*x^2"},
+  {"Geometry/Shape=polygon", "Geometry/Vertices=0,0; 2,0; 2.5,1; 1,2; -0.5,1",
+   "Boundary/Clamped=side2", "Boundary/Contact=side0", "Load/Body force=0.05; -0.2",
+   "Contact/Gap=0.1*(x-1)^2-0.01"},
+  {"Boundary/Displacement=top: 0; -0.1", "Boundary/Contact=bottom", "Material/Poisson's ratio=0.49",
+   "Discretization/Element=Q1 B-bar", "Contact/Gap=0.2*(x-0.5)^2"}};
 
 /** The body is held by contact, or by a plate: there are free motions. */
 const std::vector<Settings> movable = {
-  {"Geometry/Shape=polygon",
-   "Geometry/Vertices=0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1",
-   "Boundary/Contact=side0 side4",
-   "Boundary/Rollers=side1 side2",
-   "Load/Body force=-0.1; -0.3",
+  {"Geometry/Shape=polygon", "Geometry/Vertices=0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1",
+   "Boundary/Contact=side0 side4", "Boundary/Rollers=side1 side2", "Load/Body force=-0.1; -0.3",
    "Contact/Gap=side0: 0.4*(x-1)^2 | side4: 0.2*y"},
   {"Boundary/Contact=bottom", "Load/Body force=0; -1", "Contact/Gap=0.1*(x-0.5)^2"},
-  {"Boundary/Contact=bottom",
-   "Boundary/Rollers=left",
-   "Boundary/Plates=top: 0, -1",
-   "Load/Plate force=top: 0.1",
-   "Contact/Gap=0.1*x^2"}};
+  {"Boundary/Contact=bottom", "Boundary/Rollers=left", "Boundary/Plates=top: 0, -1",
+   "Load/Plate force=top: 0.1", "Contact/Gap=0.1*x^2"}};
 
 /** |a - b| / |b|, or |a| where b vanishes. */
 template <typename First>
-double relative_error(const First &a, const First &b)
-{
+double relative_error(const First &a, const First &b) {
   const double size = b.linfty_norm();
   return distance(a, b) / (size > 0. ? size : 1.);
 }
@@ -95,13 +71,10 @@ double relative_error(const First &a, const First &b)
  * A sweep lowers the objective by at least (1/omega - 1/2) sum C_ii (P_i^{k+1} - P_i^k)²: each of
  * its steps is part of the way, at most omega times, to the minimum along a coordinate.
  */
-void check_sweeps(Checks &checks, const BoundConstrainedQP &qp)
-{
-  for (const double relaxation : {0.5, 1.1, 1.8})
-  {
+void check_sweeps(Checks &checks, const BoundConstrainedQP &qp) {
+  for (const double relaxation : {0.5, 1.1, 1.8}) {
     Vector P(qp.size());
-    for (unsigned int sweep = 0; sweep < 300; ++sweep)
-    {
+    for (unsigned int sweep = 0; sweep < 300; ++sweep) {
       Vector step(P);
       double rise = -qp.energy(P);
       psor_sweep(qp, relaxation, P);
@@ -114,8 +87,7 @@ void check_sweeps(Checks &checks, const BoundConstrainedQP &qp)
   }
 }
 
-void compare(Checks &checks, const Settings &settings, const std::vector<Settings> &solvers)
-{
+void compare(Checks &checks, const Settings &settings, const std::vector<Settings> &solvers) {
   const auto solve_by = [&](const Settings &solver) {
     return OneLevel("", 4, settings + Settings{"Solver/Tolerance=1e-12"} + solver).solve();
   };
@@ -125,8 +97,7 @@ void compare(Checks &checks, const Settings &settings, const std::vector<Setting
   checks.near("the mixed problem", max_residual(exact.record.certificate).value, 0., 1e-10);
   if (exact.dual->C != nullptr)
     check_sweeps(checks, BoundConstrainedQP(exact.dual->C->dense(), exact.dual->F));
-  for (const Settings &solver : solvers)
-  {
+  for (const Settings &solver : solvers) {
     const LevelSolution<2> found = solve_by(solver);
     checks.about(settings[0] + ", " + settings.back() + ", " + solver.back());
     checks.that("converged", found.record.dual.converged);
@@ -135,8 +106,8 @@ void compare(Checks &checks, const Settings &settings, const std::vector<Setting
     checks.near("P", relative_error(found.P, exact.P), 0., 1e-8);
     checks.near("active", found.record.contact.active, exact.record.contact.active, 0.);
     const double energy = exact.record.certificate.energy, estimate = exact.record.estimate->energy;
-    checks.near(
-      "energy", found.record.certificate.energy, energy, 1e-10 * (1e-12 + std::abs(energy)));
+    checks.near("energy", found.record.certificate.energy, energy,
+                1e-10 * (1e-12 + std::abs(energy)));
     checks.near("the estimate", found.record.estimate->energy, estimate, 1e-6 * estimate + 1e-13);
   }
 }
@@ -146,8 +117,7 @@ const std::string psor = "Solver/Contact solver=psor", mprgp = "Solver/Contact s
                   linear_multigrid = "Solver/Linear solver=multigrid",
                   early = "Solver/Stop at=discretisation error";
 
-void test_scenes(Checks &checks)
-{
+void test_scenes(Checks &checks) {
   for (const Settings &settings : described)
     compare(checks, settings, {{psor}, {mprgp}, {multigrid}, {mprgp, linear_multigrid}});
   for (const Settings &settings : movable)
@@ -159,14 +129,12 @@ void test_scenes(Checks &checks)
 }
 
 /** A solver that stops at 1 % says how far it is from the discrete solution (energy norm). */
-void test_early_stop(Checks &checks)
-{
+void test_early_stop(Checks &checks) {
   const OneLevel level("", 4, block + Settings{"Solver/Tolerance=1e-12"});
   const LevelSolution<2> exact = level.solve();
   const ErrorEstimate &estimate = *exact.record.estimate;
   checks.between("exact: algebraic error", *estimate.algebra / estimate.energy, 0., 1e-8);
-  for (const std::string &method : {psor, mprgp, multigrid})
-  {
+  for (const std::string &method : {psor, mprgp, multigrid}) {
     checks.about(method);
     const LevelSolution<2> found =
       OneLevel("", 4, block + Settings{"Solver/Tolerance=1e-2", method}).solve();
@@ -174,52 +142,45 @@ void test_early_stop(Checks &checks)
     difference -= exact.U;
     const double error = energy_norm(level.space(), level.scene, difference);
     checks.that("stops early", error > 1e-8 * exact.U.linfty_norm());
-    checks.between(
-      "algebraic error over the true one", *found.record.estimate->algebra / error, 1., 30.);
+    checks.between("algebraic error over the true one", *found.record.estimate->algebra / error, 1.,
+                   30.);
   }
 }
 
 template <int dim>
-void check_cycles(Checks &checks, const StudyResult<dim> &result)
-{
+void check_cycles(Checks &checks, const StudyResult<dim> &result) {
   for (const LevelRecord &level : result.levels)
     checks.between("V-cycles on each level", level.dual.iterations, 5., 20.);
 }
 
 /** Studies on nested levels: certified, and as many V-cycles on every level. */
-void test_nested(Checks &checks)
-{
+void test_nested(Checks &checks) {
   const StudyResult<2> exact = solve("", levels(3, 7, block)),
                        found = solve("", levels(3, 7, block + Settings{multigrid}));
   checks.about("nested");
   checks.that("certified", found.verdict.outcome == exact.verdict.outcome);
   check_cycles(checks, found);
   // The estimate is solved for loosely, and the bound takes another lift.
-  for (const auto &[column, tolerance] : {std::pair("energy", 1e-9),
-                                          std::pair("contact_force_n", 1e-7),
-                                          std::pair("estimated_relative", 1e-4),
-                                          std::pair("bound_relative", 0.1)})
+  for (const auto &[column, tolerance] :
+       {std::pair("energy", 1e-9), std::pair("contact_force_n", 1e-7),
+        std::pair("estimated_relative", 1e-4), std::pair("bound_relative", 0.1)})
     checks.near(column, last(found, column) / last(exact, column), 1., tolerance);
   // Ends ten times as early, with an error that nobody sees beside that of the mesh.
   checks.about("stop at the error of the mesh");
   const StudyResult<2> stopped = solve("", levels(3, 7, block + Settings{multigrid, early}));
   checks.between("V-cycles", stopped.levels.back().dual.iterations, 1., 7.);
-  checks.near("energy",
-              last(stopped, "energy") / last(exact, "energy"),
-              1.,
+  checks.near("energy", last(stopped, "energy") / last(exact, "energy"), 1.,
               0.02 * std::pow(last(exact, "estimated_relative"), 2));
   checks.that("certified", stopped.verdict.outcome == Outcome::certified);
   checks.near("bound", last(stopped, "bound_relative") / last(exact, "bound_relative"), 1., 0.06);
 }
 
-void test_3d(Checks &checks)
-{
+void test_3d(Checks &checks) {
   const auto solve_by = [](const std::vector<std::string> &overrides) {
     return solve<3>("set Dimension = 3\n" + named_scene("D3"), levels(2, 4, overrides));
   };
   const StudyResult<3> exact = solve_by({"Solver/Contact solver=active set"});
-  for (const std::string &solver : {multigrid, mprgp})
-  {
+  for (const std::string &solver : {multigrid, mprgp}) {
     checks.about("3-D, " + solver);
     const StudyResult<3> found = solve_by({solver});
     checks.near("P", relative_error(found.pressure.P, exact.pressure.P), 0., 1e-8);
@@ -231,34 +192,29 @@ void test_3d(Checks &checks)
   }
   const StudyResult<3> stopped = solve_by({multigrid, early});
   checks.between("V-cycles, early", stopped.levels.back().dual.iterations, 1., 6.);
-  checks.near(
-    "error of pi^{2h}, early", last(stopped, "u_post_h1") / last(exact, "u_post_h1"), 1., 0.02);
+  checks.near("error of pi^{2h}, early", last(stopped, "u_post_h1") / last(exact, "u_post_h1"), 1.,
+              0.02);
 }
 
 /** What V-cycles do not know is refused before the first level. */
-void test_refusals(Checks &checks)
-{
+void test_refusals(Checks &checks) {
   for (const auto &[solver, other, message] : std::vector<std::array<std::string, 3>>{
          {multigrid, "Solver/Linear solver=condensed", "allowed with it: automatic, multigrid."},
          {multigrid, "Discretization/Strategy=hp", "with Strategy 'hp'"},
          {multigrid, "Load cases/Cases=weight 2", "with load cases"},
          {multigrid, "Boundary/Clamped=", "moves freely"},
-         {linear_multigrid,
-          "Discretization/Strategy=hp",
+         {linear_multigrid, "Discretization/Strategy=hp",
           "--set: Solver/Linear solver: found 'multigrid' with Strategy 'hp', allowed with it: "
           "automatic, condensed."},
-         {linear_multigrid,
-          "Output/Compliance=true",
+         {linear_multigrid, "Output/Compliance=true",
           "--set: Solver/Linear solver: found 'multigrid' with Compliance = true, which writes a "
           "matrix, allowed with it: automatic, condensed."}})
     checks.throws<InputError>(
-      solver + " " + other, message, [overrides = block + Settings{solver, other}] {
-        solve("", overrides);
-      });
+      solver + " " + other, message,
+      [overrides = block + Settings{solver, other}] { solve("", overrides); });
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {test_scenes, test_early_stop, test_nested, test_3d, test_refusals});
 }

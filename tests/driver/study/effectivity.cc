@@ -14,68 +14,57 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 constexpr double lowest = 0.8, highest = 1.25;
 
 /** One level with its errors. It is not the finest one of its study, so that its bound is not
  * computed, which takes most of the time; nor are norms of order -1/2. */
-LevelRecord level_without_bound(const std::string &scene,
-                                const std::string &partition,
-                                const unsigned int level)
-{
-  const OneLevel one(named_scene(scene),
-                     level,
+LevelRecord level_without_bound(const std::string &scene, const std::string &partition,
+                                const unsigned int level) {
+  const OneLevel one(named_scene(scene), level,
                      {"Discretization/Finest level=" + std::to_string(level + 1),
-                      "Discretization/" + partition,
-                      "Output/Inf-sup constant=false"});
+                      "Discretization/" + partition, "Output/Inf-sup constant=false"});
   LevelSolution<2> solution = one.solve();
   add_errors<2>(one.parameters, one.scene, one.discretization, nullptr, solution);
   return solution.record;
 }
 
 /** All scenes with a known solution but D1, which is solved exactly. */
-void known_solutions(Checks &checks)
-{
+void known_solutions(Checks &checks) {
   for (const CatalogueEntry<2> &scene : catalogue<2>())
     if (scene.name != "D1" && scene.name != "block on parabola")
       for (const std::string partition : {"Patch ratio=2", "Patches=8"})
         checks.between(scene.name + ", " + partition,
                        *value(level_without_bound(scene.name, partition, 5), "effectivity_energy"),
-                       lowest,
-                       highest);
+                       lowest, highest);
 }
 
 /** Whether the energy estimate sees what the distance to pi^{2h} alone does not. */
-void coarse_patches(Checks &checks)
-{
+void coarse_patches(Checks &checks) {
   for (const auto &[scene, partition] :
-       {std::pair("A1", "Patch ratio=8"), std::pair("E2", "Patches=8")})
-  {
+       {std::pair("A1", "Patch ratio=8"), std::pair("E2", "Patches=8")}) {
     const LevelRecord level = level_without_bound(scene, partition, 6);
     checks.about(scene);
-    checks.between(
-      "the energy estimate on level 6", *value(level, "effectivity_energy"), lowest, highest);
+    checks.between("the energy estimate on level 6", *value(level, "effectivity_energy"), lowest,
+                   highest);
     checks.between("H1: blind for long patches", *value(level, "effectivity"), 0., 0.5);
   }
 }
 
 /** The block on a parabola against the same on level 7 with H = 2 h. */
-void finer_reference(Checks &checks)
-{
+void finer_reference(Checks &checks) {
   const std::string block = named_scene("block on parabola");
   const std::vector<std::string> options = {"Output/Inf-sup constant=false",
                                             "Discretization/Coarsest level=2"};
   const OneLevel fine(block, 7, options);
   const Displacement U = fine.solve().U;
-  for (const char *partition : {"4", "8"})
-  {
+  for (const char *partition : {"4", "8"}) {
     const OneLevel coarse(block + entry("Discretization", "Patches", partition), 5, options);
     const LevelSolution<2> solution = coarse.solve();
     Displacement difference = fine.space().zero();
     difference.zero_out_ghost_values();
-    dealii::VectorTools::interpolate_to_different_mesh(
-      coarse.space().dofs(), solution.U.entries(), fine.space().dofs(), difference.entries());
+    dealii::VectorTools::interpolate_to_different_mesh(coarse.space().dofs(), solution.U.entries(),
+                                                       fine.space().dofs(), difference.entries());
     difference -= U;
     const double error = energy_norm(fine.space(), fine.scene, difference);
     const ErrorEstimate &estimate = *solution.record.estimate;
@@ -87,7 +76,6 @@ void finer_reference(Checks &checks)
 
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {known_solutions, coarse_patches, finer_reference});
 }

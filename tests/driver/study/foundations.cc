@@ -12,33 +12,27 @@
 using namespace Signorini;
 using dealii::numbers::PI;
 
-namespace
-{
+namespace {
 const std::string block = "subsection Geometry\nset Lower left = -1, 0\nset Cells = 2, 1\nend\n"
                           "subsection Boundary\nset Contact = bottom\n"
                           "set Displacement = top: 0; -0.05\nend\n";
 
 /** The block on things, or on a gap. */
-StudyResult<2> solve_on(const std::string &name,
-                        const std::string &value,
-                        std::vector<std::string> overrides)
-{
+StudyResult<2> solve_on(const std::string &name, const std::string &value,
+                        std::vector<std::string> overrides) {
   overrides.insert(overrides.begin(), "Contact/" + name + "=" + value);
   return solve(block, overrides);
 }
 
-void test_digits(Checks &checks)
-{
-  struct Pair
-  {
+void test_digits(Checks &checks) {
+  struct Pair {
     std::string expression, obstacle;
   };
   for (const Pair &pair : std::vector<Pair>{
          {"x^2/4", "parabola 0,0 normal 0,2 curvature -0.5"},
          {"-0.0625", "plane -7,0.0625 normal 0,1"},
          {"min(0.125, 0.25)", "plane 0,-0.25 normal 0,1 | plane 0,-0.125 normal 0,3"}})
-    for (const auto &overrides : {levels(2, 4), graded("1e-3")})
-    {
+    for (const auto &overrides : {levels(2, 4), graded("1e-3")}) {
       const StudyResult<2> a = solve_on("Gap", pair.expression, overrides),
                            b = solve_on("Foundation", pair.obstacle, overrides);
       checks.near(pair.obstacle + ": levels", a.levels.size(), b.levels.size(), 0.);
@@ -51,24 +45,21 @@ void test_digits(Checks &checks)
 }
 
 /** A block that is lowered onto discs, and discs that are raised by as much into the block. */
-void test_position(Checks &checks)
-{
+void test_position(Checks &checks) {
   const std::string discs = "circle -0.5,-0.5 radius 0.5 | circle 0.5,-0.5 radius 0.5";
   const StudyResult<2> lowered = solve_on("Foundation", discs, levels(3, 5));
   const StudyResult<2> raised = solve_on(
-    "Foundation",
-    discs,
+    "Foundation", discs,
     levels(3, 5, {"Boundary/Displacement=top: 0; 0", "Contact/Foundation position=0, 0.05"}));
   checks.that("certified", raised.verdict.outcome == Outcome::certified);
-  checks.near(
-    "lowered and raised", last(raised, "contact_force_n"), last(lowered, "contact_force_n"), 1e-12);
+  checks.near("lowered and raised", last(raised, "contact_force_n"),
+              last(lowered, "contact_force_n"), 1e-12);
   checks.near("two zones", raised.levels.back().answer.zones.size(), 2, 0.);
 }
 
 /** A disc of a hundredth of the block's size beside a large one, without kinks: graded meshes find
  * it, although gaps beside it are much larger than it. */
-void test_small_disc(Checks &checks)
-{
+void test_small_disc(Checks &checks) {
   const std::string things = "circle 0.53,-0.03 radius 0.02 | circle -0.5,-1 radius 1";
   const StudyResult<2> result = solve_on("Foundation", things, graded("1e-3"));
   checks.that("a small disc, the accuracy is reached",
@@ -78,14 +69,12 @@ void test_small_disc(Checks &checks)
   checks.near("force with a small disc, against a nested level",
               last(result, "contact_force_n") /
                 last(solve_on("Foundation", things, levels(7, 7)), "contact_force_n"),
-              1.,
-              0.01);
+              1., 0.01);
 }
 
 /** A square on its tip, held by nothing but a groove of two planes: each side of the groove carries
  * (∓W/2, W/2) of the weight W = 2. */
-void test_groove(Checks &checks)
-{
+void test_groove(Checks &checks) {
   const StudyResult<2> result =
     solve("subsection Geometry\nset Shape = polygon\nset Vertices = 0,-1; 1,0; 0,1; -1,0\nend\n"
           "subsection Boundary\nset Contact = side0 side3\nend\n"
@@ -95,15 +84,13 @@ void test_groove(Checks &checks)
   for (unsigned int i = 0; i < 2; ++i)
     checks.near("forces in a groove",
                 result.levels.back().answer.contact_by_side.at(i).resultant.force,
-                dealii::Point<2>(i == 0 ? -1. : 1., 1.),
-                1e-9);
+                dealii::Point<2>(i == 0 ? -1. : 1., 1.), 1e-9);
 }
 
 /** A roller in a groove of twice its radius, by Hertz: half the zone is b with b² = 4 F R_* /(pi
  * E*), the peak 2 F/(pi b); here E* = 8/3, 1/R_* = 1 - 1/2. The law holds up to (b/R)² = 0.014;
  * rollers on planes are in tests/driver/benchmarks. */
-void test_hertz(Checks &checks)
-{
+void test_hertz(Checks &checks) {
   const Parameters parameters = parse_parameters(named_scene("E3"), "test", graded("1e-3"));
   Scene<2> scene = make_scene<2>(parameters);
   scene.exact_displacement = scene.body_force = nullptr;
@@ -124,8 +111,7 @@ void test_hertz(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
-  return run_tests(
-    argc, argv, {test_digits, test_position, test_small_disc, test_groove, test_hertz});
+int main(int argc, char **argv) {
+  return run_tests(argc, argv,
+                   {test_digits, test_position, test_small_disc, test_groove, test_hertz});
 }

@@ -7,12 +7,9 @@
 
 using namespace Signorini;
 
-namespace
-{
-void check_agreement(Checks &checks)
-{
-  for (const std::string name : {"block_on_parabola", "pressed_plate"})
-  {
+namespace {
+void check_agreement(Checks &checks) {
+  for (const std::string name : {"block_on_parabola", "pressed_plate"}) {
     checks.about(name);
     const auto study = [&](const std::vector<std::string> &overrides) {
       return solve_file(SOURCE_DIR "/../../../prm/" + name + ".prm", overrides);
@@ -20,52 +17,40 @@ void check_agreement(Checks &checks)
     // Brackets belong to the finest level of a study.
     const StudyResult<2> coarse = study(levels(5, 5)), fine = study(levels(6, 6)),
                          found = study(graded("1e-5"));
-    checks.that("both are certified",
-                fine.verdict.outcome == Outcome::certified &&
-                  found.verdict.outcome == Outcome::accuracy_estimated);
+    checks.that("both are certified", fine.verdict.outcome == Outcome::certified &&
+                                        found.verdict.outcome == Outcome::accuracy_estimated);
     const LevelRecord &step = found.levels.back();
     const double J = step.certificate.energy;
-    for (const StudyResult<2> *nested : {&coarse, &fine})
-    {
+    for (const StudyResult<2> *nested : {&coarse, &fine}) {
       const LevelRecord &level = nested->levels.back();
-      checks.between(
-        "energy in the brackets", J, *level.bound->energy_lower, *level.bound->energy_upper);
-      checks.near("contact force",
-                  level.contact.normal_force,
-                  step.contact.normal_force,
+      checks.between("energy in the brackets", J, *level.bound->energy_lower,
+                     *level.bound->energy_upper);
+      checks.near("contact force", level.contact.normal_force, step.contact.normal_force,
                   level.bound->force_error.value());
     }
     // Levels 5 and 6 differ by more than level 6 is wrong.
     const double peak = last(fine, "peak_pressure");
-    checks.near("peak pressure",
-                peak,
-                last(found, "peak_pressure"),
+    checks.near("peak pressure", peak, last(found, "peak_pressure"),
                 std::abs(peak - last(coarse, "peak_pressure")));
-    checks.near("length of contact",
-                step.contact.length,
-                last(fine, "contact_length"),
+    checks.near("length of contact", step.contact.length, last(fine, "contact_length"),
                 2. * fine.levels.back().sizes.H);
     // |J(u_h) - J(u)| <= (|||u - u_h|||^2 + contact part)/2: digits are twice those of the error.
     const LevelRecord &before = *(found.levels.end() - 2);
     checks.near(
-      "energy of the last two steps",
-      before.certificate.energy,
-      J,
+      "energy of the last two steps", before.certificate.energy, J,
       std::pow(before.estimate->relative * step.estimate->energy / step.estimate->relative, 2));
   }
 }
 
 /** The tip of a parabola touches between the nodes of the first mesh: half of the zone is
  * (0.002/20)^{1/2} = 0.01 wide, if the body were rigid. */
-void check_missed_contact(Checks &checks)
-{
+void check_missed_contact(Checks &checks) {
   const std::string scene =
     "subsection Geometry\n set Upper right = 4, 1\n set Cells = 4, 1\n end\n"
     "subsection Boundary\n set Contact = bottom\n set Displacement = top: 0; -0.002\n end\n"
     "subsection Contact\n set Gap = 20*(x-1.23)^2\n end\n";
   double force = 0.;
-  for (const std::string level : {"0", "1", "2"})
-  {
+  for (const std::string level : {"0", "1", "2"}) {
     checks.about("Tip, from level " + level);
     std::vector<std::string> overrides = graded("1e-4");
     overrides.push_back("Discretization/Coarsest level=" + level);
@@ -77,17 +62,14 @@ void check_missed_contact(Checks &checks)
     const std::vector<ContactZone> &zones = step.answer.zones;
     checks.near("one zone", zones.size(), 1, 0.);
     checks.near("its middle",
-                0.5 * (zones.at(0).start.place.point[0] + zones[0].end.place.point[0]),
-                1.23,
-                1e-4);
+                0.5 * (zones.at(0).start.place.point[0] + zones[0].end.place.point[0]), 1.23, 1e-4);
     checks.between("its length", step.contact.length, 1e-3, 0.02);
     force = force == 0. ? step.contact.normal_force : force;
     checks.near("the same force", step.contact.normal_force / force, 1., 1e-4);
   }
 }
 
-void check_too_few_unknowns(Checks &checks)
-{
+void check_too_few_unknowns(Checks &checks) {
   std::vector<std::string> overrides = graded("1e-6");
   overrides.emplace_back("Discretization/Maximum unknowns=3000");
   const StudyResult<2> result = solve(named_scene("B1"), overrides);
@@ -102,7 +84,6 @@ void check_too_few_unknowns(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {check_agreement, check_missed_contact, check_too_few_unknowns});
 }

@@ -6,13 +6,11 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** Contact is at the bottom unless a scene is given. */
 StudyResult<2>
 solve_hp(std::vector<std::string> overrides,
-         const std::string &scene = "subsection Boundary\nset Contact = bottom\nend\n")
-{
+         const std::string &scene = "subsection Boundary\nset Contact = bottom\nend\n") {
   overrides.insert(overrides.end(), {"Discretization/Strategy=hp", "Output/VTU=none"});
   return solve(scene, overrides);
 }
@@ -20,10 +18,8 @@ solve_hp(std::vector<std::string> overrides,
 const std::string pressed = "Boundary/Displacement=top: 0; -0.05";
 
 /** Nothing deforms the body: the first step has the answer, up to rounding. */
-void check_nothing_to_do(Checks &checks)
-{
-  for (const std::string held : {"Boundary/Clamped=top", "Boundary/Displacement=top: 0.3; -0.1"})
-  {
+void check_nothing_to_do(Checks &checks) {
+  for (const std::string held : {"Boundary/Clamped=top", "Boundary/Displacement=top: 0.3; -0.1"}) {
     checks.about(held);
     const StudyResult<2> result = solve_hp({held, "Contact/Gap=1"});
     checks.near("one step", result.levels.size(), 1, 0.);
@@ -33,20 +29,17 @@ void check_nothing_to_do(Checks &checks)
 }
 
 /** What a contact solver left half done is not refined. */
-void check_early_stop(Checks &checks)
-{
-  const StudyResult<2> result = solve_hp({pressed,
-                                          "Contact/Gap=0.3*(x-0.37)^2",
-                                          "Solver/Contact solver=psor",
-                                          "Solver/Maximum iterations=1"});
+void check_early_stop(Checks &checks) {
+  const StudyResult<2> result =
+    solve_hp({pressed, "Contact/Gap=0.3*(x-0.37)^2", "Solver/Contact solver=psor",
+              "Solver/Maximum iterations=1"});
   checks.that("One sweep: one step, not certified",
               result.levels.size() == 1 && result.verdict.outcome == Outcome::not_certified);
 }
 
 /** Where a prescribed displacement jumps inside a side no displacement has finite energy: whatever
  * the estimate, nothing is claimed. */
-void check_contradiction(Checks &checks)
-{
+void check_contradiction(Checks &checks) {
   const StudyResult<2> result =
     solve_hp({"Boundary/Displacement=top: 0; x > 0.5 ? -0.05 : 0", "Contact/Gap=0.1*x^2"});
   checks.that("Contradiction: not certified, nothing is known",
@@ -55,44 +48,33 @@ void check_contradiction(Checks &checks)
 
 /** A coating that is soft and a thousandth of the body thick lies between the Gauss points of the
  * first mesh. The springs 0.999 and 0.001/1e-5 in a row, drawn by 1e-4: J = 1e-8/2/100.999. */
-void check_coating(Checks &checks)
-{
+void check_coating(Checks &checks) {
   const auto coated = [](const std::string &thickness, const std::string &other) {
-    return solve_hp({"Boundary/Rollers=left, right",
-                     "Boundary/Displacement=top: 0; -1e-4",
-                     "Contact/Gap=0",
-                     "Material/Young's modulus=y < " + thickness + " ? 1e-5 : 1",
-                     "Material/Poisson's ratio=0",
-                     "Discretization/Target error=0.05",
-                     other});
+    return solve_hp({"Boundary/Rollers=left, right", "Boundary/Displacement=top: 0; -1e-4",
+                     "Contact/Gap=0", "Material/Young's modulus=y < " + thickness + " ? 1e-5 : 1",
+                     "Material/Poisson's ratio=0", "Discretization/Target error=0.05", other});
   };
   checks.that("Coating: not certified",
               !coated("0.001", "Discretization/Maximum unknowns=10000").verdict.is_certified());
   const StudyResult<2> aligned = coated("0.001", "Discretization/Kinks at y=0.001");
   checks.that("Coating, kinks given: certified", aligned.verdict.is_certified());
-  checks.near(
-    "Coating, kinks given: the energy", last(aligned, "energy") / (0.5e-8 / 100.999), 1., 1e-6);
-  checks.throws<InputError>(
-    "A film: refused", "Kinks at y", [&] { coated("1e-6", "Contact/Gap=0"); });
+  checks.near("Coating, kinks given: the energy", last(aligned, "energy") / (0.5e-8 / 100.999), 1.,
+              1e-6);
+  checks.throws<InputError>("A film: refused", "Kinks at y",
+                            [&] { coated("1e-6", "Contact/Gap=0"); });
 }
 
 /** A traction of 30 on a thousandth of a side is a force of 0.03, which the clamped side holds. */
-void check_spike(Checks &checks)
-{
+void check_spike(Checks &checks) {
   const StudyResult<2> result =
-    solve_hp({"Boundary/Clamped=top",
-              "Boundary/Traction=left: abs(y - 0.4003) < 5e-4 ? -30 : 0; 0",
-              "Contact/Gap=1",
-              "Discretization/Target error=0.05"});
-  checks.near("Spike: its force",
-              result.levels.back().answer.reactions.at(0).resultant.force[0],
-              0.03,
-              2e-4 * 0.03);
+    solve_hp({"Boundary/Clamped=top", "Boundary/Traction=left: abs(y - 0.4003) < 5e-4 ? -30 : 0; 0",
+              "Contact/Gap=1", "Discretization/Target error=0.05"});
+  checks.near("Spike: its force", result.levels.back().answer.reactions.at(0).resultant.force[0],
+              0.03, 2e-4 * 0.03);
 }
 
 /** Without a Target error the sequence aims at 1e-3. */
-void check_usual_target(Checks &checks)
-{
+void check_usual_target(Checks &checks) {
   const StudyResult<2> result = solve_hp({}, named_scene("B1"));
   const std::vector<GradedStep> steps = steps_of(result.levels);
   checks.that("No target: certified", result.verdict.outcome == Outcome::accuracy_estimated);
@@ -103,8 +85,7 @@ void check_usual_target(Checks &checks)
 /** A clamped block that is pulled: stresses are infinite at both ends of the clamped side, and
  * their largest value elsewhere is the same on nested and on graded meshes. With nu = 0 the stress
  * is one everywhere, whatever the exponent. */
-void check_growth(Checks &checks)
-{
+void check_growth(Checks &checks) {
   const auto pulled = [](const std::string &ratio) {
     return "subsection Boundary\n set Clamped = left\n set Contact = bottom\n"
            " set Traction = right: 1; 0\n end\nsubsection Contact\n set Gap = 10\n end\n"
@@ -113,8 +94,7 @@ void check_growth(Checks &checks)
   };
   const VonMises nested = solve(pulled("0.3"), levels(5, 5)).levels.back().answer.von_mises,
                  refined = solve_hp({}, pulled("0.3")).levels.back().answer.von_mises;
-  for (const VonMises &stress : {nested, refined})
-  {
+  for (const VonMises &stress : {nested, refined}) {
     checks.that("Pulled: grows at a clamped corner",
                 stress.grows_at && stress.grows_at->ends[0][0] == 0. &&
                   std::abs(stress.grows_at->ends[0][1] - 0.5) == 0.5);
@@ -128,15 +108,8 @@ void check_growth(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
-  return run_tests(argc,
-                   argv,
-                   {check_nothing_to_do,
-                    check_early_stop,
-                    check_contradiction,
-                    check_coating,
-                    check_spike,
-                    check_usual_target,
-                    check_growth});
+int main(int argc, char **argv) {
+  return run_tests(argc, argv,
+                   {check_nothing_to_do, check_early_stop, check_contradiction, check_coating,
+                    check_spike, check_usual_target, check_growth});
 }

@@ -13,21 +13,15 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** At most so many unknowns for an error of 1e-6, and at least this |correlation| of log(error)
  * over N^{1/3}, for singular solutions, which the theory is about. C4 has no singularity; once all
  * its ends of contact are found, the error falls faster than on a line. */
-const std::map<std::string, std::pair<double, double>> exponential = {{"A3", {11000., 0.97}},
-                                                                      {"B1", {10000., 0.97}},
-                                                                      {"B2", {17000., 0.97}},
-                                                                      {"B3", {25000., 0.97}},
-                                                                      {"B4", {10000., 0.97}},
-                                                                      {"C4", {25000., 0.9}},
-                                                                      {"E2", {40000., 0.97}}};
+const std::map<std::string, std::pair<double, double>> exponential = {
+  {"A3", {11000., 0.97}}, {"B1", {10000., 0.97}}, {"B2", {17000., 0.97}}, {"B3", {25000., 0.97}},
+  {"B4", {10000., 0.97}}, {"C4", {25000., 0.9}},  {"E2", {40000., 0.97}}};
 
-std::vector<GradedStep> check_estimate(Checks &checks, const StudyResult<2> &result)
-{
+std::vector<GradedStep> check_estimate(Checks &checks, const StudyResult<2> &result) {
   constexpr double rounding = 1e-11;
   const std::vector<GradedStep> steps = steps_of(result.levels);
   checks.that("the target is reached", result.verdict.outcome == Outcome::accuracy_estimated);
@@ -38,10 +32,8 @@ std::vector<GradedStep> check_estimate(Checks &checks, const StudyResult<2> &res
   return steps;
 }
 
-void check_catalogue(Checks &checks)
-{
-  for (const CatalogueEntry<2> &scene : catalogue<2>())
-  {
+void check_catalogue(Checks &checks) {
+  for (const CatalogueEntry<2> &scene : catalogue<2>()) {
     // B1t is B1 with another end of contact.
     if (scene.name == "block on parabola" || scene.name == "A1L" || scene.name == "B1t")
       continue;
@@ -62,11 +54,9 @@ void check_catalogue(Checks &checks)
 }
 
 /** Scenes by expressions; nu = 0.4999 does not lock. */
-void check_files(Checks &checks)
-{
+void check_files(Checks &checks) {
   for (const auto &[name, setting] : {std::pair("nearly_incompressible", "Constants/nu=0.4999"),
-                                      std::pair("two_contact_sides", "Output/VTU=none")})
-  {
+                                      std::pair("two_contact_sides", "Output/VTU=none")}) {
     checks.about(name);
     std::vector<std::string> overrides = graded("1e-6");
     overrides.emplace_back(setting);
@@ -76,7 +66,6 @@ void check_files(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {check_catalogue, check_files});
 }

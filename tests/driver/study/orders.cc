@@ -9,26 +9,21 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 const std::string a1 = named_scene("A1");
 
-void check_wide_patches(Checks &checks)
-{
-  check_orders(checks,
-               solve(a1, levels(4, 7, {"Discretization/Patch ratio=4"})).levels,
+void check_wide_patches(Checks &checks) {
+  check_orders(checks, solve(a1, levels(4, 7, {"Discretization/Patch ratio=4"})).levels,
                {{"u_superclose_h1", 1.4, 1.9}, {"p_l2", 0.85, 1.15}});
 }
 
 /** One order up: biquadratic elements with constants on single faces. Sides with given tractions
  * limit superconvergence to 5/2. */
-void check_biquadratic(Checks &checks)
-{
+void check_biquadratic(Checks &checks) {
   checks.about("C1, Q2");
   const StudyResult<2> result = solve(
     named_scene("C1"), levels(3, 5, {"Discretization/Element=Q2", "Discretization/Patch ratio=1"}));
-  check_orders(checks,
-               result.levels,
+  check_orders(checks, result.levels,
                {{"u_h1", 1.9, 2.1},
                 {"u_superclose_h1", 2.4, 2.6},
                 {"u_post_h1", 2.4, 2.6},
@@ -40,8 +35,7 @@ void check_biquadratic(Checks &checks)
 }
 
 /** Where nodal values are much closer than pi^{2h} shows, degree four on 4h brings it out. */
-void check_degree_four(Checks &checks)
-{
+void check_degree_four(Checks &checks) {
   const auto errors = [](const std::string &scene, const unsigned int level) {
     return *solve(named_scene(scene), levels(level, level)).levels.back().displacement_errors;
   };
@@ -54,8 +48,7 @@ void check_degree_four(Checks &checks)
 }
 
 /** From P = 0 with omega = 1: 62 sweeps for m = 16, as counted by an independent implementation. */
-void check_iterations(Checks &checks)
-{
+void check_iterations(Checks &checks) {
   const DualSolve dual =
     solve(a1, levels(5, 5, {"Solver/Contact solver=psor", "Solver/Relaxation=1"}))
       .levels.back()
@@ -64,14 +57,12 @@ void check_iterations(Checks &checks)
   checks.that("projected SOR as chosen: no solver was replaced", !dual.active_set_failure);
 }
 
-void check_omissions(Checks &checks)
-{
+void check_omissions(Checks &checks) {
   const LevelRecord open =
     solve("", levels(2, 3, {"Boundary/Clamped=top", "Boundary/Contact=bottom", "Contact/Gap=1"}))
       .levels.back();
-  checks.that("nothing touches",
-              open.dual.iterations == 0 && open.dual.kkt == 0. && open.contact.active == 0 &&
-                open.contact.normal_force == 0.);
+  checks.that("nothing touches", open.dual.iterations == 0 && open.dual.kkt == 0. &&
+                                   open.contact.active == 0 && open.contact.normal_force == 0.);
   checks.that("no exact solution: no errors",
               !open.displacement_errors && !open.pressure_errors && !value(open, "effectivity"));
   const LevelRecord silent = solve(a1, levels(2, 3, {"Output/Errors=false"})).levels.back();
@@ -85,8 +76,7 @@ void check_omissions(Checks &checks)
 }
 
 /** More patches than nodes: P is not unique, but U is, and the answer is still certified. */
-void check_patches_finer_than_the_mesh(Checks &checks)
-{
+void check_patches_finer_than_the_mesh(Checks &checks) {
   checks.about("seven patches on four faces");
   const StudyResult<2> result = solve(a1, levels(2, 2, {"Discretization/Patches=7"}));
   checks.that("certified, but unstable",
@@ -97,8 +87,7 @@ void check_patches_finer_than_the_mesh(Checks &checks)
 }
 
 /** Other refusals stand in wrong_files.txt. */
-void check_failures(Checks &checks)
-{
+void check_failures(Checks &checks) {
   const auto exhausted =
     solve(a1, levels(2, 4, {"Solver/Contact solver=psor", "Solver/Maximum iterations=3"}));
   checks.that("sweeps run out: not certified, no finer level, and the cause is named",
@@ -110,15 +99,8 @@ void check_failures(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
-  return run_tests(argc,
-                   argv,
-                   {check_wide_patches,
-                    check_biquadratic,
-                    check_degree_four,
-                    check_iterations,
-                    check_omissions,
-                    check_patches_finer_than_the_mesh,
-                    check_failures});
+int main(int argc, char **argv) {
+  return run_tests(argc, argv,
+                   {check_wide_patches, check_biquadratic, check_degree_four, check_iterations,
+                    check_omissions, check_patches_finer_than_the_mesh, check_failures});
 }

@@ -8,8 +8,7 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 const std::string l_shape = "subsection Geometry\n set Shape = polygon\n"
                             " set Vertices = 0,0; 2,0; 2,1; 1,1; 1,2; 0,2\nend\n";
 
@@ -17,8 +16,7 @@ const std::string l_shape = "subsection Geometry\n set Shape = polygon\n"
 const std::string material = "subsection Material\nset Young's modulus = 2.5\n"
                              "set Poisson's ratio = 0.25\nend\n";
 
-void check_patch_tests(Checks &checks)
-{
+void check_patch_tests(Checks &checks) {
   const std::string of_l = "subsection Boundary\n set Rollers = side5\n set Contact = side0\n"
                            " set Displacement = side4: 0.01*x; -0.02*y\n"
                            " set Traction = side1: 0.01; 0 | side2: 0; -0.05 | side3: 0.01; 0\n"
@@ -36,8 +34,7 @@ void check_patch_tests(Checks &checks)
     " set Gap = x < 0.800001 || y < 0.800001 ? -0.008 : 0.012\nend\n"
     "subsection Exact solution\n set Displacement = -0.01*x; -0.01*y\n"
     " set Pressure = -0.04\nend\n";
-  for (const std::string &text : {l_shape + of_l, plate_with_square_hole})
-  {
+  for (const std::string &text : {l_shape + of_l, plate_with_square_hole}) {
     const StudyResult<2> result = solve(material + text, levels(1, 3));
     for (const LevelRecord &level : result.levels)
       for (const char *column : {"u_h1", "u_l2", "p_l2"})
@@ -46,22 +43,16 @@ void check_patch_tests(Checks &checks)
   }
 }
 
-void check_corner(Checks &checks)
-{
-  const Parameters parameters = parse_parameters(l_shape + material,
-                                                 "test",
-                                                 {"Boundary/Clamped=side4",
-                                                  "Boundary/Contact=side0",
-                                                  "Contact/Gap=0.001*x^2",
-                                                  "Load/Body force=0; -0.01",
-                                                  "Discretization/Strategy=hp",
-                                                  "Discretization/Target error=0.005",
-                                                  "Discretization/Coarsest level=0"});
+void check_corner(Checks &checks) {
+  const Parameters parameters =
+    parse_parameters(l_shape + material, "test",
+                     {"Boundary/Clamped=side4", "Boundary/Contact=side0", "Contact/Gap=0.001*x^2",
+                      "Load/Body force=0; -0.01", "Discretization/Strategy=hp",
+                      "Discretization/Target error=0.005", "Discretization/Coarsest level=0"});
   const Scene<2> scene = make_scene<2>(parameters);
   std::vector<double> exponents;
   for (const Singularity &place : first_plan(scene, 0, 9).singularities)
-    if (place.point.distance(dealii::Point<2>(1., 1.)) < 1e-12)
-    {
+    if (place.point.distance(dealii::Point<2>(1., 1.)) < 1e-12) {
       exponents.push_back(place.exponent);
       checks.that("L, re-entrant corner: certain", place.is_certain);
     }
@@ -72,7 +63,6 @@ void check_corner(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {check_patch_tests, check_corner});
 }

@@ -10,15 +10,12 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 using Levels = std::vector<LevelRecord>;
 
 /** A file of prm/space, whose equations hold. */
-StudyResult<3> solve_prm(Checks &checks,
-                         const std::string &name,
-                         const std::vector<std::string> &overrides = {})
-{
+StudyResult<3> solve_prm(Checks &checks, const std::string &name,
+                         const std::vector<std::string> &overrides = {}) {
   checks.about(name);
   const StudyResult<3> result =
     solve_file<3>(SOURCE_DIR "/../../../prm/space/" + name + ".prm", overrides);
@@ -26,19 +23,15 @@ StudyResult<3> solve_prm(Checks &checks,
   return result;
 }
 
-void check_exact_scenes(Checks &checks)
-{
-  for (const auto &overrides : {levels(1, 3),
-                                levels(2, 3, {"Discretization/Patch ratio=4"}),
+void check_exact_scenes(Checks &checks) {
+  for (const auto &overrides : {levels(1, 3), levels(2, 3, {"Discretization/Patch ratio=4"}),
                                 levels(1, 2, {"Discretization/Element=Q2"})})
-    for (const LevelRecord &level : solve_prm(checks, "patch_test", overrides).levels)
-    {
+    for (const LevelRecord &level : solve_prm(checks, "patch_test", overrides).levels) {
       checks.near("u", level.displacement_errors->h1, 0., 1e-12);
       checks.near("p", level.pressure_errors->l2, 0., 1e-11);
     }
   const StudyResult<3> block = solve_prm(checks, "own_weight");
-  for (const LevelRecord &level : block.levels)
-  {
+  for (const LevelRecord &level : block.levels) {
     checks.near("nodal values", level.displacement_errors->superclose_h1, 0., 1e-11);
     checks.near("p", level.pressure_errors->l2, 0., 1e-11);
     checks.near("contact force", level.contact.normal_force, 0.7, 1e-11);
@@ -49,13 +42,10 @@ void check_exact_scenes(Checks &checks)
 }
 
 /** Orders one, two, and three halves to two. */
-void check_last_orders(Checks &checks)
-{
-  for (const char *name : {"d3", "v3"})
-  {
+void check_last_orders(Checks &checks) {
+  for (const char *name : {"d3", "v3"}) {
     const StudyResult<3> result = solve_prm(checks, name);
-    check_orders(checks,
-                 Levels(result.levels.end() - 2, result.levels.end()),
+    check_orders(checks, Levels(result.levels.end() - 2, result.levels.end()),
                  {{"u_h1", 0.9, 1.1},
                   {"p_l2", 0.9, 1.1},
                   {"u_post_h1", 1.8, 2.2},
@@ -68,8 +58,7 @@ void check_last_orders(Checks &checks)
 }
 
 /** An isotropic tensor given by its 21 entries, and the same with three faces per patch. */
-void check_materials_and_patches(Checks &checks)
-{
+void check_materials_and_patches(Checks &checks) {
   const std::string scene = "set Dimension = 3\nsubsection Boundary\n set Clamped = top\n"
                             " set Contact = bottom\nend\nsubsection Contact\n"
                             " set Gap = -0.05+0.1*(x^2+y^2)\nend\nsubsection Geometry\n"
@@ -86,18 +75,16 @@ void check_materials_and_patches(Checks &checks)
   const StudyResult<3> three = solve<3>(isotropic, {"Discretization/Patch ratio=3"});
   checks.that("3 x 3 faces: equations hold", three.verdict.equations_hold());
   checks.near("3 x 3 faces: patches", three.pressure.P.size(), 16, 0.);
-  checks.near(
-    "3 x 3 faces: force", last(three, "contact_force_n") / last(one, "contact_force_n"), 1., 0.02);
+  checks.near("3 x 3 faces: force", last(three, "contact_force_n") / last(one, "contact_force_n"),
+              1., 0.02);
 }
 
 /** The mean of p_0 (1 - r²/a²)^{1/2} over a patch, r the distance from the origin. */
-double mean_of_hertz(const Patch<3> &patch, const double peak, const double radius)
-{
+double mean_of_hertz(const Patch<3> &patch, const double peak, const double radius) {
   constexpr unsigned int n = 50;
   double sum = 0.;
   for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int j = 0; j < n; ++j)
-    {
+    for (unsigned int j = 0; j < n; ++j) {
       const double x = patch.lower[0] + (patch.upper[0] - patch.lower[0]) * (i + 0.5) / n;
       const double y = patch.lower[1] + (patch.upper[1] - patch.lower[1]) * (j + 0.5) / n;
       sum += peak * std::sqrt(std::max(0., 1. - (x * x + y * y) / (radius * radius)));
@@ -107,15 +94,13 @@ double mean_of_hertz(const Patch<3> &patch, const double peak, const double radi
 
 /** a³ = 3 F R/(4 E*), p_0³ = 6 F E*²/(pi³ R²), F of the whole sphere; the block is four contact
  * radii wide, and fifteen patches make a diameter. */
-void check_sphere(Checks &checks)
-{
+void check_sphere(Checks &checks) {
   const StudyResult<3> result = solve_prm(checks, "sphere", {"Discretization/Finest level=6"});
   const double E = 1. / (1. - 0.3 * 0.3), force = 4. * last(result, "contact_force_n");
   const double peak = std::cbrt(6. * force * E * E) / dealii::numbers::PI;
   const double radius = std::cbrt(3. * force / (4. * E));
   double square = 0., square_of_hertz = 0.;
-  for (std::size_t k = 0; k < result.pressure.patches.size(); ++k)
-  {
+  for (std::size_t k = 0; k < result.pressure.patches.size(); ++k) {
     const double hertz = mean_of_hertz(result.pressure.patches[k], peak, radius);
     square += std::pow(-result.pressure.P[k] - hertz, 2);
     square_of_hertz += hertz * hertz;
@@ -124,13 +109,11 @@ void check_sphere(Checks &checks)
   checks.near("peak", last(result, "peak_pressure") / peak, 1., 0.015);
   checks.near("area in contact",
               4. * result.levels.back().contact.length / (dealii::numbers::PI * radius * radius),
-              1.,
-              0.03);
+              1., 0.03);
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(
     argc, argv, {check_exact_scenes, check_last_orders, check_materials_and_patches, check_sphere});
 }

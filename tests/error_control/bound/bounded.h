@@ -4,15 +4,12 @@
 #include "one_level.h"
 
 /** A level with its answer and its bound. */
-struct Bounded : public OneLevel
-{
+struct Bounded : public OneLevel {
   Bounded(const std::string &text, const unsigned int number)
     : OneLevel(text + "\nDiscretization/Target error = 1e-9\nOutput/Inf-sup constant = false\n",
                number)
     , solution(solve())
-    , bound(solution.record.bound.value())
-  {
-  }
+    , bound(solution.record.bound.value()) {}
 
   const Signorini::LevelSolution<2> solution;
   const Signorini::ErrorBound &bound;

@@ -10,32 +10,26 @@
 
 using namespace Signorini;
 
-namespace
-{
-void orders(Checks &checks)
-{
+namespace {
+void orders(Checks &checks) {
   for (const auto &[name, low, high] :
        {std::tuple("A1", 1.5, 2.5), std::tuple("A3", 1.5, 2.5), std::tuple("B1", 1., 3.5)})
-    checks.between(
-      std::string(name) + ": order of the contact part",
-      slope(
-        solve(named_scene(name),
-              levels(3, 6, {"Discretization/Target error=1e-9", "Output/Inf-sup constant=false"}))
-          .levels,
-        "bound_contact"),
-      low,
-      high);
+    checks.between(std::string(name) + ": order of the contact part",
+                   slope(solve(named_scene(name), levels(3, 6,
+                                                         {"Discretization/Target error=1e-9",
+                                                          "Output/Inf-sup constant=false"}))
+                           .levels,
+                         "bound_contact"),
+                   low, high);
 }
 
 /** The tip of an indenter between the nodes of coarse meshes, as far as its mean over patches is an
  * opening. */
-void missed_contact(Checks &checks)
-{
+void missed_contact(Checks &checks) {
   const std::string missed = "Geometry/Lower left = -1, 0\nGeometry/Upper right = 1, 2\n"
                              "Boundary/Clamped = top\nBoundary/Contact = bottom\n"
                              "Contact/Gap = (x-0.0313)^2/(2*0.08)-0.003\n";
-  for (const unsigned int number : {3U, 4U, 5U})
-  {
+  for (const unsigned int number : {3U, 4U, 5U}) {
     const Bounded level(missed, number);
     checks.about("missed contact, level " + std::to_string(number));
     checks.that("P = 0", level.solution.P.linfty_norm() == 0.);
@@ -44,46 +38,39 @@ void missed_contact(Checks &checks)
   }
 }
 
-void no_bound(Checks &checks)
-{
+void no_bound(Checks &checks) {
   const std::string held = "Boundary/Clamped = left\nBoundary/Contact = bottom\n"
                            "Boundary/Traction = top: 0; -0.1\nContact/Gap = ",
                     pushed = "Boundary/Displacement = right: 0; -0.02\nBoundary/Contact = bottom\n"
                              "Boundary/Clamped = left\nContact/Gap = ";
   for (const auto &[name, text, reason] :
        {std::tuple("a gap that closes a clamp", held + "-0.01+0.1*x", "on bottom at (0, 0)"),
-        std::tuple(
-          "a prescribed displacement into the foundation", pushed + "0.01", "on bottom at (1, 0)"),
+        std::tuple("a prescribed displacement into the foundation", pushed + "0.01",
+                   "on bottom at (1, 0)"),
         std::tuple("a foundation that touches a clamp", held + "0.1*x", ""),
         std::tuple("a steep gap at a clamp", held + "-0.01*sqrt(x)", ""),
-        std::tuple("curved sides", named_scene("E2"), "")})
-  {
+        std::tuple("curved sides", named_scene("E2"), "")}) {
     const ErrorBound bound = Bounded(text, 3).bound;
-    checks.that(name,
-                bound.missing.find(reason) != std::string::npos &&
-                  bound.absolute.has_value() == bound.missing.empty() &&
-                  bound.missing.empty() == std::string(reason).empty());
+    checks.that(name, bound.missing.find(reason) != std::string::npos &&
+                        bound.absolute.has_value() == bound.missing.empty() &&
+                        bound.missing.empty() == std::string(reason).empty());
   }
 }
 
 /** A1: int p = -10 xi^4/4; B1: -2/3 xi^{3/2}, xi = 1/sqrt(2). */
-void contact_force(Checks &checks)
-{
+void contact_force(Checks &checks) {
   for (const auto &[name, force] :
-       {std::pair("A1", 0.625), std::pair("B1", 2. / 3. * std::pow(0.5, 0.75))})
-  {
+       {std::pair("A1", 0.625), std::pair("B1", 2. / 3. * std::pow(0.5, 0.75))}) {
     const Bounded level(named_scene(name), 5);
     checks.between(std::string(name) + ": force",
-                   std::abs(level.solution.record.contact.normal_force - force),
-                   0.,
+                   std::abs(level.solution.record.contact.normal_force - force), 0.,
                    *level.bound.force_error);
   }
 }
 
 /** With few contact nodes the lift does not depend on who solves with A; a boundary layer alone
  * would give 1.47 times the bound. */
-void solvers(Checks &checks)
-{
+void solvers(Checks &checks) {
   const auto bound = [](const std::string &solver) {
     return *Bounded(
               "Geometry/Upper right = 8, 1\nGeometry/Cells = 8, 1\nBoundary/Contact = bottom\n"
@@ -100,7 +87,6 @@ void solvers(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {orders, missed_contact, no_bound, contact_force, solvers});
 }

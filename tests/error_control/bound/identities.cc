@@ -11,13 +11,11 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 using Scenes = std::vector<std::pair<std::string, std::string>>;
 
 /** sigma(u_h) = sigma(u) is in equilibrium. D1: lambda = mu = 1, eps = 1/8, J = 3/2 eps². */
-void patch_tests(Checks &checks)
-{
+void patch_tests(Checks &checks) {
   const std::string oblique =
     "Geometry/Shape = polygon\nGeometry/Vertices = 0,0; 2,0; 2.5,1; -0.5,1\n"
     "Material/Young's modulus = 8\nMaterial/Poisson's ratio = 0\nContact/Gap = 0\n"
@@ -26,8 +24,7 @@ void patch_tests(Checks &checks)
   // The area is 2.5, sigma_22 = -1; the tractions do the work -1/32 on each side.
   for (const auto &[text, energy] :
        {std::pair(named_scene("D1"), 1.5 / 64.), std::pair(oblique, 2.5 / 16. + 1. / 16.)})
-    for (const unsigned int number : {2U, 3U})
-    {
+    for (const unsigned int number : {2U, 3U}) {
       const ErrorBound bound = Bounded(text, number).bound;
       checks.about("patch test, J = " + std::to_string(energy));
       // The root of what rounding leaves of the contact part.
@@ -39,42 +36,38 @@ void patch_tests(Checks &checks)
 }
 
 /** J(u_h) + J*(tau) = 1/2 bound² if nothing touches and all loads are balanced exactly. */
-void energies(Checks &checks)
-{
+void energies(Checks &checks) {
   const std::string far = "Contact/Gap = 100\nLoad/Body force = 0.1+x-2*y; -0.5*x+0.3*y\n";
   const std::string rectangle =
     far + "Boundary/Displacement = top: 0.01; -0.02*x\n"
           "Boundary/Contact = bottom\nBoundary/Traction = right: 0.1; 0.2*y\n";
   const Scenes scenes = {
     {"rectangles", rectangle},
-    {"orthotropic",
-     rectangle + "Material/Law = orthotropic\nMaterial/Orthotropic moduli = 10; 1; 0.4; 0.7\n"
-                 "Material/Orientation = 30\n"},
-    {"rotated squares",
-     far + "Geometry/Shape = polygon\nGeometry/Vertices = 0,0; 1,1; 0,2; -1,1\n"
-           "Boundary/Displacement = side1: 0.01; -0.02*x\nBoundary/Contact = side0\n"
-           "Boundary/Traction = side2: 0.1; 0.2*y\n"}};
-  for (const auto &[name, text] : scenes)
-  {
+    {"orthotropic", rectangle +
+                      "Material/Law = orthotropic\nMaterial/Orthotropic moduli = 10; 1; 0.4; 0.7\n"
+                      "Material/Orientation = 30\n"},
+    {"rotated squares", far +
+                          "Geometry/Shape = polygon\nGeometry/Vertices = 0,0; 1,1; 0,2; -1,1\n"
+                          "Boundary/Displacement = side1: 0.01; -0.02*x\nBoundary/Contact = side0\n"
+                          "Boundary/Traction = side2: 0.1; 0.2*y\n"}};
+  for (const auto &[name, text] : scenes) {
     const Bounded level(text, 3);
     const double J = level.solution.record.certificate.energy,
                  half = 0.5 * std::pow(*level.bound.absolute, 2);
     checks.about(name);
-    checks.near(
-      "energies", J - *level.bound.energy_lower, half, 1e-10 * half + 1e-13 * std::abs(J));
+    checks.near("energies", J - *level.bound.energy_lower, half,
+                1e-10 * half + 1e-13 * std::abs(J));
     checks.near("no oscillation", *level.bound.oscillation, 0., 1e-10);
     checks.near("the loads are balanced", *level.bound.algebra, 0., 1e-11);
   }
 }
 
-void prescribed(Checks &checks)
-{
+void prescribed(Checks &checks) {
   double last_lift = 0.;
-  for (const unsigned int number : {2U, 3U, 4U, 5U})
-  {
+  for (const unsigned int number : {2U, 3U, 4U, 5U}) {
     const ErrorBound bound = Bounded(prescribed_parabola, number).bound;
-    checks.between(
-      "prescribed: energy", 0.04 / 3., *bound.energy_lower - 1e-15, *bound.energy_upper + 1e-15);
+    checks.between("prescribed: energy", 0.04 / 3., *bound.energy_lower - 1e-15,
+                   *bound.energy_upper + 1e-15);
     if (last_lift > 0.)
       checks.near("lift of the order 3/2", last_lift / *bound.oscillation, std::sqrt(8.), 0.01);
     last_lift = *bound.oscillation;
@@ -82,28 +75,22 @@ void prescribed(Checks &checks)
 }
 
 /** There are brackets, and one number lies in those of all levels. */
-void brackets(Checks &checks)
-{
+void brackets(Checks &checks) {
   const Scenes scenes = {
     // p_H jumps inside of faces where g and u_h are linear.
-    {"inclined plane",
-     "Boundary/Contact = bottom\nBoundary/Displacement = top: 0; -0.05 - 0.02*x\n"
-     "Contact/Gap = 0.1*x - 0.03\nDiscretization/Patches = 3\n"},
+    {"inclined plane", "Boundary/Contact = bottom\nBoundary/Displacement = top: 0; -0.05 - 0.02*x\n"
+                       "Contact/Gap = 0.1*x - 0.03\nDiscretization/Patches = 3\n"},
     {"plate that turns",
      "Boundary/Contact = bottom\nBoundary/Plates = top: -0.1, 1 turning\n"
      "Load/Plate force = top: -0.05\nContact/Gap = 0.1*x\nDiscretization/Patches = 3\n"},
     // Pins hold the body while A is solved; nothing holds its contact nodes.
-    {"in a corner",
-     "Boundary/Contact = bottom left\nLoad/Body force = -0.02; -0.05\n"
-     "Contact/Gap = bottom: 0.001*x | left: 0.002*y\n"},
-    {"in a box",
-     "Boundary/Contact = bottom left right top\nLoad/Body force = 0.02*x; -0.05\n"
-     "Contact/Gap = bottom: 0.001*x | left: -0.002 | right: -0.003 | top: -0.01\n"}};
-  for (const auto &[name, text] : scenes)
-  {
+    {"in a corner", "Boundary/Contact = bottom left\nLoad/Body force = -0.02; -0.05\n"
+                    "Contact/Gap = bottom: 0.001*x | left: 0.002*y\n"},
+    {"in a box", "Boundary/Contact = bottom left right top\nLoad/Body force = 0.02*x; -0.05\n"
+                 "Contact/Gap = bottom: 0.001*x | left: -0.002 | right: -0.003 | top: -0.01\n"}};
+  for (const auto &[name, text] : scenes) {
     double lower = -1e300, upper = 1e300;
-    for (const unsigned int number : {1U, 2U, 3U, 4U})
-    {
+    for (const unsigned int number : {1U, 2U, 3U, 4U}) {
       const ErrorBound bound = Bounded(text, number).bound;
       lower = std::max(lower, bound.energy_lower.value_or(1e300));
       upper = std::min(upper, bound.energy_upper.value_or(-1e300));
@@ -114,8 +101,7 @@ void brackets(Checks &checks)
 
 /** No edge that may carry tractions stops the block along y: translations along y change
  * nothing. */
-void translations(Checks &checks)
-{
+void translations(Checks &checks) {
   const auto mesh_part = [](const std::string &gap) {
     return *Bounded("Geometry/Upper right = 2, 1\nBoundary/Rollers = left\n"
                     "Boundary/Contact = bottom\nBoundary/Traction = top: 0; 0.1*(x-1)-0.001\n"
@@ -129,7 +115,6 @@ void translations(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {patch_tests, energies, prescribed, brackets, translations});
 }

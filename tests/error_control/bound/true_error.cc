@@ -17,13 +17,11 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** Levels of a scene, and the largest ratios of bound and error that are allowed on levels 4 and 5,
  * for u_h and for pi^{2h} u_h; zero: any. Level 5 takes three quarters of the time: without such a
  * ratio, and without curved sides, level 4 is the last one. */
-struct Case
-{
+struct Case {
   std::string name;
   std::string text;
   unsigned int coarsest;
@@ -33,13 +31,9 @@ struct Case
 
 /** |||u - u_h||| and, where cells have parents, |||u - pi^{2h} u_h|||, with six Gauss points per
  * direction on cells that are cut at kinks. */
-std::array<double, 2> energy_errors(const OneLevel &level, const Displacement &U)
-{
+std::array<double, 2> energy_errors(const OneLevel &level, const Displacement &U) {
   const DisplacementSpace<2> &space = level.space();
-  CellValues<2> cell_values(space.mesh().mapping(),
-                            space,
-                            level.scene.kinks,
-                            6,
+  CellValues<2> cell_values(space.mesh().mapping(), space, level.scene.kinks, 6,
                             dealii::update_gradients | dealii::update_quadrature_points |
                               dealii::update_JxW_values | dealii::update_inverse_jacobians);
   std::vector<std::unique_ptr<PatchInterpolation<2>>> fields;
@@ -48,16 +42,13 @@ std::array<double, 2> energy_errors(const OneLevel &level, const Displacement &U
       std::make_unique<PatchInterpolation<2>>(space, dealii::QGauss<2>(6), generations));
   std::vector<std::vector<dealii::Tensor<1, 2>>> exact;
   std::array<double, 2> squares{};
-  for (const auto &cell : space.dofs().active_cell_iterators())
-  {
+  for (const auto &cell : space.dofs().active_cell_iterators()) {
     const dealii::FEValues<2> &values = cell_values.reinit(cell);
     exact.assign(values.n_quadrature_points, std::vector<dealii::Tensor<1, 2>>(2));
     level.scene.exact_displacement->vector_gradient_list(values.get_quadrature_points(), exact);
-    for (std::size_t i = 0; i < fields.size(); ++i)
-    {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
       const FieldValues<2> &found = fields[i]->evaluate(U, cell, values);
-      for (const unsigned int q : values.quadrature_point_indices())
-      {
+      for (const unsigned int q : values.quadrature_point_indices()) {
         dealii::Tensor<2, 2> difference = found.gradients[q];
         for (unsigned int c = 0; c < 2; ++c)
           difference[c] -= exact[q][c];
@@ -73,17 +64,14 @@ std::array<double, 2> energy_errors(const OneLevel &level, const Displacement &U
 /** Tables of bound / error in Markdown, in files of the working directory. */
 using Tables = std::array<std::ofstream, 2>;
 
-void check(Checks &checks, Tables &tables, const Case &given)
-{
-  for (std::ofstream &table : tables)
-  {
+void check(Checks &checks, Tables &tables, const Case &given) {
+  for (std::ofstream &table : tables) {
     table << "\n| " << given.name << " | " << std::setprecision(3);
     for (unsigned int number = 1; number < given.coarsest; ++number)
       table << "| ";
   }
   double lower = -1e300, upper = 1e300, coarser_geometry = 0.;
-  for (unsigned int number = given.coarsest; number <= given.finest; ++number)
-  {
+  for (unsigned int number = given.coarsest; number <= given.finest; ++number) {
     const Bounded level(given.text, number);
     const ErrorBound &bound = level.bound;
     const Mesh<2> &mesh = level.space().mesh();
@@ -99,18 +87,17 @@ void check(Checks &checks, Tables &tables, const Case &given)
     const auto errors = energy_errors(level, level.solution.U);
     const std::optional<double> bounds[] = {bound.absolute, bound.post_absolute};
     for (unsigned int i = 0; i < 2; ++i)
-      if (bounds[i] && errors[i] > 1e-12)
-      {
+      if (bounds[i] && errors[i] > 1e-12) {
         const double largest = number >= 4 ? given.largest[i] : 0., ratio = *bounds[i] / errors[i];
         // 1e-6: the quadrature of singular solutions.
-        checks.between(
-          i == 0 ? "bound / error" : "patches", ratio, 1. - 1e-6, largest > 0. ? largest : 1e10);
+        checks.between(i == 0 ? "bound / error" : "patches", ratio, 1. - 1e-6,
+                       largest > 0. ? largest : 1e10);
         tables[i] << ratio << " | ";
       }
     // Zero on straight sides.
     if (coarser_geometry > 0.)
-      checks.between(
-        "order of the geometric part", std::log2(coarser_geometry / *bound.geometry), 1.3, 4.);
+      checks.between("order of the geometric part", std::log2(coarser_geometry / *bound.geometry),
+                     1.3, 4.);
     coarser_geometry = *bound.geometry;
     lower = std::max(lower, bound.energy_lower.value_or(lower));
     upper = std::min(upper, bound.energy_upper.value_or(upper));
@@ -121,8 +108,7 @@ void check(Checks &checks, Tables &tables, const Case &given)
 }
 
 /** Scene A1, see prm/described_a1.prm, on a mesh of general quadrilaterals. */
-std::string distorted_a1(const std::string &distortion)
-{
+std::string distorted_a1(const std::string &distortion) {
   const std::string s11 =
     "10*max(0,xi-x)^3*(y^2-1/3) + 0.2*x^2*y - 0.4*x*y^2 - 0.2*x*y + 8*x/15 - 0.6*y^3 + 0.6*y";
   const std::string s12 =
@@ -146,24 +132,10 @@ std::string distorted_a1(const std::string &distortion)
          "Discretization/Kinks at x = 0.70710678118654752\n";
 }
 
-std::vector<Case> make_cases()
-{
+std::vector<Case> make_cases() {
   std::vector<Case> cases;
-  for (const std::string scene : {"A1",
-                                  "A1L",
-                                  "A2",
-                                  "A3",
-                                  "B1",
-                                  "B1q",
-                                  "B1t",
-                                  "B2",
-                                  "B3",
-                                  "B4",
-                                  "C1",
-                                  "C3",
-                                  "C4",
-                                  "O1",
-                                  "V1"})
+  for (const std::string scene : {"A1", "A1L", "A2", "A3", "B1", "B1q", "B1t", "B2", "B3", "B4",
+                                  "C1", "C3", "C4", "O1", "V1"})
     // A side of C4 ends in the middle of the bottom's coarse face.
     cases.push_back({scene, named_scene(scene), scene == "C4" ? 2U : 1U, {1.5, 2.5}});
   // Nothing touches.
@@ -171,25 +143,21 @@ std::vector<Case> make_cases()
   for (const std::string scene : {"A1", "B1", "A3"})
     for (const std::string partition :
          {"Patch ratio = 4", "Patch ratio = 8", "Patches = 4", "Patches = 5"})
-      cases.push_back({scene + ", " + partition,
-                       named_scene(scene) + "Discretization/" + partition,
+      cases.push_back({scene + ", " + partition, named_scene(scene) + "Discretization/" + partition,
                        partition == "Patch ratio = 4" ? 2U : 3U});
   // Curved sides: an estimated bound. Most of E3's is the body force on general quadrilaterals.
   for (const std::string scene : {"E1", "E2", "E3"})
     cases.push_back({scene, named_scene(scene), 3, {scene == "E3" ? 0. : 1.6, 0.}, 5});
   // Displacements are prescribed that are not linear on edges.
   for (const std::string nu : {"0.3", "0.49", "0.4999"})
-    for (const std::string element : {"Q1", "Q1 B-bar"})
-    {
+    for (const std::string element : {"Q1", "Q1 B-bar"}) {
       Family family;
       family.nu = nu;
       cases.push_back({"nu = " + nu + ", " + element,
-                       text_of(family) + "Discretization/Element = " + element,
-                       1});
+                       text_of(family) + "Discretization/Element = " + element, 1});
     }
   cases.push_back({"prescribed parabola", prescribed_parabola, 2, {1.4, 0.}});
-  for (const std::string contrast : {"3", "-3"})
-  {
+  for (const std::string contrast : {"3", "-3"}) {
     Family along, across;
     along.contrast_x = across.contrast_y = contrast;
     cases.push_back({"E grows along by 10^" + contrast, text_of(along), 1});
@@ -201,8 +169,7 @@ std::vector<Case> make_cases()
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {[](Checks &checks) {
                      Tables tables = {std::ofstream("effectivities.md"),
                                       std::ofstream("effectivities_of_patches.md")};

@@ -21,20 +21,15 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** u_f, with a(.,.) of the conforming element. */
-struct Reference
-{
+struct Reference {
   Reference(const std::string &text, const unsigned int number)
     : level(text, number)
     , space(level.discretization.mesh, level.scene)
     , U(level.solve().U)
-    , energy(square(U))
-  {
-  }
-  double square(const Displacement &V) const
-  {
+    , energy(square(U)) {}
+  double square(const Displacement &V) const {
     const DualVector forces = space.dual(internal_forces(space, level.scene, V).forces);
     return std::max(0., V * forces);
   }
@@ -45,19 +40,14 @@ struct Reference
   double energy;
 };
 
-std::string text_of(const Unresolved::Given &given)
-{
+std::string text_of(const Unresolved::Given &given) {
   const bool names_contact = given.scene.find("Boundary/Contact") != std::string::npos;
   return given.scene + (names_contact ? "" : "Boundary/Contact = bottom\n");
 }
 
 /** Rows of a table in Markdown. */
-void check(Checks &checks,
-           std::ofstream &table,
-           const Unresolved::Given &given,
-           const Reference &fine,
-           const unsigned int number)
-{
+void check(Checks &checks, std::ofstream &table, const Unresolved::Given &given,
+           const Reference &fine, const unsigned int number) {
   const Bounded level(text_of(given) + given.discretization, number);
   Displacement on_fine(fine.U);
   dealii::VectorTools::interpolate_to_different_mesh(
@@ -77,24 +67,19 @@ void check(Checks &checks,
         << energy / fine.energy << " |" << std::endl;
 }
 
-void unresolved(Checks &checks)
-{
+void unresolved(Checks &checks) {
   std::ofstream table("unresolved.md");
   table << "| scene | level | true, relative | bound, relative | bound / true | energy |\n"
            "|---|---|---|---|---|---|\n";
   Unresolved::Scenes scenes;
-  for (const auto &add : {Unresolved::add_missed_contact,
-                          Unresolved::add_bending,
-                          Unresolved::add_fine_data,
-                          Unresolved::add_fine_materials,
-                          Unresolved::add_locking,
-                          Unresolved::add_mixed})
+  for (const auto &add :
+       {Unresolved::add_missed_contact, Unresolved::add_bending, Unresolved::add_fine_data,
+        Unresolved::add_fine_materials, Unresolved::add_locking, Unresolved::add_mixed})
     add(scenes);
   // Scenes that differ in their discretization share the reference.
   std::string known;
   std::unique_ptr<const Reference> fine;
-  for (const Unresolved::Given &given : scenes)
-  {
+  for (const Unresolved::Given &given : scenes) {
     const std::string text =
       text_of(given) + "Discretization/Finest level = 14\nOutput/Inf-sup constant = false\n";
     if (text != known)
@@ -106,7 +91,6 @@ void unresolved(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {unresolved});
 }

@@ -8,11 +8,9 @@
 
 #include "scene_text.h"
 
-namespace Unresolved
-{
+namespace Unresolved {
 /** A scene, how it is discretised, and how fine the reference is. */
-struct Given
-{
+struct Given {
   std::string name;
   /** Lines "Section/Name = value"; where none says it, the bottom may touch. */
   std::string scene;
@@ -29,24 +27,20 @@ inline const std::string clamped_top = "Boundary/Clamped = top\n",
                          pulled = clamped_top + "Boundary/Traction = right: -0.1; 0\n",
                          one = "Material/Young's modulus = 1\n";
 
-inline std::string lowered(const std::string &by)
-{
+inline std::string lowered(const std::string &by) {
   return "Boundary/Displacement = top: 0; -" + by + "\n";
 }
 
-inline std::string gap(const std::string &expression)
-{
+inline std::string gap(const std::string &expression) {
   return "Contact/Gap = " + expression + "\n";
 }
 
-inline std::string modulus(const std::string &expression)
-{
+inline std::string modulus(const std::string &expression) {
   return "Material/Young's modulus = " + expression + "\n";
 }
 
 /** Contact between the nodes, and smaller than a patch. */
-inline void add_missed_contact(Scenes &scenes)
-{
+inline void add_missed_contact(Scenes &scenes) {
   const std::string steel = "Geometry/Lower left = -10, 0\nGeometry/Upper right = 10, 10\n"
                             "Geometry/Cells = 2, 1\n" +
                             modulus("210000") + clamped_top,
@@ -74,12 +68,8 @@ inline void add_missed_contact(Scenes &scenes)
   scenes.push_back({"deep peak", block + clamped_top + gap("-0.5 + 100*x^2"), {1, 2, 3}});
   scenes.push_back(
     {"lowered onto bumps", block + lowered("0.01") + gap("0.005*(1 + cos(12*pi*x))"), {1, 2}});
-  for (const std::string patches : {"Patch ratio = 4",
-                                    "Patch ratio = 8",
-                                    "Patch ratio = 16",
-                                    "Patches = 1",
-                                    "Patches = 2",
-                                    "Patches = 3"})
+  for (const std::string patches : {"Patch ratio = 4", "Patch ratio = 8", "Patch ratio = 16",
+                                    "Patches = 1", "Patches = 2", "Patches = 3"})
     scenes.push_back({"bumps, " + patches,
                       block + lowered("0.02") + gap("0.01*(1 + cos(4*pi*x))"),
                       {4},
@@ -98,8 +88,7 @@ inline void add_missed_contact(Scenes &scenes)
 }
 
 /** Cells that are too few or too thin for what bends. */
-inline void add_bending(Scenes &scenes)
-{
+inline void add_bending(Scenes &scenes) {
   const std::string steel = modulus("1000") + "Boundary/Clamped = left\n";
   for (const std::string length : {"10", "20", "50"})
     scenes.push_back({"cantilever " + length + ":1",
@@ -118,8 +107,7 @@ inline void add_bending(Scenes &scenes)
 }
 
 /** Data with periods below the size of cells, and between the points of the system's rules. */
-inline void add_fine_data(Scenes &scenes)
-{
+inline void add_fine_data(Scenes &scenes) {
   const std::string free = one + clamped_top + gap("0.1");
   const auto force = [&](const std::string &f) { return free + "Load/Body force = " + f + "\n"; };
   const auto traction = [&](const std::string &t) {
@@ -148,30 +136,22 @@ inline void add_fine_data(Scenes &scenes)
 }
 
 /** Materials that change within cells. */
-inline void add_fine_materials(Scenes &scenes)
-{
+inline void add_fine_materials(Scenes &scenes) {
   const std::string gently = lowered("0.01") + gap("0.01*x^2"),
                     strongly = lowered("0.1") + gap("0.1*x^2");
-  struct Layers
-  {
+  struct Layers {
     std::string name, modulus, rest, kinks = "";
   };
   for (const Layers &given : std::vector<Layers>{
-         {"eight sharp layers",
-          "(sin(8*pi*y) > 0) ? 1 : 1e-3",
-          gently,
+         {"eight sharp layers", "(sin(8*pi*y) > 0) ? 1 : 1e-3", gently,
           "0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875"},
-         {"stiff fibres",
-          "(sin(16*pi*x) > 0.95) ? 1000 : 1",
+         {"stiff fibres", "(sin(16*pi*x) > 0.95) ? 1000 : 1",
           clamped_top + "Boundary/Traction = right: 0.1; 0.05\n" + gap("0.01*x")},
          {"checkerboard 1 to 1e-3", "(sin(8*pi*x)*sin(8*pi*y) > 0) ? 1 : 1e-3", gently},
-         {"thin soft layer along edges",
-          "(abs(y-0.5) < 0.005) ? 0.001 : 1",
-          strongly,
+         {"thin soft layer along edges", "(abs(y-0.5) < 0.005) ? 0.001 : 1", strongly,
           "0.495, 0.505"},
          {"thin soft layer inside of cells", "(abs(y-0.53) < 0.01) ? 0.001 : 1", strongly},
-         {"thin stiff layer", "(abs(y-0.53) < 0.01) ? 1000 : 1", strongly, "0.52, 0.54"}})
-  {
+         {"thin stiff layer", "(abs(y-0.53) < 0.01) ? 1000 : 1", strongly, "0.52, 0.54"}}) {
     const std::string text = modulus(given.modulus) + given.rest;
     scenes.push_back({given.name, text, {2, 3}, 7});
     if (!given.kinks.empty())
@@ -182,8 +162,7 @@ inline void add_fine_materials(Scenes &scenes)
   }
 }
 
-inline void add_locking(Scenes &scenes)
-{
+inline void add_locking(Scenes &scenes) {
   const auto ratio = [](const std::string &nu) {
     return "Material/Poisson's ratio = " + nu + "\n";
   };
@@ -201,8 +180,7 @@ inline void add_locking(Scenes &scenes)
 
 /** Conditions that meet, shapes of cells, laws, gaps that jump, and a P that is far from the
  * solution of the dual problem. */
-inline void add_mixed(Scenes &scenes)
-{
+inline void add_mixed(Scenes &scenes) {
   const std::string rectangle = clamped_top + "Boundary/Traction = right: 0.1; 0.2*y*y\n"
                                               "Load/Body force = 0.1+x*y; -0.5*x-sin(3*y)\n",
                     loaded = rectangle + gap("-0.05+0.1*x"),

@@ -11,12 +11,10 @@
 using namespace Signorini;
 using dealii::Point;
 
-namespace
-{
+namespace {
 /** P = -1 at the nodes for which @p presses (side, s). */
 Pressure pressure(const MultiplierSpace<2> &space,
-                  const std::function<bool(unsigned int, double)> &presses)
-{
+                  const std::function<bool(unsigned int, double)> &presses) {
   Pressure P(space.n_multipliers());
   for (unsigned int k = 0; k < P.size(); ++k)
     if (presses(space.surface().patches()[space.patch_of(k)].side, space.node(k)[0]))
@@ -24,12 +22,8 @@ Pressure pressure(const MultiplierSpace<2> &space,
   return P;
 }
 
-void check(Checks &checks,
-           const std::string &name,
-           const MultiplierSpace<2> &space,
-           const Pressure &P,
-           const std::vector<ContactBracket> &expected)
-{
+void check(Checks &checks, const std::string &name, const MultiplierSpace<2> &space,
+           const Pressure &P, const std::vector<ContactBracket> &expected) {
   std::vector<double> found, wanted;
   for (const ContactBracket &bracket : contact_brackets(space, P))
     found.insert(found.end(), {double(bracket.side), bracket.from, bracket.to});
@@ -40,8 +34,7 @@ void check(Checks &checks,
 
 /** Four faces with two nodes each, a = (3 - 3^{1/2})/24 away from the ends: a, 1/4 - a, 1/4 + a,
  * ... The sides are left (0) and bottom (2). */
-void two_sides(Checks &checks)
-{
+void two_sides(Checks &checks) {
   const GradedLevel level(
     "subsection Boundary\nset Clamped = top\nset Contact = left bottom\nend\n", uniform_plan(2, 3));
   const MultiplierSpace<2> &space = level.multipliers();
@@ -54,8 +47,8 @@ void two_sides(Checks &checks)
   };
   check(checks, "nothing presses", space, on(0, 2., 3.), {});
   check(checks, "a whole side", space, on(2, -1., 2.), {});
-  check(
-    checks, "inside", space, on(2, 0.25, 0.75), {{2, 0.25 - a, 0.25 + a}, {2, 0.75 - a, 0.75 + a}});
+  check(checks, "inside", space, on(2, 0.25, 0.75),
+        {{2, 0.25 - a, 0.25 + a}, {2, 0.75 - a, 0.75 + a}});
   check(checks, "up to the end of the side", space, on(0, 0.5, 2.), {{0, 0.5 - a, 0.5 + a}});
   // The last two nodes of the first side and the first two of the second.
   auto both = on(0, 0.75, 1.);
@@ -65,10 +58,7 @@ void two_sides(Checks &checks)
   auto gaps = on(2, 0., 1.);
   gaps[space.first_of(4 + 1)] = 0.;
   gaps[space.first_of(4 + 2) + 1] = gaps[space.first_of(4 + 3)] = 0.;
-  check(checks,
-        "gaps",
-        space,
-        gaps,
+  check(checks, "gaps", space, gaps,
         {{2, 0.25 - a, 0.5 - a}, {2, 0.5 + a, 0.75 - a}, {2, 0.75 + a, 1. - a}});
   // What a solver leaves of a zero does not press.
   auto rounding = on(2, 0.25, 0.75);
@@ -79,8 +69,7 @@ void two_sides(Checks &checks)
 
 /** The outer circle of scene E1 has the radius 2 and 16 faces of one node each: s_i = (i + 1/2) h,
  * h = pi/4. */
-void closed_side(Checks &checks)
-{
+void closed_side(Checks &checks) {
   const GradedLevel level("Scene/Name = E1\n", uniform_plan(1, 2));
   const MultiplierSpace<2> &space = level.multipliers();
   const double h = dealii::numbers::PI / 4., length = 16. * h;
@@ -92,21 +81,14 @@ void closed_side(Checks &checks)
     });
   };
   check(checks, "closed: all", space, on(0., length), {});
-  check(checks,
-        "closed: inside",
-        space,
-        on(3. * h, 6. * h),
+  check(checks, "closed: inside", space, on(3. * h, 6. * h),
         {{side, 2.5 * h, 3.5 * h}, {side, 5.5 * h, 6.5 * h}});
-  check(checks,
-        "closed: around the start",
-        space,
-        on(14. * h, 18. * h),
+  check(checks, "closed: around the start", space, on(14. * h, 18. * h),
         {{side, 1.5 * h, 2.5 * h}, {side, 13.5 * h, 14.5 * h}});
   check(checks, "closed: the first node", space, on(0., h), {{side, 15.5 * h, 17.5 * h}});
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {two_sides, closed_side});
 }

@@ -10,11 +10,9 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** Four faces of degree two between 0 and 1, modulus one; u_h = 0 and g = x. */
-void distances(Checks &checks)
-{
+void distances(Checks &checks) {
   const GradedLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n"
                           "Contact/Gap = x\n"
                           "Material/Poisson's ratio = 0\n",
@@ -27,8 +25,7 @@ void distances(Checks &checks)
   std::vector<CellIndicator> indicators(level.mesh().triangulation().n_active_cells(), {0.5, 0.1});
   add_contact_misfit(level.space(), level.multipliers(), level.scene, U, P, indicators);
   double largest_difference = 0.;
-  for (const auto &cell : level.mesh().triangulation().active_cell_iterators())
-  {
+  for (const auto &cell : level.mesh().triangulation().active_cell_iterators()) {
     double expected = 0.25;
     const double from = cell->vertex(0)[0], to = cell->vertex(1)[0];
     const bool at_contact = cell->vertex(0)[1] == 0.;
@@ -42,7 +39,6 @@ void distances(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {distances});
 }

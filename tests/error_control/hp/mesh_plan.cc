@@ -10,17 +10,14 @@
 using namespace Signorini;
 using dealii::Point;
 
-namespace
-{
+namespace {
 const std::string square = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
 
-std::size_t n_cells(const GradedLevel &level)
-{
+std::size_t n_cells(const GradedLevel &level) {
   return level.mesh().triangulation().n_active_cells();
 }
 
-MeshPlan graded(const Singularity &singularity, const double rise = 0.)
-{
+MeshPlan graded(const Singularity &singularity, const double rise = 0.) {
   MeshPlan plan = uniform_plan(2, 2);
   plan.base_size = 0.25;
   plan.singularities = {singularity};
@@ -31,35 +28,30 @@ MeshPlan graded(const Singularity &singularity, const double rise = 0.)
 /** At a corner every layer splits one cell: three cells more. At a vertex of the contact side two
  * cells are split, then two cells and their neighbours; inside of a face one or two, and the place
  * of 1/3 in its cell repeats with every other layer. */
-void layers(Checks &checks)
-{
+void layers(Checks &checks) {
   const auto cells_of = [](const Singularity &singularity) {
     return static_cast<int>(n_cells(GradedLevel(square, graded(singularity))));
   };
   const auto on_side = [&](const double x, const unsigned int n) {
     return cells_of(end_of_contact({x, 0.}, 2, x, x, n));
   };
-  for (unsigned int n = 1; n <= 10; ++n)
-  {
+  for (unsigned int n = 1; n <= 10; ++n) {
     const GradedLevel level(square, graded(corner({0., 1.}, n)));
     checks.near("size at a corner", level.mesh().shortest_edge(), 0.25 * std::pow(0.5, n), 1e-15);
     checks.near("cells at a corner", n_cells(level), 16 + 3 * n, 0.);
-    checks.near(
-      "cells per layer at a vertex of a side", on_side(0.5, n) - on_side(0.5, n - 1), 6, 0.);
+    checks.near("cells per layer at a vertex of a side", on_side(0.5, n) - on_side(0.5, n - 1), 6,
+                0.);
     if (n > 3)
       checks.near("as many cells per layer at a point of a face",
                   on_side(1. / 3., n + 2) - on_side(1. / 3., n),
-                  on_side(1. / 3., n) - on_side(1. / 3., n - 2),
-                  0.);
+                  on_side(1. / 3., n) - on_side(1. / 3., n - 2), 0.);
   }
 }
 
 /** Neighbours differ by one split and one degree; degrees fall from 2 + rise to 2. */
-void degrees(Checks &checks)
-{
+void degrees(Checks &checks) {
   for (const double n_layers : {1., 4., 9., 20.})
-    for (const double rise : {0., 1.5, 4., 9.})
-    {
+    for (const double rise : {0., 1.5, 4., 9.}) {
       MeshPlan plan = graded(corner({1., 1.}, n_layers), rise);
       plan.singularities.push_back(end_of_contact({0.3, 0.}, 2, 0.299, 0.3, n_layers / 2.));
       const GradedLevel level(square, plan);
@@ -80,14 +72,12 @@ void degrees(Checks &checks)
 
 /** Demands split cells and raise degrees of cells and of their children; they are kept when other
  * cells are split. */
-void demands(Checks &checks)
-{
+void demands(Checks &checks) {
   const GradedLevel uniform(square, uniform_plan(2, 2));
   MeshPlan plan = uniform_plan(2, 2);
   const Point<2> x(0.3, 0.3), y(0.8, 0.8);
   dealii::CellId at_x, at_y;
-  for (const auto &cell : uniform.mesh().triangulation().active_cell_iterators())
-  {
+  for (const auto &cell : uniform.mesh().triangulation().active_cell_iterators()) {
     if (cell->point_inside(x))
       at_x = cell->id();
     if (cell->point_inside(y))
@@ -99,8 +89,7 @@ void demands(Checks &checks)
   checks.near("one cell is split", n_cells(level), 19., 0.);
   checks.that("demands: graded", is_graded(level.space()));
   const auto found = degrees_of(level.space());
-  for (const auto &cell : level.mesh().triangulation().active_cell_iterators())
-  {
+  for (const auto &cell : level.mesh().triangulation().active_cell_iterators()) {
     const unsigned int degree = found[cell->active_cell_index()];
     if (cell->point_inside(x))
       checks.that("the children have the degree", degree == 5 && cell->diameter() < 0.2);
@@ -121,8 +110,7 @@ void demands(Checks &checks)
 }
 
 /** Brackets that cover several faces, that meet two faces, and that belong to another side. */
-void touching(Checks &checks)
-{
+void touching(Checks &checks) {
   const GradedLevel level(square, uniform_plan(3, 2));
   const auto count = [](const GradedLevel &on, const Singularity &singularity) {
     unsigned int n = 0;
@@ -132,24 +120,21 @@ void touching(Checks &checks)
   };
   checks.near("a corner touches one cell", count(level, corner({1., 0.}, 1.)), 1., 0.);
   const std::vector<Singularity> two = {corner({0., 0.}, 1.), corner({1., 0.}, 1.)};
-  checks.that("the nearest one",
-              nearest(two, {0.7, 0.1}) == &two[1] && nearest(two, {0.2, 3.}) == &two[0] &&
-                nearest({}, {0., 0.}) == nullptr);
+  checks.that("the nearest one", nearest(two, {0.7, 0.1}) == &two[1] &&
+                                   nearest(two, {0.2, 3.}) == &two[0] &&
+                                   nearest({}, {0., 0.}) == nullptr);
   // 16 faces of pi/4 on the outer circle of E1.
   const GradedLevel ring("Scene/Name = E1\n", uniform_plan(1, 2));
   const unsigned int outer = ring.multipliers().surface().patches()[0].side;
   const double h = dealii::numbers::PI / 4.;
   for (const auto &[on, side, from, to, expected] :
-       {std::tuple(&level, 2U, 0.3, 0.31, 1.),
-        std::tuple(&level, 2U, 0.2, 0.6, 4.),
-        std::tuple(&level, 0U, 0.3, 0.31, 1.),
-        std::tuple(&ring, outer, 15.9 * h, 16.1 * h, 2.),
+       {std::tuple(&level, 2U, 0.3, 0.31, 1.), std::tuple(&level, 2U, 0.2, 0.6, 4.),
+        std::tuple(&level, 0U, 0.3, 0.31, 1.), std::tuple(&ring, outer, 15.9 * h, 16.1 * h, 2.),
         std::tuple(&ring, outer, 16.1 * h, 16.2 * h, 1.)})
     checks.near("brackets", count(*on, end_of_contact({}, side, from, to, 1.)), expected, 0.);
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {layers, degrees, demands, touching});
 }

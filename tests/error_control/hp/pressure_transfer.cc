@@ -11,20 +11,17 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 using Function = std::function<double(unsigned int, double)>;
 
-Pressure nodal(const MultiplierSpace<2> &space, const Function &p)
-{
+Pressure nodal(const MultiplierSpace<2> &space, const Function &p) {
   Pressure P(space.n_multipliers());
   for (unsigned int k = 0; k < P.size(); ++k)
     P[k] = p(space.surface().patches()[space.patch_of(k)].side, space.node(k)[0]);
   return P;
 }
 
-MeshPlan plan(const double s, const double layers, const double rise)
-{
+MeshPlan plan(const double s, const double layers, const double rise) {
   MeshPlan plan = uniform_plan(2, 2);
   plan.base_size = 0.25;
   plan.rise = rise;
@@ -33,8 +30,7 @@ MeshPlan plan(const double s, const double layers, const double rise)
 }
 
 /** Degree 4 everywhere: pressures of degree two are transferred exactly. */
-MeshPlan quadratic(const std::string &text, const double s, const double layers)
-{
+MeshPlan quadratic(const std::string &text, const double s, const double layers) {
   MeshPlan graded = plan(s, layers, 2.);
   const GradedLevel uniform(text, uniform_plan(2, 2));
   for (const auto &cell : uniform.mesh().triangulation().active_cell_iterators())
@@ -42,8 +38,7 @@ MeshPlan quadratic(const std::string &text, const double s, const double layers)
   return graded;
 }
 
-void check(Checks &checks, const std::string &name, const std::string &text, const double s)
-{
+void check(Checks &checks, const std::string &name, const std::string &text, const double s) {
   const GradedLevel coarse(text, quadratic(text, s, 2.)), fine(text, quadratic(text, 1. - s, 7.)),
     uniform(text, uniform_plan(3, 2));
   const Function p = [](const unsigned int side, const double t) {
@@ -55,8 +50,7 @@ void check(Checks &checks, const std::string &name, const std::string &text, con
     checks.near(name + ", to a mesh, " + place,
                 distance(transfer_pressure(coarse.multipliers(), P, to->multipliers()),
                          nodal(to->multipliers(), p)),
-                0.,
-                1e-12);
+                0., 1e-12);
   // Positive values are cut off: they would pull.
   const Function q = [](const unsigned int side, const double t) {
     return (t - 0.3) * (side + 1.);
@@ -65,25 +59,19 @@ void check(Checks &checks, const std::string &name, const std::string &text, con
     return std::min(0., q(side, t));
   };
   checks.near(name + ", cut off",
-              distance(transfer_pressure(
-                         fine.multipliers(), nodal(fine.multipliers(), q), uniform.multipliers()),
+              distance(transfer_pressure(fine.multipliers(), nodal(fine.multipliers(), q),
+                                         uniform.multipliers()),
                        nodal(uniform.multipliers(), cut)),
-              0.,
-              1e-12);
+              0., 1e-12);
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(
     argc, argv, {[](Checks &checks) {
-      check(checks,
-            "one side",
-            "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n",
-            0.3);
-      check(checks,
-            "three sides",
-            "subsection Boundary\nset Clamped = top\nset Contact = left right bottom\nend\n",
-            0.8);
+      check(checks, "one side",
+            "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n", 0.3);
+      check(checks, "three sides",
+            "subsection Boundary\nset Clamped = top\nset Contact = left right bottom\nend\n", 0.8);
     }});
 }

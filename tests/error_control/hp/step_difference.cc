@@ -11,23 +11,18 @@
 using namespace Signorini;
 using dealii::Point;
 
-namespace
-{
+namespace {
 /** lambda = mu = 1 on the unit square. */
 const std::string square =
   "subsection Material\nset Young's modulus = 2.5\nset Poisson's ratio = 0.25\nend\n"
   "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
 
 /** Meshes that are finer in different places. */
-struct TwoMeshes
-{
+struct TwoMeshes {
   explicit TwoMeshes(const std::string &text)
     : first(text, plan({0., 0.}, 4., 2.))
-    , second(text, plan({1., 0.}, 3., 5.))
-  {
-  }
-  static MeshPlan plan(const Point<2> &vertex, const double layers, const double rise)
-  {
+    , second(text, plan({1., 0.}, 3., 5.)) {}
+  static MeshPlan plan(const Point<2> &vertex, const double layers, const double rise) {
     MeshPlan plan = uniform_plan(2, 2);
     plan.base_size = 0.25;
     plan.singularities = {corner(vertex, layers),
@@ -36,8 +31,7 @@ struct TwoMeshes
     return plan;
   }
   /** |||u - v|||, u on the first mesh and v on the second; or the other way round. */
-  double distance(const Field &u, const Field &v, const bool is_opposite = false) const
-  {
+  double distance(const Field &u, const Field &v, const bool is_opposite = false) const {
     const Displacement U = nodal_values(first.space(), u), V = nodal_values(second.space(), v);
     return is_opposite ? energy_distance({second.space(), V}, {first.space(), U}, first.scene)
                        : energy_distance({first.space(), U}, {second.space(), V}, first.scene);
@@ -48,8 +42,7 @@ struct TwoMeshes
 
 /** w = (x² + y, x y), eps = (2 x, (1 + y)/2, x): E eps : eps = (3 x)² + 2 (4 x² + x² + (1 + y)²/2),
  * whose mean over the unit square is 3 + 10/3 + 7/3. */
-void polynomials(Checks &checks)
-{
+void polynomials(Checks &checks) {
   const Field v = [](const Point<2> &x) { return Point<2>(x[0] * x[1], 0.3 - x[1] * x[1]); };
   const Field u = [&v](const Point<2> &x) {
     return v(x) + Point<2>(x[0] * x[0] + x[1], x[0] * x[1]);
@@ -57,8 +50,7 @@ void polynomials(Checks &checks)
   const double exact = std::sqrt(3. + 10. / 3. + 7. / 3.);
   for (const auto &[name, text] : std::vector<std::pair<std::string, std::string>>{
          {"squares", square},
-         {"distorted", "subsection Geometry\nset Distortion = 0.3\nend\n" + square}})
-  {
+         {"distorted", "subsection Geometry\nset Distortion = 0.3\nend\n" + square}}) {
     const TwoMeshes meshes(text);
     checks.that(name + ": hanging nodes",
                 has_hanging_nodes(meshes.first.mesh()) && has_hanging_nodes(meshes.second.mesh()));
@@ -69,14 +61,12 @@ void polynomials(Checks &checks)
       name + ": a rigid motion",
       meshes.distance(
         u, [&u](const Point<2> &x) { return u(x) + Point<2>(0.2 - 0.1 * x[1], 0.1 * x[0]); }),
-      0.,
-      1e-12);
+      0., 1e-12);
   }
 }
 
 /** E = 1 + x with nu = 0: |||(x, 0)|||² = int 1 + x = 3/2. */
-void variable_material(Checks &checks)
-{
+void variable_material(Checks &checks) {
   const std::string text =
     "subsection Material\nset Young's modulus = 1 + x\nset Poisson's ratio = 0\nend\n"
     "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
@@ -84,12 +74,10 @@ void variable_material(Checks &checks)
   checks.near("a variable modulus",
               meshes.distance([](const Point<2> &x) { return Point<2>(x[0], 0.); },
                               [](const Point<2> &) { return Point<2>(); }),
-              std::sqrt(1.5),
-              1e-12);
+              std::sqrt(1.5), 1e-12);
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {polynomials, variable_material});
 }

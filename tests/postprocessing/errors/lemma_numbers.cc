@@ -9,8 +9,7 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** u = (0, -0.125 y): the top of D1 moved down by 0.125 onto a foundation at rest. */
 const std::string pressed_patch_test = "Constants/Values = E=2.5, nu=0.25, e=0.125\n"
                                        "subsection Material\nset Young's modulus = E\n"
@@ -22,21 +21,14 @@ const std::string pressed_patch_test = "Constants/Values = E=2.5, nu=0.25, e=0.1
                                        "set Displacement gradient = 0; 0; 0; -e\n"
                                        "set Pressure = -3*e\nend\n";
 
-LemmaNumbers numbers(const OneLevel &level, const DistributedVector &loads)
-{
+LemmaNumbers numbers(const OneLevel &level, const DistributedVector &loads) {
   const ExactPressure pressure(level.scene);
-  return compute_lemma_numbers(level.space(),
-                               level.scene,
-                               level.multipliers(),
-                               level.discretization.D,
-                               pressure,
-                               loads,
-                               LinearSolver::automatic,
+  return compute_lemma_numbers(level.space(), level.scene, level.multipliers(),
+                               level.discretization.D, pressure, loads, LinearSolver::automatic,
                                level.discretization.n_points + 1);
 }
 
-void patch_test(Checks &checks)
-{
+void patch_test(Checks &checks) {
   const OneLevel level(pressed_patch_test, 3);
   const LevelSolution<2> solution = level.solve();
   checks.near("the scene has this pressure", solution.P.linfty_norm() - 0.375, 0., 1e-12);
@@ -44,24 +36,17 @@ void patch_test(Checks &checks)
     level,
     assemble_right_hand_side(level.space(), level.scene, level.discretization.n_points).loads);
   checks.near("all numbers vanish",
-              {found.projection_l2,
-               found.projection_dual,
-               found.interpolation_h1,
-               found.interpolation_trace,
-               found.consistency,
-               found.bound_26,
-               found.bound_27,
+              {found.projection_l2, found.projection_dual, found.interpolation_h1,
+               found.interpolation_trace, found.consistency, found.bound_26, found.bound_27,
                found.bound_30.value_or(1.)},
-              std::vector<double>(8, 0.),
-              1e-12);
+              std::vector<double>(8, 0.), 1e-12);
 }
 
 /**
  * u = (y², x²): on n faces of length h on each of two unit sides x² - I^h x² = -h² t (1 - t), whose
  * cosine series has the modes 2 n j with the amplitudes (h/(pi j))².
  */
-void parabola(Checks &checks)
-{
+void parabola(Checks &checks) {
   const OneLevel level("subsection Boundary\nset Displacement = top: y^2; x^2\n"
                        "set Contact = bottom left\nend\nsubsection Contact\nset Gap = 9\nend\n"
                        "subsection Exact solution\nset Displacement = y^2; x^2\n"
@@ -74,14 +59,11 @@ void parabola(Checks &checks)
               std::pow(h / (dealii::numbers::PI * j), 4);
   const double exact = std::sqrt(2. * square);
   checks.near("parabola: u - I^h u on Gamma_c",
-              numbers(level, level.space().make_vector()).interpolation_trace,
-              exact,
-              1e-6 * exact);
+              numbers(level, level.space().make_vector()).interpolation_trace, exact, 1e-6 * exact);
 }
 
 /** T^T r against its definition: (T^T r).v = r.(T v) for v in V^h. */
-void restriction(Checks &checks)
-{
+void restriction(Checks &checks) {
   const OneLevel level("subsection Geometry\nset Shape = polygon\n"
                        "set Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\nend\n"
                        "subsection Boundary\nset Contact = side0\nset Rollers = side1\n"
@@ -104,7 +86,6 @@ void restriction(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {patch_test, parabola, restriction});
 }

@@ -11,17 +11,12 @@
 
 using namespace Signorini;
 
-namespace
-{
-struct Solved : public SolvedLevel
-{
+namespace {
+struct Solved : public SolvedLevel {
   using SolvedLevel::SolvedLevel;
 
-  Certificate judge(const Displacement &displacement,
-                    const Pressure &pressure,
-                    const LinearSystem<2> &linear_system,
-                    const dealii::Vector<double> &G) const
-  {
+  Certificate judge(const Displacement &displacement, const Pressure &pressure,
+                    const LinearSystem<2> &linear_system, const dealii::Vector<double> &G) const {
     ContactState<2> contact;
     contact.U = displacement;
     contact.P = pressure;
@@ -37,8 +32,7 @@ struct Solved : public SolvedLevel
       nodal_forces(space(), scene, linear_system.loads, discretization.D, displacement, pressure);
     return certify(space(), scene, multipliers(), {contact, discretization.D, G, forces});
   }
-  Certificate judge(const Displacement &displacement, const Pressure &pressure) const
-  {
+  Certificate judge(const Displacement &displacement, const Pressure &pressure) const {
     return judge(displacement, pressure, system, discretization.G);
   }
 };
@@ -57,34 +51,25 @@ const std::string oblique = "subsection Geometry\nset Shape = polygon\n"
                             "set Displacement = side3: 0.01; -0.02\nend\n"
                             "Load/Body force = -0.1; -0.2\n";
 
-void correct_answers(Checks &checks)
-{
+void correct_answers(Checks &checks) {
   const std::pair<const char *, std::string> scenes[] = {{"block on parabola", block},
                                                          {"D1", "Scene/Name = D1\n"},
                                                          {"loads", loaded},
                                                          {"oblique sides", oblique}};
-  for (const auto &scene : scenes)
-  {
+  for (const auto &scene : scenes) {
     const Solved solved(scene.second, 3);
     const Certificate c = solved.judge(solved.U, solved.P);
     checks.near(std::string(scene.first) + ": sign", c.sign, 0., 0.);
     checks.near(std::string(scene.first) + ": all residuals",
-                {c.stationarity,
-                 c.penetration,
-                 c.complementarity,
-                 c.duality_gap,
-                 c.force_balance,
-                 c.moment_balance,
-                 max_residual(c).value},
-                std::vector<double>(7, 0.),
-                1e-12);
+                {c.stationarity, c.penetration, c.complementarity, c.duality_gap, c.force_balance,
+                 c.moment_balance, max_residual(c).value},
+                std::vector<double>(7, 0.), 1e-12);
     checks.that("worst is the largest", max_residual(c).value >= c.stationarity);
   }
 }
 
 /** J = -f(u)/2 + [p, g]/2, because a(u, u) = f(u) + [p, g] where nothing is displaced. */
-void energies(Checks &checks)
-{
+void energies(Checks &checks) {
   const Solved solved(loaded, 3);
   const double work = solved.U * solved.space().dual(solved.system.loads);
   const double expected = -0.5 * work + 0.5 * (solved.P * solved.discretization.G);
@@ -94,13 +79,13 @@ void energies(Checks &checks)
   // D1: J = int (lambda + 2 mu) eps^2/2 + 0.125 int_left u_1 ... = 3/2 eps^2, as u_1 = 0 and P W =
   // 0.
   const Solved patch_test("Scene/Name = D1\n", 2);
-  checks.near(
-    "energy of D1", patch_test.judge(patch_test.U, patch_test.P).energy, 1.5 / 64., 1e-14);
+  checks.near("energy of D1", patch_test.judge(patch_test.U, patch_test.P).energy, 1.5 / 64.,
+              1e-14);
 }
 
 /** A node inside the body, or on the middle of the bottom: its second degree of freedom. */
-dealii::types::global_dof_index dof_at(const DisplacementSpace<2> &space, const dealii::Point<2> &x)
-{
+dealii::types::global_dof_index dof_at(const DisplacementSpace<2> &space,
+                                       const dealii::Point<2> &x) {
   for (const auto &cell : space.dofs().active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
       if (cell->vertex(v).distance(x) < 1e-10)
@@ -108,8 +93,7 @@ dealii::types::global_dof_index dof_at(const DisplacementSpace<2> &space, const 
   return dealii::numbers::invalid_dof_index;
 }
 
-void wrong_displacements(Checks &checks, const Solved &solved)
-{
+void wrong_displacements(Checks &checks, const Solved &solved) {
   Displacement U = solved.U;
   U[dof_at(solved.space(), {0., 0.5})] += 1e-5;
   Certificate c = solved.judge(U, solved.P);
@@ -126,15 +110,13 @@ void wrong_displacements(Checks &checks, const Solved &solved)
   checks.that("stretched displacements", solved.judge(U, solved.P).stationarity > 1e-6);
 }
 
-void wrong_pressures(Checks &checks, const Solved &solved)
-{
+void wrong_pressures(Checks &checks, const Solved &solved) {
   Pressure P = solved.P;
   checks.that("the last patch does not press", P[P.size() - 1] == 0.);
   P[P.size() - 1] = 1e-3 * P.linfty_norm();
   checks.near("a pulling foundation", solved.judge(solved.recover(P), P).sign, 1e-3, 1e-12);
 
-  for (const double factor : {0.9, 1.1})
-  {
+  for (const double factor : {0.9, 1.1}) {
     P = solved.P;
     P *= factor;
     checks.about(factor < 1. ? "too little pressure" : "too much pressure");
@@ -148,8 +130,7 @@ void wrong_pressures(Checks &checks, const Solved &solved)
   }
 }
 
-void wrong_loads(Checks &checks, const Solved &solved)
-{
+void wrong_loads(Checks &checks, const Solved &solved) {
   LinearSystem<2> system = assemble_linear_system(solved.space(), solved.scene, 3);
   const auto &G = solved.discretization.G;
   system.applied.force[0] += 1e-4;
@@ -167,8 +148,7 @@ void wrong_loads(Checks &checks, const Solved &solved)
 }
 
 /** P and W = D^T U - G by hand, at rest: U = 0, G = (0, 0, 1, ...). */
-void degenerate(Checks &checks, const Solved &solved)
-{
+void degenerate(Checks &checks, const Solved &solved) {
   const Displacement U = solved.space().displacement(solved.space().make_vector());
   Pressure P(solved.P.size());
   dealii::Vector<double> G(P.size());
@@ -187,23 +167,19 @@ void degenerate(Checks &checks, const Solved &solved)
 }
 
 /** A body at rest on its foundation: F = 0, so that C is not computed. */
-void at_rest(Checks &checks)
-{
+void at_rest(Checks &checks) {
   const OneLevel level("subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n"
                        "Load/Body force = 0; 0\n"
                        "Contact/Gap = max(0, x-0.5)\n",
                        3);
   const LevelSolution<2> solution = level.solve();
   checks.that("at rest: nothing presses", solution.record.contact.active == 0);
-  checks.near("at rest: half of the patches touch",
-              solution.record.certificate.degenerate_patches,
-              0.5 * solution.record.sizes.multipliers,
-              0.);
+  checks.near("at rest: half of the patches touch", solution.record.certificate.degenerate_patches,
+              0.5 * solution.record.sizes.multipliers, 0.);
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {[](Checks &checks) {
                      correct_answers(checks);
                      energies(checks);

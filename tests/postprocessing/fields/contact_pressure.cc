@@ -12,49 +12,41 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 constexpr unsigned int left = 0, bottom = 2;
 
 /** Patches between the given positions of a side. */
-std::vector<Patch<2>> patches_between(const unsigned int side, const std::vector<double> &positions)
-{
+std::vector<Patch<2>> patches_between(const unsigned int side,
+                                      const std::vector<double> &positions) {
   std::vector<Patch<2>> patches;
   for (std::size_t i = 0; i + 1 < positions.size(); ++i)
-    patches.push_back({side,
-                       dealii::Point<1>(positions[i]),
-                       dealii::Point<1>(positions[i + 1]),
+    patches.push_back({side, dealii::Point<1>(positions[i]), dealii::Point<1>(positions[i + 1]),
                        positions[i + 1] - positions[i]});
   return patches;
 }
 
-std::vector<Patch<2>> both(std::vector<Patch<2>> first, const std::vector<Patch<2>> &second)
-{
+std::vector<Patch<2>> both(std::vector<Patch<2>> first, const std::vector<Patch<2>> &second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }
 
 /** The unit square with contact on the left and at the bottom, and so many cells. */
-std::string square(const std::string &contact, const std::string &cells, const std::string &ratio)
-{
+std::string square(const std::string &contact, const std::string &cells, const std::string &ratio) {
   return "subsection Boundary\nset Clamped = top\nset Contact = " + contact + "\nend\n" +
          entry("Geometry", "Cells", cells) + entry("Discretization", "Patch ratio", ratio);
 }
 
 /** The point of a patch with the given position between its ends. */
-dealii::Point<1> within(const Patch<2> &patch, const double position)
-{
+dealii::Point<1> within(const Patch<2> &patch, const double position) {
   return patch.lower + position * (patch.upper - patch.lower);
 }
 
-Pressure pressure(const std::vector<double> &values)
-{
+Pressure pressure(const std::vector<double> &values) {
   return Pressure(dealii::Vector<double>(values.begin(), values.end()));
 }
 
 /** Nine faces: patches of the lengths 2/9, 2/9, 2/9, 3/9. */
-void summary(Checks &checks)
-{
+void summary(Checks &checks) {
   const OneLevel level(square("bottom", "9, 9", "2"), 0);
   const auto of = [&](const std::vector<double> &P) {
     const ContactSummary found = summarise_contact(level.multipliers(), pressure(P));
@@ -62,14 +54,13 @@ void summary(Checks &checks)
       {double(found.active), found.length, found.normal_force, found.max_pressure});
   };
   checks.near("two patches press", of({-2., 0., 0., -0.5}), {2., 5. / 9., 5.5 / 9., 2.}, 1e-15);
-  checks.near(
-    "rounding does not press, a small pressure does", of({-2., -1e-16, -0.5, -1e-11})[0], 3., 0.);
+  checks.near("rounding does not press, a small pressure does", of({-2., -1e-16, -0.5, -1e-11})[0],
+              3., 0.);
   checks.near("nothing presses", of({0., 0., 0., 0.}), {0., 0., 0., 0.}, 0.);
 }
 
 /** Linear pressures on both sides, also where the patches have different lengths. */
-void recovery(Checks &checks)
-{
+void recovery(Checks &checks) {
   // 11 faces and 14: patches of 3, 3 and 5 faces, and of 3, 3, 3 and 5.
   const OneLevel uneven(square("left bottom", "14, 11", "3"), 0);
   const std::vector<Patch<2>> &patches = uneven.discretization.surface.patches();
@@ -83,8 +74,7 @@ void recovery(Checks &checks)
   const RecoveredPressure recovered(uneven.multipliers(), P);
   double largest = 0.;
   for (unsigned int tau = 0; tau < patches.size(); ++tau)
-    for (unsigned int k = 0; k <= 10; ++k)
-    {
+    for (unsigned int k = 0; k <= 10; ++k) {
       const dealii::Point<1> s = within(patches[tau], 0.1 * k);
       largest = std::max(largest, std::abs(recovered(tau, s) - exact(patches[tau].side, s[0])));
     }
@@ -94,8 +84,7 @@ void recovery(Checks &checks)
   const Pressure bumpy = pressure({-0.1, -5., 0., -0.2});
   const RecoveredPressure clipped(below.multipliers(), bumpy);
   double highest = -1., jump = 0.;
-  for (unsigned int tau = 0; tau < 4; ++tau)
-  {
+  for (unsigned int tau = 0; tau < 4; ++tau) {
     const Patch<2> &patch = below.discretization.surface.patches()[tau];
     for (unsigned int k = 0; k <= 20; ++k)
       highest = std::max(highest, clipped(tau, within(patch, 0.05 * k)));
@@ -113,8 +102,7 @@ void recovery(Checks &checks)
 }
 
 /** Around a circle the last patch is next to the first. */
-void closed_side(Checks &checks)
-{
+void closed_side(Checks &checks) {
   const OneLevel ring("Scene/Name = E1\n"
                       "Discretization/Patches = 12\n",
                       2);
@@ -127,14 +115,13 @@ void closed_side(Checks &checks)
   for (unsigned int tau = 0; tau < m; ++tau)
     P[tau] = -2. - std::cos(2. * dealii::numbers::PI * tau / m);
   const RecoveredPressure recovered(ring.multipliers(), P);
-  checks.near(
-    "closed side: no jump at the seam", recovered(0, start), recovered(m - 1, end), 1e-14);
-  checks.near(
-    "closed side: mean of the neighbours", recovered(0, start), 0.5 * (P[0] + P[m - 1]), 1e-14);
+  checks.near("closed side: no jump at the seam", recovered(0, start), recovered(m - 1, end),
+              1e-14);
+  checks.near("closed side: mean of the neighbours", recovered(0, start), 0.5 * (P[0] + P[m - 1]),
+              1e-14);
 }
 
-void transfer(Checks &checks)
-{
+void transfer(Checks &checks) {
   const auto equal = [](const unsigned int n) {
     std::vector<double> positions;
     for (unsigned int i = 0; i <= n; ++i)
@@ -143,8 +130,8 @@ void transfer(Checks &checks)
   };
   RandomNumbers random(4);
   const Pressure P(random.vector(14));
-  checks.near(
-    "equal partitions: identity", distance(transfer_pressure({equal(7), P}, equal(7)), P), 0., 0.);
+  checks.near("equal partitions: identity", distance(transfer_pressure({equal(7), P}, equal(7)), P),
+              0., 0.);
   const Pressure halved = transfer_pressure({equal(7), P}, equal(14));
   for (unsigned int tau = 0; tau < 28; ++tau)
     checks.near("halved patches inherit", halved[tau], P[tau / 2], 1e-14);
@@ -153,19 +140,16 @@ void transfer(Checks &checks)
                       patches_between(bottom, {0., 0.5, 1.}));
   checks.near("weighted mean", uneven[0], -(0.2 * 1. + 0.3 * 2.) / 0.5, 1e-15);
   // The means of all patches of a side are the same.
-  for (const unsigned int n : {1U, 5U, 100U})
-  {
+  for (const unsigned int n : {1U, 5U, 100U}) {
     const Pressure Q = transfer_pressure({equal(7), P}, equal(n));
     for (const unsigned int side : {0U, 1U})
-      checks.near("force",
-                  std::accumulate(Q.begin() + side * n, Q.begin() + (side + 1) * n, 0.) / n,
-                  std::accumulate(P.begin() + side * 7, P.begin() + (side + 1) * 7, 0.) / 7.,
-                  1e-14);
+      checks.near(
+        "force", std::accumulate(Q.begin() + side * n, Q.begin() + (side + 1) * n, 0.) / n,
+        std::accumulate(P.begin() + side * 7, P.begin() + (side + 1) * 7, 0.) / 7., 1e-14);
   }
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {summary, recovery, closed_side, transfer});
 }

@@ -15,22 +15,18 @@
 using namespace Signorini;
 using dealii::Point;
 
-namespace
-{
+namespace {
 const std::string block = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
 
 /** u = (x^2, 3 y): the interpolant's dilatation is the slope of x^2 between the nodes, plus 3. */
-void means(Checks &checks)
-{
-  for (const unsigned int number : {0, 3})
-  {
+void means(Checks &checks) {
+  for (const unsigned int number : {0, 3}) {
     const OneLevel level(block, number);
     const Displacement U = nodal_values(
       level.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], 3. * x[1]); });
     const std::vector<double> means = mean_dilatations(level.space(), U);
     double largest = 0.;
-    for (const auto &cell : level.space().dofs().active_cell_iterators())
-    {
+    for (const auto &cell : level.space().dofs().active_cell_iterators()) {
       const Point<2> centre = number > 0 ? cell->parent()->center() : cell->center();
       largest =
         std::max(largest, std::abs(means[cell->active_cell_index()] - (2. * centre[0] + 3.)));
@@ -40,8 +36,7 @@ void means(Checks &checks)
 }
 
 /** K/mu = (lambda + mu)/mu = 1/(1 - 2 nu) in plane strain, h/l = 1/8. */
-void locking(Checks &checks)
-{
+void locking(Checks &checks) {
   const auto number = [](const std::string &material) {
     const OneLevel level(block + "subsection Material\n" + material + "end\n", 3);
     return locking_number(level.discretization.mesh, *level.scene.material);
@@ -58,18 +53,15 @@ void locking(Checks &checks)
 }
 
 /** Two patches that cannot be told apart, two that can, and two that cannot, but are open. */
-void uniqueness(Checks &checks)
-{
-  struct Row
-  {
+void uniqueness(Checks &checks) {
+  struct Row {
     double c_01, c_02, c_12;
     std::array<double, 3> F, P;
     bool is_unique;
   };
   for (const Row &row : {Row{1., 0., 0., {{-1., -1., 1.}}, {{-1., 0., 0.}}, false},
                          Row{0.5, 0., 0., {{-1.5, -1.5, 1.}}, {{-1., -1., 0.}}, true},
-                         Row{0.5, 0.5, 1., {{-1., 1., 1.}}, {{-1., 0., 0.}}, true}})
-  {
+                         Row{0.5, 0.5, 1., {{-1., 1., 1.}}, {{-1., 0., 0.}}, true}}) {
     dealii::FullMatrix<double> C(3, 3);
     for (unsigned int i = 0; i < 3; ++i)
       C(i, i) = 1.;
@@ -84,7 +76,6 @@ void uniqueness(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {means, locking, uniqueness});
 }

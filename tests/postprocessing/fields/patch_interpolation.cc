@@ -18,38 +18,32 @@ using namespace Signorini;
 using dealii::Point;
 using dealii::Tensor;
 
-namespace
-{
+namespace {
 const std::string sides = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
 
 /** sum_ij c_ij x^i y^j, i, j <= degree, for each component. */
-struct Polynomial
-{
+struct Polynomial {
   explicit Polynomial(const unsigned int seed, const unsigned int degree = 2)
-    : n(degree + 1)
-  {
+    : n(degree + 1) {
     RandomNumbers random(seed);
     for (auto &component : coefficients)
       for (unsigned int i = 0; i < n * n; ++i)
         component.push_back(random());
   }
-  Tensor<1, 2> value(const Point<2> &x) const
-  {
+  Tensor<1, 2> value(const Point<2> &x) const {
     Tensor<1, 2> sum;
     for (unsigned int k = 0; k < 2; ++k)
       for (unsigned int i = 0; i < n * n; ++i)
         sum[k] += coefficients[k][i] * std::pow(x[0], i % n) * std::pow(x[1], i / n);
     return sum;
   }
-  Tensor<2, 2> gradient(const Point<2> &x) const
-  {
+  Tensor<2, 2> gradient(const Point<2> &x) const {
     const auto slope = [](const double t, const unsigned int i) {
       return i == 0 ? 0. : i * std::pow(t, i - 1);
     };
     Tensor<2, 2> sum;
     for (unsigned int k = 0; k < 2; ++k)
-      for (unsigned int i = 0; i < n * n; ++i)
-      {
+      for (unsigned int i = 0; i < n * n; ++i) {
         sum[k][0] += coefficients[k][i] * slope(x[0], i % n) * std::pow(x[1], i / n);
         sum[k][1] += coefficients[k][i] * std::pow(x[0], i % n) * slope(x[1], i / n);
       }
@@ -64,30 +58,20 @@ using Gradient = std::function<Tensor<2, 2>(const Point<2> &)>;
 
 /** Largest distance of the interpolation of U and its gradient from a function at points of all
  * cells. */
-double max_distance(const OneLevel &level,
-                    const Displacement &U,
-                    const Field &value,
-                    const Gradient &gradient,
-                    const unsigned int n_generations)
-{
+double max_distance(const OneLevel &level, const Displacement &U, const Field &value,
+                    const Gradient &gradient, const unsigned int n_generations) {
   const DisplacementSpace<2> &space = level.space();
   PatchInterpolation<2> interpolation(space, dealii::QGauss<2>(2), n_generations);
   double largest = 0.;
-  for (const unsigned int n_points : {2U, 4U})
-  {
-    dealii::FEValues<2> values(space.mesh().mapping(),
-                               space.element(),
-                               dealii::QGauss<2>(n_points),
+  for (const unsigned int n_points : {2U, 4U}) {
+    dealii::FEValues<2> values(space.mesh().mapping(), space.element(), dealii::QGauss<2>(n_points),
                                dealii::update_quadrature_points | dealii::update_inverse_jacobians);
-    for (const auto &cell : space.dofs().active_cell_iterators())
-    {
+    for (const auto &cell : space.dofs().active_cell_iterators()) {
       values.reinit(cell);
       const FieldValues<2> &result = interpolation.evaluate(U, cell, values);
-      for (const unsigned int q : values.quadrature_point_indices())
-      {
+      for (const unsigned int q : values.quadrature_point_indices()) {
         const Point<2> &x = values.quadrature_point(q);
-        largest = std::max({largest,
-                            (result.values[q] - value(x)).norm(),
+        largest = std::max({largest, (result.values[q] - value(x)).norm(),
                             gradient ? (result.gradients[q] - gradient(x)).norm() : 0.});
       }
     }
@@ -95,30 +79,19 @@ double max_distance(const OneLevel &level,
   return largest;
 }
 
-void reproduces(Checks &checks,
-                const std::string &name,
-                const OneLevel &level,
-                const Field &value,
-                const Gradient &gradient,
-                const unsigned int n_generations = 1)
-{
+void reproduces(Checks &checks, const std::string &name, const OneLevel &level, const Field &value,
+                const Gradient &gradient, const unsigned int n_generations = 1) {
   checks.near(
-    name,
-    max_distance(level, nodal_values(level.space(), value), value, gradient, n_generations),
-    0.,
-    1e-12);
+    name, max_distance(level, nodal_values(level.space(), value), value, gradient, n_generations),
+    0., 1e-12);
 }
 
-void polynomials(Checks &checks)
-{
+void polynomials(Checks &checks) {
   const Tensor<2, 2> slope({{0.3, -0.7}, {1.1, 0.4}});
   const OneLevel distorted("Geometry/Distortion = 0.3\n" + sides, 3);
   reproduces(
-    checks,
-    "linear function on distorted parents",
-    distorted,
-    [&](const Point<2> &x) { return slope * x; },
-    [&](const Point<2> &) { return slope; });
+    checks, "linear function on distorted parents", distorted,
+    [&](const Point<2> &x) { return slope * x; }, [&](const Point<2> &) { return slope; });
   checks.that(
     "no parents on the level that is distorted",
     !OneLevel("Geometry/Distortion = 0.3\n" + sides, 2).discretization.mesh.has_parents());
@@ -128,13 +101,10 @@ void polynomials(Checks &checks)
   RandomNumbers random(2);
   const Displacement U = distorted.space().displacement(random_rows(distorted.space(), random));
   PatchInterpolation<2> interpolation(distorted.space());
-  dealii::FEValues<2> vertices(distorted.discretization.mesh.mapping(),
-                               distorted.space().element(),
-                               dealii::QTrapezoid<2>(),
-                               dealii::update_inverse_jacobians);
+  dealii::FEValues<2> vertices(distorted.discretization.mesh.mapping(), distorted.space().element(),
+                               dealii::QTrapezoid<2>(), dealii::update_inverse_jacobians);
   double largest = 0.;
-  for (const auto &cell : distorted.space().dofs().active_cell_iterators())
-  {
+  for (const auto &cell : distorted.space().dofs().active_cell_iterators()) {
     vertices.reinit(cell);
     const FieldValues<2> &result = interpolation.evaluate(U, cell, vertices);
     for (const unsigned int v : cell->vertex_indices())
@@ -146,8 +116,7 @@ void polynomials(Checks &checks)
 }
 
 /** On one quadrilateral parent: biquadratic in the coordinates of its bilinear map F. */
-void mapped_parent(Checks &checks)
-{
+void mapped_parent(Checks &checks) {
   const OneLevel level(
     "Geometry/Shape = polygon\nGeometry/Vertices = 0,0; 2,-0.5; 2.5,1.5; -0.3,1\n"
     "Boundary/Clamped = side2\nBoundary/Contact = side0\n",
@@ -155,9 +124,7 @@ void mapped_parent(Checks &checks)
   const Polynomial q(3);
   const auto parent = level.discretization.mesh.triangulation().begin(0);
   reproduces(
-    checks,
-    "biquadratic function of the parent's coordinates",
-    level,
+    checks, "biquadratic function of the parent's coordinates", level,
     [&](const Point<2> &x) {
       return q.value(dealii::MappingQ<2>(1).transform_real_to_unit_cell(parent, x));
     },
@@ -165,13 +132,11 @@ void mapped_parent(Checks &checks)
 }
 
 /** Degree 2^k on the k-th mesh before, and not one more. */
-void generations(Checks &checks)
-{
+void generations(Checks &checks) {
   const OneLevel rectangles(
     "subsection Geometry\nset Upper right = 2, 1\nset Cells = 3, 2\nend\n" + sides, 2);
   const OneLevel squares(sides, 3);
-  for (const unsigned int k : {0U, 1U, 2U, 3U})
-  {
+  for (const unsigned int k : {0U, 1U, 2U, 3U}) {
     const std::string name = std::to_string(k) + " generations";
     const Polynomial q(5 + k, 1U << k);
     const Field value = [&](const Point<2> &x) { return q.value(x); };
@@ -198,8 +163,7 @@ void generations(Checks &checks)
 }
 
 /** Degree four is taken where the mesh resolves the function. */
-void choice(Checks &checks)
-{
+void choice(Checks &checks) {
   const auto wave = [](const double frequency) {
     return [frequency](const Point<2> &x) {
       return Point<2>(std::sin(frequency * x[0]), std::sin(frequency * x[1]));
@@ -226,13 +190,11 @@ void choice(Checks &checks)
  * coordinate each: |||.|||^2 = (lambda + 2 mu) 2 h^2/3. Those of the interpolant take the middle
  * values of 2 x and 2 y, whose squares have the mean 4/3 - h^2/3.
  */
-void estimates(Checks &checks)
-{
+void estimates(Checks &checks) {
   const std::string material =
     "subsection Material\nset Young's modulus = 5\nset Poisson's ratio = 0.25\nend\n";
   const double lambda = 2., mu = 2.;
-  for (const unsigned int number : {1U, 3U})
-  {
+  for (const unsigned int number : {1U, 3U}) {
     const OneLevel level(sides + material, number);
     const double h = std::pow(0.5, number);
     const Displacement U = nodal_values(
@@ -251,9 +213,7 @@ void estimates(Checks &checks)
     Displacement moved(U);
     moved.add(1000.);
     checks.near(name + ": relative, after a translation",
-                estimate_error(level.space(), level.scene, moved).relative,
-                energy / scale,
-                1e-10);
+                estimate_error(level.space(), level.scene, moved).relative, energy / scale, 1e-10);
   }
   // E = 1 + x: int (1 + x) (2 x - m(x))^2 = 3/2 h^2/3, and the same for y.
   const OneLevel graded(sides + "Material/Young's modulus = 1+x\n"
@@ -262,23 +222,18 @@ void estimates(Checks &checks)
   const Displacement squares = nodal_values(
     graded.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], x[1] * x[1]); });
   checks.near("a material that varies",
-              estimate_error(graded.space(), graded.scene, squares).energy,
-              0.25,
-              1e-14);
+              estimate_error(graded.space(), graded.scene, squares).energy, 0.25, 1e-14);
   const OneLevel distorted("Geometry/Distortion = 0.3\n" + sides, 3);
   const Displacement linear = nodal_values(distorted.space(), [](const Point<2> &x) { return x; });
   checks.near("linear functions have no error",
-              estimate_error(distorted.space(), distorted.scene, linear).h1.value(),
-              0.,
-              1e-13);
+              estimate_error(distorted.space(), distorted.scene, linear).h1.value(), 0., 1e-13);
   const Displacement zero =
     nodal_values(distorted.space(), [](const Point<2> &) { return Point<2>(); });
-  checks.near(
-    "nothing moves", estimate_error(distorted.space(), distorted.scene, zero).relative, 0., 0.);
+  checks.near("nothing moves", estimate_error(distorted.space(), distorted.scene, zero).relative,
+              0., 0.);
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {polynomials, mapped_parent, generations, choice, estimates});
 }

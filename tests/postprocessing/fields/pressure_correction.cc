@@ -15,25 +15,16 @@ using namespace Signorini;
 using dealii::Point;
 using Vector = dealii::Vector<double>;
 
-namespace
-{
-std::string with_ratio(const std::string &text, const unsigned int ratio)
-{
+namespace {
+std::string with_ratio(const std::string &text, const unsigned int ratio) {
   return text + entry("Discretization", "Patch ratio", std::to_string(ratio));
 }
 
-PressureCorrection correct(const SolvedLevel &given, const Pressure &P)
-{
+PressureCorrection correct(const SolvedLevel &given, const Pressure &P) {
   const Discretization<2> &level = given.discretization;
   return correct_pressure<2>(
-    {level.space,
-     given.scene,
-     level.multipliers,
-     given.free.U,
-     P,
-     level.condensed_D,
-     *given.inverse,
-     level.n_points,
+    {level.space, given.scene, level.multipliers, given.free.U, P, level.condensed_D,
+     *given.inverse, level.n_points,
      [&](const Coupling &, const Coupling &condensed_D, const Vector &F, const Vector &start) {
        double seconds = 0.;
        return std::optional<Vector>(
@@ -42,17 +33,14 @@ PressureCorrection correct(const SolvedLevel &given, const Pressure &P)
 }
 
 /** b.v for a function of V^h that is zero on the supports. */
-double work(const Coupling &load, const Displacement &v)
-{
+double work(const Coupling &load, const Displacement &v) {
   return load.transpose_product(v)[0];
 }
 
 /** p = -1 - x from its means: int p v_n for v = (0, 1) and v = (0, x), where v_n = -v_2. */
-void linear_pressure(Checks &checks)
-{
+void linear_pressure(Checks &checks) {
   const std::string sides = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
-  for (const unsigned int ratio : {2U, 4U})
-  {
+  for (const unsigned int ratio : {2U, 4U}) {
     const OneLevel level(with_ratio(sides, ratio), 3);
     const auto &patches = level.multipliers().surface().patches();
     Pressure P(patches.size());
@@ -67,28 +55,23 @@ void linear_pressure(Checks &checks)
     const std::string name = "H = " + std::to_string(ratio) + " h, linear pressure: ";
     checks.near(name + "force", work(load, up([](double) { return 1.; })), 1.5, 1e-13);
     checks.near(name + "moment", work(load, up([](double x) { return x; })), 5. / 6., 1e-13);
-    checks.near(
-      name + "no shear",
-      work(load,
-           nodal_values(level.space(), [](const Point<2> &x) { return Point<2>(1. - x[1], 0.); })),
-      0.,
-      1e-14);
+    checks.near(name + "no shear",
+                work(load, nodal_values(level.space(),
+                                        [](const Point<2> &x) { return Point<2>(1. - x[1], 0.); })),
+                0., 1e-14);
     // The same means with the other sign would pull: the recovered pressure does not.
     P *= -1.;
     checks.near(
       name + "nothing pulls",
       work(recovered_load(level.space(), level.multipliers(), P), up([](double) { return 1.; })),
-      0.,
-      0.);
+      0., 0.);
   }
 }
 
 /** b.z = a(z, z): the solve against the sum over cells. */
-void energy_of_correction(Checks &checks)
-{
+void energy_of_correction(Checks &checks) {
   for (const char *scene : {"A1", "C4", "E2"})
-    for (const unsigned int ratio : {2U, 8U})
-    {
+    for (const unsigned int ratio : {2U, 8U}) {
       // A ring has four times as many contact faces.
       const SolvedLevel level(with_ratio(named_scene(scene), ratio),
                               std::string(scene) == "E2" ? 3 : 4);
@@ -96,26 +79,20 @@ void energy_of_correction(Checks &checks)
       const std::string name = std::string(scene) + ", H = " + std::to_string(ratio) + " h: ";
       checks.that(name + "not zero", found.energy_norm > 0.);
       checks.near(name + "load times solution = energy",
-                  energy_norm(level.space(), level.scene, found.z) / found.energy_norm,
-                  1.,
-                  1e-9);
+                  energy_norm(level.space(), level.scene, found.z) / found.energy_norm, 1., 1e-9);
     }
 }
 
 /** Where the recovered pressure is p_H. */
-void nothing_to_correct(Checks &checks)
-{
+void nothing_to_correct(Checks &checks) {
   // Constant pressure: D1 everywhere, E1 on the whole circle.
-  for (const char *scene : {"D1", "E1"})
-  {
+  for (const char *scene : {"D1", "E1"}) {
     const SolvedLevel level(named_scene(scene), 3);
     Pressure constant(level.P.size());
     constant.add(-0.25);
     const PressureCorrection found = correct(level, constant);
     checks.near(std::string(scene) + ", a constant pressure",
-                found.energy_norm / energy_norm(level.space(), level.scene, level.U),
-                0.,
-                1e-12);
+                found.energy_norm / energy_norm(level.space(), level.scene, level.U), 0., 1e-12);
   }
   const SolvedLevel open(named_scene("C2"), 4);
   const PressureCorrection none = correct(open, open.P);
@@ -125,10 +102,8 @@ void nothing_to_correct(Checks &checks)
 }
 
 /** Patches longer than two faces are corrected from those of two faces: u_h + z_h is the same. */
-void long_patches(Checks &checks)
-{
-  for (const char *scene : {"A1", "C4"})
-  {
+void long_patches(Checks &checks) {
+  for (const char *scene : {"A1", "C4"}) {
     const auto corrected = [&](const std::string &text) {
       const SolvedLevel level(text, 4);
       Displacement v = level.U;
@@ -140,14 +115,12 @@ void long_patches(Checks &checks)
       checks.near(std::string(scene) + ", H = " + std::to_string(ratio) + " h, u_h + z_h",
                   distance(corrected(with_ratio(named_scene(scene), ratio)), expected) /
                     expected.linfty_norm(),
-                  0.,
-                  1e-8);
+                  0., 1e-8);
   }
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
-  return run_tests(
-    argc, argv, {linear_pressure, energy_of_correction, nothing_to_correct, long_patches});
+int main(int argc, char **argv) {
+  return run_tests(argc, argv,
+                   {linear_pressure, energy_of_correction, nothing_to_correct, long_patches});
 }

@@ -9,8 +9,7 @@
 #include "one_level.h"
 
 /** One level of a scene with U, P and what they were computed from. */
-struct SolvedLevel : public OneLevel
-{
+struct SolvedLevel : public OneLevel {
   SolvedLevel(const std::string &text, const unsigned int number)
     : OneLevel(text, number)
     , system(assemble_linear_system(space(), scene, discretization.n_points))
@@ -18,11 +17,8 @@ struct SolvedLevel : public OneLevel
     , free(solve_free_state(*inverse, space(), system.f, discretization.D, discretization.G))
     , C(make_compliance(*inverse, discretization.condensed_D, seconds))
     , P(solve_dual_problem(C, free.F, {}, {}).P)
-    , U(recover(P))
-  {
-  }
-  Signorini::Displacement recover(const Signorini::Pressure &pressure) const
-  {
+    , U(recover(P)) {}
+  Signorini::Displacement recover(const Signorini::Pressure &pressure) const {
     return recover_displacement(*inverse, space(), discretization.condensed_D, pressure, system.f);
   }
 

@@ -12,11 +12,9 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** A block: a plate on the left, a traction and its weight press it; the right side is moved. */
-std::string block(const LoadCase &load_case)
-{
+std::string block(const LoadCase &load_case) {
   std::ostringstream text;
   text << std::setprecision(17) << "Constants/Values = T=" << 0.02 * load_case.force
        << ", w=" << 0.03 * load_case.weight << ", u=" << 0.01 * load_case.travel
@@ -29,8 +27,7 @@ std::string block(const LoadCase &load_case)
   return text.str();
 }
 
-CaseSolver make_solver(const OneLevel &level, const LevelSolution<2> &solution)
-{
+CaseSolver make_solver(const OneLevel &level, const LevelSolution<2> &solution) {
   return CaseSolver(
     {level.space(),
      level.scene,
@@ -44,17 +41,13 @@ CaseSolver make_solver(const OneLevel &level, const LevelSolution<2> &solution)
      {}});
 }
 
-void compare(Checks &checks,
-             const std::string &name,
-             const std::string &foundation,
-             const std::vector<LoadCase> &cases)
-{
+void compare(Checks &checks, const std::string &name, const std::string &foundation,
+             const std::vector<LoadCase> &cases) {
   OneLevel level(block(LoadCase()) + foundation, 4);
   level.scene.load_cases = cases;
   const LevelSolution<2> solution = level.solve();
   CaseSolver solver = make_solver(level, solution);
-  for (std::size_t i = 0; i < cases.size(); ++i)
-  {
+  for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::string at = name + ", case " + std::to_string(i + 1);
     const CaseResult result = solver.solve(cases[i]);
     const LevelSolution<2> own = OneLevel(block(cases[i]) + foundation, 4).solve();
@@ -64,19 +57,15 @@ void compare(Checks &checks,
     const auto &force = own.record.answer.contact_force.resultant.force;
     const auto &peak = own.record.answer.peak_pressure;
     checks.near(at + ": numbers",
-                {result.plates.at(0).travel,
-                 result.plates.at(0).rotation,
-                 result.contact.force[0],
+                {result.plates.at(0).travel, result.plates.at(0).rotation, result.contact.force[0],
                  result.contact.force[1]},
-                {motion.travel, motion.rotation, force[0], force[1]},
-                1e-10);
+                {motion.travel, motion.rotation, force[0], force[1]}, 1e-10);
     checks.near(at + ": peak", result.peak_pressure, peak ? peak->value : 0., 1e-8);
   }
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(
     argc, argv, {[](Checks &checks) {
       LoadCase all, pulled, moved;
@@ -89,8 +78,7 @@ int main(int argc, char **argv)
       moved.shift = dealii::Tensor<1, 2>({0.05, 0.03});
       moved.force = 1.2;
       compare(
-        checks,
-        "rollers",
+        checks, "rollers",
         "Contact/Foundation = circle 0.5+X,-0.5+Y radius 0.5 | circle 1.6+X,-0.52+Y radius 0.5\n",
         {LoadCase(), all, moved});
       compare(checks, "parabola", "Contact/Gap = G*(0.01 + 0.1*(x-0.7)^2)\n", {all, pulled});

@@ -14,15 +14,13 @@
 using namespace Signorini;
 using dealii::Point;
 
-namespace
-{
+namespace {
 const std::vector<Point<2>> corners = {{0., 0.}, {2., 0.}, {2.5, 1.5}, {1., 2.5}, {-0.5, 1.}};
 /** By the shoelace formula. */
 constexpr double area = 5.;
 
 /** Nothing holds the body: no row is condensed. */
-Scene<2> loose(const std::string &vertices)
-{
+Scene<2> loose(const std::string &vertices) {
   Scene<2> scene = scene_of("Geometry/Shape = polygon\nBoundary/Contact = side0\n"
                             "Boundary/Clamped = side2\nGeometry/Vertices = " +
                             vertices);
@@ -31,18 +29,14 @@ Scene<2> loose(const std::string &vertices)
   return scene;
 }
 
-struct GramMatrix
-{
+struct GramMatrix {
   GramMatrix(Scene<2> given_scene, const unsigned int level)
     : scene(std::move(given_scene))
     , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
     , space(mesh, scene)
-    , A_1(assemble_h1_gram_matrix(space))
-  {
-  }
+    , A_1(assemble_h1_gram_matrix(space)) {}
 
-  DistributedVector distribute(const Displacement &values) const
-  {
+  DistributedVector distribute(const Displacement &values) const {
     DistributedVector vector = space.make_vector();
     for (const auto i : space.locally_owned())
       vector(i) = values[i];
@@ -50,8 +44,7 @@ struct GramMatrix
     return vector;
   }
   /** v^T A_1 w. */
-  double product(const Displacement &v, const Displacement &w) const
-  {
+  double product(const Displacement &v, const Displacement &w) const {
     DistributedVector image = space.make_vector();
     A_1.vmult(image, distribute(w));
     return distribute(v) * image;
@@ -65,11 +58,9 @@ struct GramMatrix
 
 /** int v.w over the pentagon: triangles from one corner, the middles of whose edges integrate
  * functions of degree two. */
-double integral(const Field &v, const Field &w)
-{
+double integral(const Field &v, const Field &w) {
   double sum = 0.;
-  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-  {
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
     const Point<2> &a = corners[0], &b = corners[i], &c = corners[i + 1];
     const dealii::Tensor<1, 2> first = b - a, second = c - a;
     const double measure = 0.5 * (first[0] * second[1] - first[1] * second[0]);
@@ -79,14 +70,12 @@ double integral(const Field &v, const Field &w)
   return sum;
 }
 
-void linear_fields(Checks &checks)
-{
+void linear_fields(Checks &checks) {
   const dealii::Tensor<2, 2> slope({{0.3, -0.7}, {1.1, 0.4}});
   const dealii::Tensor<1, 2> constant = Point<2>(0.8, -0.6);
   const Field linear = [&](const Point<2> &x) { return constant + slope * x; };
   const Field rotation = [](const Point<2> &x) { return Point<2>(-x[1], x[0]); };
-  for (const unsigned int level : {0U, 2U})
-  {
+  for (const unsigned int level : {0U, 2U}) {
     const GramMatrix body(loose("0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1"), level);
     checks.about("level " + std::to_string(level));
     const Displacement v = nodal_values(body.space, linear), r = nodal_values(body.space, rotation);
@@ -94,10 +83,8 @@ void linear_fields(Checks &checks)
     const double square = integral(linear, linear) + 1.95 * area;
     checks.near("a linear field", body.product(v, v), square, 1e-12 * square);
     // grad v : grad r = 1.1 + 0.7.
-    checks.near("a linear field and a rotation",
-                body.product(v, r),
-                integral(linear, rotation) + 1.8 * area,
-                1e-11);
+    checks.near("a linear field and a rotation", body.product(v, r),
+                integral(linear, rotation) + 1.8 * area, 1e-11);
   }
 }
 
@@ -106,24 +93,19 @@ void linear_fields(Checks &checks)
  * function y/(1 + a x) of its bilinear functions has |v|_0^2 = (1 + a/2)/3 and
  * |v|_1^2 = (1 + a^2/3) log(1 + a)/a.
  */
-void trapezoids(Checks &checks)
-{
-  for (const double a : {0.25, 1., 3., 15.})
-  {
+void trapezoids(Checks &checks) {
+  for (const double a : {0.25, 1., 3., 15.}) {
     const GramMatrix body(loose("0,0; 1,0; 1," + std::to_string(1. + a) + "; 0,1"), 0);
     const Displacement v =
       nodal_values(body.space, [](const Point<2> &x) { return Point<2>(x[1] > 0. ? 1. : 0., 0.); });
     const double square = (1. + a / 2.) / 3. + (1. + a * a / 3.) * std::log(1. + a) / a;
-    checks.near("trapezoid with sides 1 and " + std::to_string(1. + a),
-                body.product(v, v),
-                square,
+    checks.near("trapezoid with sides 1 and " + std::to_string(1. + a), body.product(v, v), square,
                 1e-10 * square);
   }
 }
 
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {linear_fields, trapezoids});
 }

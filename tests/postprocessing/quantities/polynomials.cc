@@ -15,38 +15,30 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** A scene on a uniform mesh with n multipliers on every contact face. */
-class Polynomials
-{
+class Polynomials {
 public:
   Polynomials(const std::string &text, const unsigned int level, const unsigned int n)
     : level_(text, level)
-    , surface(mesh(),
-              level_.scene,
+    , surface(mesh(), level_.scene,
               std::vector<unsigned int>(mesh().triangulation().n_active_cells(), n + 1))
-    , multipliers(surface, std::vector<unsigned int>(surface.patches().size(), n))
-  {
-  }
+    , multipliers(surface, std::vector<unsigned int>(surface.patches().size(), n)) {}
 
   /** The values of a function of the arc length at the nodes. */
   template <typename Function>
-  Pressure values(const Function &p) const
-  {
+  Pressure values(const Function &p) const {
     Pressure P(multipliers.n_multipliers());
     for (unsigned int k = 0; k < P.size(); ++k)
       P[k] = p(multipliers.node(k)[0]);
     return P;
   }
-  const Scene<2> &scene() const
-  {
+  const Scene<2> &scene() const {
     return level_.scene;
   }
 
 private:
-  const Mesh<2> &mesh() const
-  {
+  const Mesh<2> &mesh() const {
     return level_.discretization.mesh;
   }
   OneLevel level_;
@@ -57,14 +49,12 @@ public:
 };
 
 /** The unit square with contact at the bottom and so many faces along it. */
-std::string square(const unsigned int faces)
-{
+std::string square(const unsigned int faces) {
   return "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
          entry("Geometry", "Cells", std::to_string(faces) + ", 2");
 }
 
-void peak(Checks &checks)
-{
+void peak(Checks &checks) {
   const Polynomials coarse(square(3), 0, 5);
   const auto of = [](const Polynomials &where, const Pressure &P) {
     return *peak_pressure(where.multipliers, P);
@@ -94,8 +84,7 @@ void peak(Checks &checks)
 }
 
 /** Which nodes of a row press, as a text: "PPO". @return start, end and uncertainties. */
-std::vector<double> intervals(const Polynomials &where, const std::string &pressing)
-{
+std::vector<double> intervals(const Polynomials &where, const std::string &pressing) {
   Pressure P(where.multipliers.n_multipliers());
   for (unsigned int k = 0; k < P.size(); ++k)
     P[k] = pressing.at(k) == 'P' ? -1. : 0.;
@@ -106,8 +95,7 @@ std::vector<double> intervals(const Polynomials &where, const std::string &press
   return found;
 }
 
-void zones(Checks &checks)
-{
+void zones(Checks &checks) {
   // Gauss nodes of two faces: their middles, and (3/5)^{1/2} of half a face away from there.
   const Polynomials where(square(2), 0, 3);
   const double r = 0.25 * std::sqrt(0.6), inner = 0.5 * r, outer = 0.25 - r;
@@ -127,18 +115,15 @@ void zones(Checks &checks)
   const Pressure P = where.values([](const double x) { return std::min(0., x - 0.6); });
   const auto of_answer = contact_zones(where.multipliers, P);
   const ContactSummary summary = summarise_contact(where.multipliers, P);
-  checks.that("the answer has the same zones",
-              of_answer.size() == 1 && of_answer[0].start.place.side == "bottom" &&
-                summary.active == 4);
-  checks.near("lengths",
-              {of_answer[0].length, of_answer[0].end.place.point[0], summary.length},
-              {d, d, d},
-              1e-15);
+  checks.that("the answer has the same zones", of_answer.size() == 1 &&
+                                                 of_answer[0].start.place.side == "bottom" &&
+                                                 summary.active == 4);
+  checks.near("lengths", {of_answer[0].length, of_answer[0].end.place.point[0], summary.length},
+              {d, d, d}, 1e-15);
   checks.near("largest P", summary.max_pressure, 0.6 - (0.25 - r), 1e-15);
 }
 
-void zones_around(Checks &checks)
-{
+void zones_around(Checks &checks) {
   // Eight faces with two nodes each.
   const Polynomials ring("Scene/Name = E1\n", 0, 2);
   const double around = ring.scene().geometry.sides[1].length(), face = around / 8.,
@@ -153,28 +138,21 @@ void zones_around(Checks &checks)
   const auto all = contact_zones(ring.multipliers, ring.values([](double) { return -1.; }));
   checks.that("all around", all.size() == 1 && std::abs(all[0].length - around) < 1e-12);
   checks.near("from its start to its start",
-              all[0].start.place.point.distance(all[0].end.place.point),
-              0.,
-              1e-12);
+              all[0].start.place.point.distance(all[0].end.place.point), 0., 1e-12);
 }
 
 /** -p = 1 + 3 x²: the force 2 and the moment 1/2 + 3/4 about the origin. */
-void forces(Checks &checks)
-{
+void forces(Checks &checks) {
   const Polynomials where(square(3), 0, 3);
   const Pressure P = where.values([](const double x) { return -1. - 3. * x * x; });
   const auto found = contact_force(where.multipliers, {2}, P);
   checks.near("force, moment, line of action, normal force",
-              {found.resultant.force[1],
-               found.resultant.moment[0],
-               (*found.through)[0],
+              {found.resultant.force[1], found.resultant.moment[0], (*found.through)[0],
                summarise_contact(where.multipliers, P).normal_force},
-              {2., 1.25, 0.625, 2.},
-              1e-14);
+              {2., 1.25, 0.625, 2.}, 1e-14);
 }
 
-void graded(Checks &checks)
-{
+void graded(Checks &checks) {
   const StudyResult<2> study =
     solve(named_scene("B1"), {"Discretization/Strategy=hp", "Discretization/Coarsest level=2"});
   const LevelRecord &last = study.levels.back();
@@ -194,7 +172,6 @@ void graded(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {peak, zones, zones_around, forces, graded});
 }

@@ -14,19 +14,16 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** The unit square with contact at the bottom, ratio 2, and so many cells along it. */
-std::string square(const unsigned int cells)
-{
+std::string square(const unsigned int cells) {
   return "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n" +
          entry("Geometry", "Cells", std::to_string(cells) + ", " + std::to_string(cells));
 }
 
 /** P with the means of a function with the given primitive. */
 template <typename Primitive>
-Pressure means(const MultiplierSpace<2> &space, const Primitive &primitive)
-{
+Pressure means(const MultiplierSpace<2> &space, const Primitive &primitive) {
   const auto &patches = space.surface().patches();
   Pressure P(patches.size());
   for (unsigned int tau = 0; tau < patches.size(); ++tau)
@@ -35,8 +32,7 @@ Pressure means(const MultiplierSpace<2> &space, const Primitive &primitive)
   return P;
 }
 
-void peak(Checks &checks)
-{
+void peak(Checks &checks) {
   // 11 faces: the last patch has three. -p = 1 - 4 (x - 0.37)².
   const OneLevel uneven(square(11), 0);
   const auto parabola = [](const double x) { return -x + 4. / 3. * std::pow(x - 0.37, 3); };
@@ -45,10 +41,8 @@ void peak(Checks &checks)
   checks.near("its place", found->place.point[0], 0.37, 1e-12);
   checks.that("its side", found->place.side == "bottom");
   const auto &patch = uneven.discretization.surface.patches()[2];
-  checks.near("mean of its patch",
-              found->mean,
-              -(parabola(patch.upper[0]) - parabola(patch.lower[0])) / patch.measure,
-              1e-14);
+  checks.near("mean of its patch", found->mean,
+              -(parabola(patch.upper[0]) - parabola(patch.lower[0])) / patch.measure, 1e-14);
   // -p = 2 - x has its maximum at the end of the side.
   const auto at_end =
     peak_pressure(uneven.multipliers(),
@@ -60,12 +54,10 @@ void peak(Checks &checks)
 }
 
 /** -p = (rho² - (x - m)²)^{1/2}: Hertz. */
-void zones(Checks &checks)
-{
+void zones(Checks &checks) {
   const OneLevel level(square(64), 0);
   const double rho = 0.3, H = 1. / 32.;
-  for (const double m : {0.5, 0.4871, 0.5203, 0.45})
-  {
+  for (const double m : {0.5, 0.4871, 0.5203, 0.45}) {
     const auto found =
       contact_zones(level.multipliers(), means(level.multipliers(), [&](double x) {
                       const double t = std::clamp((x - m) / rho, -1., 1.);
@@ -80,8 +72,7 @@ void zones(Checks &checks)
 }
 
 /** -p = 1 + x at the bottom: the force 3/2 acts at x = (1/2 + 1/3)/(3/2) = 5/9. */
-void forces(Checks &checks)
-{
+void forces(Checks &checks) {
   const OneLevel level(square(64), 0);
   const auto force_of = [&](const Pressure &pressure) {
     return contact_force(level.multipliers(), level.scene.contact_sides(), pressure);
@@ -92,13 +83,9 @@ void forces(Checks &checks)
   // moment.
   const double moment = 5. / 6. - 1. / 12. / 32. / 32.;
   checks.near("force, moment, line of action",
-              {found.resultant.force[0],
-               found.resultant.force[1],
-               found.resultant.moment[0],
-               (*found.through)[0],
-               (*found.through)[1]},
-              {0., 1.5, moment, moment / 1.5, 0.},
-              1e-13);
+              {found.resultant.force[0], found.resultant.force[1], found.resultant.moment[0],
+               (*found.through)[0], (*found.through)[1]},
+              {0., 1.5, moment, moment / 1.5, 0.}, 1e-13);
   checks.that("no force, no line", !force_of(Pressure(P.size())).through && found.side == "bottom");
   Resultant<2> oblique;
   const dealii::Point<2> a(0.3, -0.7);
@@ -109,11 +96,9 @@ void forces(Checks &checks)
   checks.near("foot of the perpendicular", foot.distance(a), 0., 1e-14);
 }
 
-void trends(Checks &checks)
-{
+void trends(Checks &checks) {
   using Kind = Trend::Kind;
-  struct Row
-  {
+  struct Row {
     std::vector<std::optional<double>> values;
     Kind kind;
   };
@@ -132,7 +117,6 @@ void trends(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {peak, zones, forces, trends});
 }

@@ -12,16 +12,13 @@
 
 using namespace Signorini;
 
-namespace
-{
-[[noreturn]] void fail(const std::string &why)
-{
+namespace {
+[[noreturn]] void fail(const std::string &why) {
   std::cerr << why << std::endl;
   std::abort();
 }
 
-void check_message(const std::string &message)
-{
+void check_message(const std::string &message) {
   constexpr std::size_t longest = 2000;
   const bool ends_well = !message.empty() && (message.back() == '.' || message.back() == ')');
   if (message.rfind("fuzz.prm", 0) != 0 || message.size() > longest || !ends_well)
@@ -32,18 +29,14 @@ void check_message(const std::string &message)
 }
 } // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size)
-{
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_t size) {
   const std::string text(reinterpret_cast<const char *>(data), size);
-  try
-  {
+  try {
     const Parameters parameters = parse_parameters(text, "fuzz.prm");
     if (parse_parameters(parameters.echo, "echo.prm").echo != parameters.echo)
       fail("The echo is not its own echo:\n" + parameters.echo);
     make_scene<2>(parameters);
-  }
-  catch (const InputError &error)
-  {
+  } catch (const InputError &error) {
     check_message(error.what());
   }
   return 0;

@@ -13,11 +13,9 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** The same mesh with other numbers, and with some cells turned round. */
-FileMesh shuffle(const FileMesh &mesh)
-{
+FileMesh shuffle(const FileMesh &mesh) {
   std::mt19937 random(3);
   FileMesh shuffled = mesh;
   std::vector<unsigned int> place(mesh.nodes.size());
@@ -25,22 +23,18 @@ FileMesh shuffle(const FileMesh &mesh)
   std::shuffle(place.begin(), place.end(), random);
   for (std::size_t i = 0; i < place.size(); ++i)
     shuffled.nodes[place[i]] = mesh.nodes[i];
-  for (std::vector<FileMesh::Element> *const elements : {&shuffled.lines, &shuffled.cells})
-  {
+  for (std::vector<FileMesh::Element> *const elements : {&shuffled.lines, &shuffled.cells}) {
     for (FileMesh::Element &element : *elements)
       for (unsigned int &node : element.nodes)
         node = place[node];
     std::shuffle(elements->begin(), elements->end(), random);
   }
-  for (FileMesh::Element &cell : shuffled.cells)
-  {
+  for (FileMesh::Element &cell : shuffled.cells) {
     const unsigned int first = random() % 4;
     for (const unsigned int begin : {0, 4})
-      std::rotate(cell.nodes.begin() + begin,
-                  cell.nodes.begin() + begin + first,
+      std::rotate(cell.nodes.begin() + begin, cell.nodes.begin() + begin + first,
                   cell.nodes.begin() + begin + 4);
-    if (random() % 2 == 0)
-    {
+    if (random() % 2 == 0) {
       std::swap(cell.nodes[1], cell.nodes[3]);
       std::swap(cell.nodes[4], cell.nodes[7]);
       std::swap(cell.nodes[5], cell.nodes[6]);
@@ -50,8 +44,7 @@ FileMesh shuffle(const FileMesh &mesh)
 }
 
 /** The cells, their vertices, and the sides of their faces, as a text. */
-std::string text_of(const FileMesh &mesh)
-{
+std::string text_of(const FileMesh &mesh) {
   const Geometry<2> geometry = make_geometry(mesh, {}, "arcs");
   dealii::Triangulation<2> triangulation;
   geometry.make_coarse_mesh(triangulation);
@@ -65,18 +58,15 @@ std::string text_of(const FileMesh &mesh)
   return text.str();
 }
 
-void test_numbers(Checks &checks)
-{
+void test_numbers(Checks &checks) {
   for (const std::string name : {"bracket", "plate_with_hole", "half_disc"})
-    for (const std::string &file : {PARTS + name + ".msh", TEST_FILES + name + "_1.msh"})
-    {
+    for (const std::string &file : {PARTS + name + ".msh", TEST_FILES + name + "_1.msh"}) {
       const FileMesh mesh = read_gmsh(file_text(file), name);
       checks.that(file + ": other numbers", text_of(mesh) == text_of(shuffle(mesh)));
     }
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({test_numbers});
 }

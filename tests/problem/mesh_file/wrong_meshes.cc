@@ -14,8 +14,7 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 using Changes = std::vector<std::pair<std::string, std::string>>;
 
 /** Two squares side by side. */
@@ -33,10 +32,8 @@ const std::string version_4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNa
                               "$EndNodes\n$Elements\n2 2 1 2\n1 3 1 1\n1 1 2\n2 1 3 1\n"
                               "2 1 2 3 4\n$EndElements\n";
 
-std::string change(std::string text, const Changes &changes)
-{
-  for (const auto &[from, to] : changes)
-  {
+std::string change(std::string text, const Changes &changes) {
+  for (const auto &[from, to] : changes) {
     const std::size_t at = text.find(from);
     if (at == std::string::npos)
       throw std::runtime_error("the text has no " + from);
@@ -45,19 +42,16 @@ std::string change(std::string text, const Changes &changes)
   return text;
 }
 
-Geometry<2> read(const std::string &text, const std::vector<std::string> &arcs = {})
-{
+Geometry<2> read(const std::string &text, const std::vector<std::string> &arcs = {}) {
   return make_geometry(read_gmsh(text, "a.msh"), arcs, "a.prm:3: Geometry/Arcs");
 }
 
-struct WrongMesh
-{
+struct WrongMesh {
   Changes changes;
   std::string message;
 };
 
-void check_table(Checks &checks, const std::string &text, const std::vector<WrongMesh> &table)
-{
+void check_table(Checks &checks, const std::string &text, const std::vector<WrongMesh> &table) {
   for (const WrongMesh &wrong : table)
     checks.refuses(wrong.message, [&] { read(change(text, wrong.changes)); });
 }
@@ -148,8 +142,7 @@ const std::vector<WrongMesh> wrong_texts_of_version_4 = {
    "a.msh:12: found '$EndEntities', allowed: the number of an entity (an integer)."}};
 
 /** Three by three unit squares without the middle one and without the one at (2.5, 2.5). */
-std::string squares_that_touch()
-{
+std::string squares_that_touch() {
   std::string nodes, elements;
   for (unsigned int j = 0; j < 4; ++j)
     for (unsigned int i = 0; i < 4; ++i)
@@ -165,10 +158,8 @@ std::string squares_that_touch()
          "$EndNodes\n$Elements\n7\n" + elements + "$EndElements\n";
 }
 
-void test_arcs(Checks &checks)
-{
-  struct WrongArc
-  {
+void test_arcs(Checks &checks) {
+  struct WrongArc {
     Changes changes;
     std::string arc, message;
   };
@@ -190,21 +181,18 @@ void test_arcs(Checks &checks)
     checks.refuses(wrong.message, [&] { read(change(version_2, wrong.changes), {wrong.arc}); });
 }
 
-void test_wrong_meshes(Checks &checks)
-{
+void test_wrong_meshes(Checks &checks) {
   check_table(checks, version_2, wrong_texts);
   check_table(checks, version_4, wrong_texts_of_version_4);
-  check_table(checks,
-              squares_that_touch(),
+  check_table(checks, squares_that_touch(),
               {{{},
                 "a.msh: the body touches itself at node 11, allowed: a body whose parts share "
                 "edges."}});
 }
 
-void test_good_meshes(Checks &checks)
-{
-  checks.near(
-    "sides", {read(version_2).sides.size() * 1., read(version_4).sides.size() * 1.}, {4., 2.}, 0.);
+void test_good_meshes(Checks &checks) {
+  checks.near("sides", {read(version_2).sides.size() * 1., read(version_4).sides.size() * 1.},
+              {4., 2.}, 0.);
   const Geometry<2> mixed = read(change(
     version_2, {{"4\n1 1", "5\n1 1"}, {"4 3 2 0 1 2 3 6 5", "4 2 2 0 1 2 3 6\n5 2 2 0 1 6 5 2"}}));
   dealii::Triangulation<2> mesh;
@@ -219,7 +207,6 @@ void test_good_meshes(Checks &checks)
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({test_good_meshes, test_wrong_meshes, test_arcs});
 }

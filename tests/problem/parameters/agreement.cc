@@ -9,17 +9,14 @@
 
 using namespace Signorini;
 
-namespace
-{
-unsigned int rank()
-{
+namespace {
+unsigned int rank() {
   return dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
 }
 
 /** The last rank alone throws. */
 template <typename Exception>
-void fail_on_last_rank(Checks &checks)
-{
+void fail_on_last_rank(Checks &checks) {
   checks.throws<Exception>("an error", "the disk of the last rank is full", [&]() {
     agree(MPI_COMM_WORLD, [&]() {
       if (rank() + 1 == dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD))
@@ -28,8 +25,7 @@ void fail_on_last_rank(Checks &checks)
   });
 }
 
-void test_agreement(Checks &checks)
-{
+void test_agreement(Checks &checks) {
   bool done = false;
   agree(MPI_COMM_WORLD, [&]() { done = true; });
   checks.that("work without errors", done);
@@ -43,7 +39,6 @@ void test_agreement(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {test_agreement});
 }

@@ -15,12 +15,10 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 using Words = std::vector<std::string>;
 
-void test_lists(Checks &checks)
-{
+void test_lists(Checks &checks) {
   checks.that("split_list keeps empty parts",
               split_list("a;; b ;", ';') == Words({"a", "", "b", ""}) &&
                 split_list("  ", ',').empty());
@@ -40,8 +38,7 @@ void test_lists(Checks &checks)
 }
 
 /** Every kind of line that is understood, once. */
-void test_good_syntax(Checks &checks)
-{
+void test_good_syntax(Checks &checks) {
   const std::string text = "\xEF\xBB\xBF# a comment\r\n"
                            "subsection Solver   # another\r\n"
                            "\tset Tolerance=1e-8# no blanks\r\n"
@@ -71,46 +68,37 @@ void test_good_syntax(Checks &checks)
 }
 
 /** Wrong syntax is a part of tests/problem/bad_input. */
-void test_files(Checks &checks)
-{
+void test_files(Checks &checks) {
   std::ofstream("large.prm") << std::string(1000001, '#');
   for (const auto &[file, message] :
        {std::pair("no such file.prm", "no such file.prm: this parameter file cannot be"),
         std::pair(".", ".: this parameter file cannot be read."),
         std::pair("/dev/zero", "/dev/zero: this is a device or a pipe, allowed: a file of text"),
-        std::pair("large.prm",
-                  "large.prm: this file has 1000001 bytes, "
-                  "allowed: at most 1000000.")})
+        std::pair("large.prm", "large.prm: this file has 1000001 bytes, "
+                               "allowed: at most 1000000.")})
     checks.throws<InputError>(file, message, [name = file] { read_parameters(name); });
   std::remove("large.prm");
   checks.near("line ends of old systems",
-              scan_parameter_text("set A = 1\rset B = 2\r", "a.prm").size(),
-              2,
-              0.);
+              scan_parameter_text("set A = 1\rset B = 2\r", "a.prm").size(), 2, 0.);
 }
 
 /** tests/problem/bad_input has what is refused, and the names of all choices. */
-void test_values(Checks &checks)
-{
+void test_values(Checks &checks) {
   checks.refuses("--set: Discretization/Finest level: found '1', allowed: an integer not "
                  "below "
                  "Discretization/Coarsest level = 2.",
                  [] { parse_parameters("", "a.prm", {"Discretization/Finest level=1"}); });
-  const Parameters limits = parse_parameters("",
-                                             "a.prm",
-                                             {"Solver/Relaxation=1.999",
-                                              "Geometry/Distortion=0",
-                                              "Discretization/Coarsest level=0",
-                                              "Discretization/Kinks at x=0.5, -0.25",
-                                              "Discretization/Patches= 7 "});
+  const Parameters limits = parse_parameters(
+    "", "a.prm",
+    {"Solver/Relaxation=1.999", "Geometry/Distortion=0", "Discretization/Coarsest level=0",
+     "Discretization/Kinks at x=0.5, -0.25", "Discretization/Patches= 7 "});
   checks.that("values at the limits",
               limits.solver.relaxation == 1.999 && limits.discretization.coarsest_level == 0 &&
                 limits.discretization.patches == 7 &&
                 limits.discretization.kinks_at_x.value == std::vector<double>({0.5, -0.25}));
 }
 
-void test_overrides(Checks &checks)
-{
+void test_overrides(Checks &checks) {
   const std::string text = "subsection Solver\n set Tolerance = 1e-6\n set Warm start = false\nend";
   const Parameters parameters =
     parse_parameters(text, "a.prm", {"Solver/Tolerance=1e-7", "Solver/Tolerance = 1e-8"});
@@ -126,15 +114,14 @@ void test_overrides(Checks &checks)
   checks.that("= in a value", scan_override("Contact/Gap=x==0 ? 1 : 2").value == "x==0 ? 1 : 2");
   checks.that("an override is one line", scan_override("Contact/Gap=x\n+\r1").value == "x + 1");
   for (const std::string argument : {"Solver/Tolerance", "=1", ""})
-    checks.throws<InputError>(
-      "override '" + argument + "'", "--set: found '", [&] { scan_override(argument); });
+    checks.throws<InputError>("override '" + argument + "'", "--set: found '",
+                              [&] { scan_override(argument); });
 
   // Back at the default, written differently or empty, a parameter is not changed.
-  const Parameters same =
-    parse_parameters("subsection Geometry\n set Cells = 4, 4\n set Distortion = 0.1\nend\n"
-                     "subsection Solver\n set Tolerance = 1e-6\nend",
-                     "a.prm",
-                     {"Geometry/Cells=1,1", "Geometry/Distortion=0.0", "Solver/Tolerance="});
+  const Parameters same = parse_parameters(
+    "subsection Geometry\n set Cells = 4, 4\n set Distortion = 0.1\nend\n"
+    "subsection Solver\n set Tolerance = 1e-6\nend",
+    "a.prm", {"Geometry/Cells=1,1", "Geometry/Distortion=0.0", "Solver/Tolerance="});
   checks.that("back at the default",
               same.changes_of_scene.empty() && !same.geometry.cells.changed &&
                 !same.geometry.distortion.changed && !same.solver.tolerance.changed);
@@ -143,8 +130,7 @@ void test_overrides(Checks &checks)
 }
 
 /** A run can be repeated from its echo alone. */
-void test_echo(Checks &checks)
-{
+void test_echo(Checks &checks) {
   const Words overrides = {"Scene/Name=A1",
                            "Constants/Values=E=1, nu=0.3",
                            "Geometry/Shape=polygon",
@@ -171,25 +157,15 @@ void test_echo(Checks &checks)
     return names;
   };
   checks.that("what a catalogue scene fixes",
-              changes(first) == Words({"Constants/Values",
-                                       "Geometry/Distortion",
-                                       "Geometry/Shape",
-                                       "Geometry/Vertices",
-                                       "Material/Law",
-                                       "Material/Orientation",
-                                       "Boundary/Rollers",
-                                       "Boundary/Traction",
-                                       "Contact/Gap",
+              changes(first) == Words({"Constants/Values", "Geometry/Distortion", "Geometry/Shape",
+                                       "Geometry/Vertices", "Material/Law", "Material/Orientation",
+                                       "Boundary/Rollers", "Boundary/Traction", "Contact/Gap",
                                        "Exact solution/Pressure"}));
   checks.that("same changes", changes(first) == changes(second));
   checks.near("same numbers",
-              {second.geometry.distortion,
-               second.material.orientation,
-               second.solver.relaxation,
-               second.discretization.patches * 1.,
-               second.discretization.kinks_at_x.value.at(0)},
-              {0.123456789012345, -30.5, 1.0000000000000002, 5., 0.70710678118654752},
-              0.);
+              {second.geometry.distortion, second.material.orientation, second.solver.relaxation,
+               second.discretization.patches * 1., second.discretization.kinks_at_x.value.at(0)},
+              {0.123456789012345, -30.5, 1.0000000000000002, 5., 0.70710678118654752}, 0.);
   // The description is a parameter file of the defaults, with help in its comments.
   const std::string description = describe_parameters();
   checks.that("description can be read",
@@ -203,8 +179,7 @@ void test_echo(Checks &checks)
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests(
     {test_lists, test_good_syntax, test_files, test_values, test_overrides, test_echo});
 }

@@ -13,32 +13,27 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 using Point = dealii::Point<2>;
 using Stress = dealii::SymmetricTensor<2, 2>;
 
 /** Both components of a function; zero if there is none. */
-Point vector(const FunctionPointer<2> &function, const Point &x)
-{
+Point vector(const FunctionPointer<2> &function, const Point &x) {
   return function == nullptr ? Point() : Point(function->value(x, 0), function->value(x, 1));
 }
 
-Stress stress(const Scene<2> &scene, const Point &x)
-{
+Stress stress(const Scene<2> &scene, const Point &x) {
   dealii::Tensor<2, 2> gradient;
   for (unsigned int c = 0; c < 2; ++c)
     gradient[c] = scene.exact_displacement->gradient(x, c);
   return scene.material->hooke(x) * dealii::symmetrize(gradient);
 }
 
-Scene<2> named(const std::string &name)
-{
+Scene<2> named(const std::string &name) {
   return make_scene<2>(parse_parameters("", "a.prm", {"Scene/Name=" + name}));
 }
 
-struct Sample
-{
+struct Sample {
   std::string name;
   /** u1, u2 at (0.3, 0.4); p and g at x = 0.3, g at x = 0.8 of the bottom. All else follows by the
    * equations. */
@@ -63,66 +58,52 @@ const std::vector<Sample> samples = {
   {"V1", {-0.00588, -0.0646488880953, -0.865210625341, -0.021, -0.00737084989848}}};
 
 /** Twelve digits are known. */
-void test_samples(Checks &checks)
-{
-  for (const Sample &sample : samples)
-  {
+void test_samples(Checks &checks) {
+  for (const Sample &sample : samples) {
     const Scene<2> scene = named(sample.name);
     const Point u = vector(scene.exact_displacement, Point(0.3, 0.4)), near(0.3, 0.), far(0.8, 0.);
     const BoundaryCondition<2> &bottom = scene.boundary.at(scene.geometry.find_side("bottom"));
-    const std::vector<double> found = {u[0],
-                                       u[1],
-                                       bottom.exact_pressure->value(near),
-                                       bottom.data->value(near),
-                                       bottom.data->value(far)};
+    const std::vector<double> found = {u[0], u[1], bottom.exact_pressure->value(near),
+                                       bottom.data->value(near), bottom.data->value(far)};
     for (unsigned int i = 0; i < found.size(); ++i)
-      checks.near(sample.name + ": sample values",
-                  found[i],
-                  sample.values.at(i),
+      checks.near(sample.name + ": sample values", found[i], sample.values.at(i),
                   2e-11 * std::max(1e-2, std::abs(sample.values[i])));
   }
 }
 
 /** Fourth-order difference of a vector in direction d. */
 template <typename Function>
-auto difference(const Function &f, const Point &x, const unsigned int d)
-{
+auto difference(const Function &f, const Point &x, const unsigned int d) {
   const double h = 5e-4;
   const dealii::Tensor<1, 2> step = h * Point::unit_vector(d);
   return (8. * (f(x + step) - f(x - step)) - (f(x + 2. * step) - f(x - 2. * step))) / (12. * h);
 }
 
 /** grad u and -div sigma = f at points away from kinks. */
-void test_interior(Checks &checks, const Scene<2> &scene)
-{
+void test_interior(Checks &checks, const Scene<2> &scene) {
   const auto u = [&](const Point &x) { return vector(scene.exact_displacement, x); };
   const auto sigma = [&](const Point &x) { return stress(scene, x); };
   const std::vector<Point> in_square = {{0.3, 0.4}, {0.62, 0.23}, {0.85, 0.7}, {0.1, 0.9}};
   const std::vector<Point> in_circle = {
     {1.2, 0.4}, {0.45, -0.7}, {-0.15, -0.95}, {0.1, -0.8}, {-0.9, 1.2}};
-  for (const Point &x : scene.geometry.curved ? in_circle : in_square)
-  {
+  for (const Point &x : scene.geometry.curved ? in_circle : in_square) {
     dealii::Tensor<1, 2> balance = vector(scene.body_force, x);
-    for (unsigned int d = 0; d < 2; ++d)
-    {
+    for (unsigned int d = 0; d < 2; ++d) {
       balance += difference(sigma, x, d) * Point::unit_vector(d);
       for (unsigned int c = 0; c < 2; ++c)
-        checks.near(
-          "gradient", scene.exact_displacement->gradient(x, c)[d], difference(u, x, d)[c], 1e-8);
+        checks.near("gradient", scene.exact_displacement->gradient(x, c)[d], difference(u, x, d)[c],
+                    1e-8);
     }
     checks.near("-div sigma = f", balance.norm(), 0., 1e-7);
   }
 }
 
 /** What each role of a side asks of the exact solution. */
-void test_sides(Checks &checks, const Scene<2> &scene)
-{
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-  {
+void test_sides(Checks &checks, const Scene<2> &scene) {
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     const BoundaryCondition<2> &condition = scene.boundary[i];
     const Side<2> &side = scene.geometry.sides[i];
-    for (const double share : {0.01, 0.21, 0.4, 0.55, 0.76, 0.99})
-    {
+    for (const double share : {0.01, 0.21, 0.4, 0.55, 0.76, 0.99}) {
       const double s = share * side.length();
       const Point x = side.point(s), u = vector(scene.exact_displacement, x);
       const auto n = side.normal(s), t = stress(scene, x) * n;
@@ -140,10 +121,8 @@ void test_sides(Checks &checks, const Scene<2> &scene)
   }
 }
 
-void test_equations(Checks &checks)
-{
-  for (const CatalogueEntry<2> &entry : catalogue<2>())
-  {
+void test_equations(Checks &checks) {
+  for (const CatalogueEntry<2> &entry : catalogue<2>()) {
     const Scene<2> scene = named(entry.name);
     if (scene.exact_displacement == nullptr)
       continue;
@@ -154,26 +133,22 @@ void test_equations(Checks &checks)
 }
 
 /** E2 at r = 1.5, theta = 0.7 and on its circle, from an independent program. */
-void test_e2(Checks &checks)
-{
+void test_e2(Checks &checks) {
   const Scene<2> scene = named("E2");
   const auto at = [](const double r, const double theta) {
     return Point(r * std::cos(theta), r * std::sin(theta));
   };
   const Point x = at(1.5, 0.7);
   const BoundaryCondition<2> &contact = scene.boundary[scene.geometry.find_side("outer")];
-  checks.near(
-    "E2: u", vector(scene.exact_displacement, x), Point(0.0263044093388, 0.0453764564707), 1e-11);
-  checks.near("E2: p(0.7), g(0.7), g(2)",
-              {contact.exact_pressure->value(at(2., 0.7)),
-               contact.data->value(at(2., 0.7)),
-               contact.data->value(at(2., 2.))},
-              {-0.301326871725, 0.00849835714501, 0.223750964705},
+  checks.near("E2: u", vector(scene.exact_displacement, x), Point(0.0263044093388, 0.0453764564707),
               1e-11);
+  checks.near("E2: p(0.7), g(0.7), g(2)",
+              {contact.exact_pressure->value(at(2., 0.7)), contact.data->value(at(2., 0.7)),
+               contact.data->value(at(2., 2.))},
+              {-0.301326871725, 0.00849835714501, 0.223750964705}, 1e-11);
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({test_samples, test_e2, test_equations});
 }

@@ -17,8 +17,7 @@
 using namespace Signorini;
 using dealii::numbers::PI;
 
-namespace
-{
+namespace {
 using Complex = std::complex<double>;
 using Matrix = std::array<std::array<Complex, 4>, 4>;
 
@@ -28,8 +27,7 @@ constexpr EdgeSupport free_edge = EdgeSupport::free, held = EdgeSupport::held,
 /** u_r, u_theta (times 2 mu / r^lambda) and sigma_theta theta, sigma_r theta (over lambda
  * r^(lambda-1)) of phi = A z^lambda, psi = B z^lambda with A = 1, A = -i, B = 1 and B = -i in
  * 2 mu (u_x + i u_y) = kappa phi - z conj(phi') - conj(psi), Kolosov's formula. */
-Matrix general_solution(const Complex lambda, const double theta, const double kappa)
-{
+Matrix general_solution(const Complex lambda, const double theta, const double kappa) {
   const Complex x = (lambda - 1.) * theta, y = (lambda + 1.) * theta;
   const Complex cx = std::cos(x), sx = std::sin(x), cy = std::cos(y), sy = std::sin(y);
   return {{{(kappa - lambda) * cx, (kappa - lambda) * sx, -cy, -sy},
@@ -39,8 +37,7 @@ Matrix general_solution(const Complex lambda, const double theta, const double k
 }
 
 /** Which two of the four rows vanish on an edge. */
-std::array<unsigned int, 2> rows_of(const EdgeSupport support)
-{
+std::array<unsigned int, 2> rows_of(const EdgeSupport support) {
   return support == free_edge
            ? std::array<unsigned int, 2>{{2, 3}}
            : std::array<unsigned int, 2>{{support == held ? 0U : 1U, support == held ? 1U : 3U}};
@@ -48,15 +45,12 @@ std::array<unsigned int, 2> rows_of(const EdgeSupport support)
 
 /** By minors of the first column. */
 template <std::size_t n>
-Complex determinant(const std::array<std::array<Complex, n>, n> &m)
-{
+Complex determinant(const std::array<std::array<Complex, n>, n> &m) {
   if constexpr (n == 1)
     return m[0][0];
-  else
-  {
+  else {
     Complex sum = 0.;
-    for (std::size_t left_out = 0; left_out < n; ++left_out)
-    {
+    for (std::size_t left_out = 0; left_out < n; ++left_out) {
       std::array<std::array<Complex, n - 1>, n - 1> minor;
       for (std::size_t i = 0; i + 1 < n; ++i)
         for (std::size_t j = 0; j + 1 < n; ++j)
@@ -68,22 +62,19 @@ Complex determinant(const std::array<std::array<Complex, n>, n> &m)
 }
 
 /** A corner and the determinant of its four conditions, an entire function of lambda. */
-struct Problem
-{
+struct Problem {
   double angle;
   EdgeSupport first, second;
   double kappa;
 
-  Complex operator()(const Complex lambda) const
-  {
+  Complex operator()(const Complex lambda) const {
     const Matrix one = general_solution(lambda, 0., kappa),
                  other = general_solution(lambda, angle, kappa);
     const auto a = rows_of(first), b = rows_of(second);
     return determinant(Matrix{{one[a[0]], one[a[1]], other[b[0]], other[b[1]]}});
   }
   /** The angle by which the determinant turns on the way from a to b. */
-  double turn(const Complex a, const Complex b, const Complex at_a, const Complex at_b) const
-  {
+  double turn(const Complex a, const Complex b, const Complex at_a, const Complex at_b) const {
     const double change = std::arg(at_b / at_a);
     if (std::abs(change) < 0.5 || std::abs(b - a) < 1e-9)
       return change;
@@ -91,16 +82,13 @@ struct Problem
     return turn(a, middle, at_a, at_middle) + turn(middle, b, at_middle, at_b);
   }
   /** The number of roots in from < Re < to, |Im| < height, by the principle of the argument. */
-  double n_roots(const double from, const double to, const double height) const
-  {
+  double n_roots(const double from, const double to, const double height) const {
     const Complex corners[] = {{from, -height}, {to, -height}, {to, height}, {from, height}};
     const unsigned int n = 40;
     double sum = 0.;
-    for (unsigned int side = 0; side < 4; ++side)
-    {
+    for (unsigned int side = 0; side < 4; ++side) {
       const Complex start = corners[side], step = (corners[(side + 1) % 4] - start) / double(n);
-      for (unsigned int i = 0; i < n; ++i)
-      {
+      for (unsigned int i = 0; i < n; ++i) {
         const Complex a = start + double(i) * step, b = start + double(i + 1) * step;
         sum += turn(a, b, (*this)(a), (*this)(b));
       }
@@ -110,21 +98,16 @@ struct Problem
 };
 
 /** Integers are the only roots before the exponent, and the exponent is one. */
-void test_completeness(Checks &checks)
-{
+void test_completeness(Checks &checks) {
   const double margin = 1e-4;
   std::vector<double> angles = {0.5 * PI, 0.75 * PI, PI, 1.5 * PI, 2. * PI};
   for (double angle = 0.31; angle < 2. * PI; angle += 0.293)
     angles.push_back(angle);
-  for (const auto &[first, second] : {std::pair(free_edge, free_edge),
-                                      std::pair(held, held),
-                                      std::pair(held, free_edge),
-                                      std::pair(sliding, free_edge),
-                                      std::pair(held, sliding),
-                                      std::pair(sliding, sliding)})
+  for (const auto &[first, second] :
+       {std::pair(free_edge, free_edge), std::pair(held, held), std::pair(held, free_edge),
+        std::pair(sliding, free_edge), std::pair(held, sliding), std::pair(sliding, sliding)})
     for (const double angle : angles)
-      for (const double kappa : {1.04, 1.4, 1.8, 2.2, 6.})
-      {
+      for (const double kappa : {1.04, 1.4, 1.8, 2.2, 6.}) {
         const Problem problem = {angle, first, second, kappa};
         const double exponent = corner_exponent(angle, first, second, kappa), height = 8. / angle;
         double integers = 0.;
@@ -132,22 +115,17 @@ void test_completeness(Checks &checks)
           integers += problem.n_roots(n - margin, n + margin, margin);
         checks.near("roots before the exponent are integers",
                     problem.n_roots(std::min(0.02, 0.5 * exponent), exponent - margin, height),
-                    integers,
-                    1e-6);
+                    integers, 1e-6);
         if (exponent < max_corner_exponent)
           checks.that("the exponent is a root",
                       problem.n_roots(exponent - margin, exponent + margin, height) > 1. - 1e-6);
         checks.near("the order of the edges does not matter",
-                    corner_exponent(angle, second, first, kappa),
-                    exponent,
-                    1e-12);
+                    corner_exponent(angle, second, first, kappa), exponent, 1e-12);
       }
 }
 
-void test_known_values(Checks &checks)
-{
-  struct Row
-  {
+void test_known_values(Checks &checks) {
+  struct Row {
     std::string name;
     double degrees;
     EdgeSupport first, second;
@@ -172,32 +150,25 @@ void test_known_values(Checks &checks)
          {"rollers at 270 degrees", 270., sliding, sliding, 1. / 3., 1e-10}})
     checks.near(row.name,
                 corner_exponent(row.degrees * PI / 180., row.first, row.second, 3. - 4. * 0.3),
-                row.value,
-                row.tolerance);
+                row.value, row.tolerance);
   // Both components of u vanish for an incompressible fluid in Moffatt's corner, r^(2.74 + 1.12 i).
-  checks.near(
-    "Moffatt's eddies in a right angle", corner_exponent(0.5 * PI, held, held, 1.), 2.739593, 1e-6);
+  checks.near("Moffatt's eddies in a right angle", corner_exponent(0.5 * PI, held, held, 1.),
+              2.739593, 1e-6);
   // nu = 0: tension without contraction is linear and meets both conditions.
   checks.between("held and free at a right angle, nu = 0",
-                 corner_exponent(0.5 * PI, held, free_edge, 3.),
-                 1.01,
-                 1.99);
+                 corner_exponent(0.5 * PI, held, free_edge, 3.), 1.01, 1.99);
 }
 
-void test_kolosov(Checks &checks)
-{
+void test_kolosov(Checks &checks) {
   using Tensors = dealii::Physics::Elasticity::StandardTensors<2>;
   const auto kappa = [](const double lambda, const double mu) {
     return kolosov_constant(lambda * Tensors::IxI + 2. * mu * Tensors::S);
   };
-  for (const double nu : {-0.4, 0., 0.3, 0.49})
-  {
+  for (const double nu : {-0.4, 0., 0.3, 0.49}) {
     const double mu = 3., lambda = 2. * mu * nu / (1. - 2. * nu);
     checks.near("plane strain", kappa(lambda, mu), 3. - 4. * nu, 1e-12);
-    checks.near("plane stress",
-                kappa(2. * lambda * mu / (lambda + 2. * mu), mu),
-                (3. - nu) / (1. + nu),
-                1e-12);
+    checks.near("plane stress", kappa(2. * lambda * mu / (lambda + 2. * mu), mu),
+                (3. - nu) / (1. + nu), 1e-12);
   }
   // The mean over rotations does not see what E_1111 takes from E_2222.
   dealii::SymmetricTensor<4, 2> hooke = 1.5 * Tensors::IxI + 2. * Tensors::S;
@@ -208,7 +179,6 @@ void test_kolosov(Checks &checks)
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({test_known_values, test_kolosov, test_completeness});
 }

@@ -12,32 +12,24 @@
 using namespace Signorini;
 using dealii::numbers::PI;
 
-namespace
-{
+namespace {
 using Point = dealii::Point<2>;
 
 /** There is exactly one corner at x, with this angle and between these sides. */
-void check_corner(Checks &checks,
-                  const Geometry<2> &geometry,
-                  const Point &x,
-                  const double angle,
-                  const std::string &sides)
-{
+void check_corner(Checks &checks, const Geometry<2> &geometry, const Point &x, const double angle,
+                  const std::string &sides) {
   std::vector<double> angles;
   for (const Corner &corner : corners(geometry))
-    if (corner.position.distance(x) < 1e-12)
-    {
+    if (corner.position.distance(x) < 1e-12) {
       angles.push_back(corner.angle);
-      checks.that("between " + sides,
-                  geometry.sides[corner.sides[0]].name() + " " +
-                      geometry.sides[corner.sides[1]].name() ==
-                    sides);
+      checks.that("between " + sides, geometry.sides[corner.sides[0]].name() + " " +
+                                          geometry.sides[corner.sides[1]].name() ==
+                                        sides);
     }
   checks.near("angle between " + sides, angles, {angle}, 1e-7);
 }
 
-void test_bodies(Checks &checks)
-{
+void test_bodies(Checks &checks) {
   const Geometry<2> rectangle = make_rectangle(Point(-1., 2.), Point(2., 4.), {3, 2});
   checks.near("rectangle: number of corners", corners(rectangle).size(), 4, 0);
   check_corner(checks, rectangle, Point(-1., 2.), 0.5 * PI, "bottom left");
@@ -57,8 +49,7 @@ void test_bodies(Checks &checks)
 }
 
 /** Two sides that meet: smooth, a notch, a re-entrant corner, a crack. */
-void test_pairs_of_sides(Checks &checks)
-{
+void test_pairs_of_sides(Checks &checks) {
   Geometry<2> geometry = make_half_disc(1.5);
   const auto check = [&](const std::vector<Side<2>> &sides, const Point &x, const double angle) {
     geometry.sides = sides;
@@ -67,20 +58,16 @@ void test_pairs_of_sides(Checks &checks)
   const Point right(1., 0.), down(0., -1.);
   check({{"upper", Curve::arc(Point(), 1.5, 0., PI, Body::inside)},
          {"lower", Curve::arc(Point(), 1.5, -PI, 0., Body::inside)}},
-        Point(1.5, 0.),
-        PI);
+        Point(1.5, 0.), PI);
   // The plane without the half disc y < 0, R = 1.
   check({{"floor", Curve(right, Point(2., 0.), down)},
          {"bow", Curve::arc(Point(), 1., 0., PI, Body::outside)}},
-        right,
-        0.5 * PI);
+        right, 0.5 * PI);
   geometry.lower = Point(-1., -1.);
   geometry.upper = Point(1., 1.);
-  check({{"step", Curve(Point(), right, down)}, {"wall", Curve(Point(), down, right)}},
-        Point(),
+  check({{"step", Curve(Point(), right, down)}, {"wall", Curve(Point(), down, right)}}, Point(),
         1.5 * PI);
-  check({{"above", Curve(Point(), right, down)}, {"below", Curve(right, Point(), -down)}},
-        Point(),
+  check({{"above", Curve(Point(), right, down)}, {"below", Curve(right, Point(), -down)}}, Point(),
         2. * PI);
   // Two squares that touch in a point: the first and the third quadrant.
   geometry.sides = {{"1x", Curve(Point(), right, down)},
@@ -88,29 +75,21 @@ void test_pairs_of_sides(Checks &checks)
                     {"3x", Curve(Point(), -right, -down)},
                     {"3y", Curve(Point(), down, right)}};
   const auto found = corners(geometry);
-  checks.near("two squares",
-              {found.at(0).angle, found.at(1).angle, double(found.size())},
-              {0.5 * PI, 0.5 * PI, 2.},
-              1e-12);
+  checks.near("two squares", {found.at(0).angle, found.at(1).angle, double(found.size())},
+              {0.5 * PI, 0.5 * PI, 2.}, 1e-12);
   checks.that("each in itself", found[0].sides[1] == 1 && found[1].sides[1] == 3);
 }
 
 /** The roles of a scene: nu = 0.3 in plane strain, held at the top, contact at the bottom. */
-void test_scene(Checks &checks)
-{
-  const Scene<2> scene =
-    make_described_scene<2>(parse_parameters("",
-                                             "scenes.prm",
-                                             {"Boundary/Contact=bottom",
-                                              "Boundary/Clamped=top",
-                                              "Boundary/Rollers=left",
-                                              "Material/Poisson's ratio=0.3"}));
-  for (const Corner &corner : corners(scene.geometry))
-  {
+void test_scene(Checks &checks) {
+  const Scene<2> scene = make_described_scene<2>(
+    parse_parameters("", "scenes.prm",
+                     {"Boundary/Contact=bottom", "Boundary/Clamped=top", "Boundary/Rollers=left",
+                      "Material/Poisson's ratio=0.3"}));
+  for (const Corner &corner : corners(scene.geometry)) {
     const bool left = corner.position[0] < 0.5, bottom = corner.position[1] < 0.5;
     // Rollers continue a free or a held edge; a contact side counts as free.
-    checks.near("exponents of a scene",
-                corner_exponent(scene, corner),
+    checks.near("exponents of a scene", corner_exponent(scene, corner),
                 left     ? 3.
                 : bottom ? 2.739593
                          : 0.71117,
@@ -120,13 +99,11 @@ void test_scene(Checks &checks)
 
 /** Sides that agree where they meet, but for rounding, are no contradiction; wrong_files.txt has
  * those that are. */
-void test_agreement(Checks &checks)
-{
+void test_agreement(Checks &checks) {
   const std::vector<std::pair<std::string, std::vector<std::string>>> rows = {
     {"along rollers", {"Boundary/Displacement=top: 0.3*x; -0.05", "Boundary/Rollers=left"}},
     {"a turning plate whose end moves along rollers",
-     {"Boundary/Plates=top: 0, -1 turning",
-      "Load/Plate force=top: 1",
+     {"Boundary/Plates=top: 0, -1 turning", "Load/Plate force=top: 1",
       "Boundary/Rollers=left right"}},
     {"a plate that moves past a gap",
      {"Boundary/Plates=left: 1, -1", "Load/Plate force=left: 1", "Contact/Gap=0"}},
@@ -137,32 +114,25 @@ void test_agreement(Checks &checks)
       "Boundary/Clamped=left"}},
     {"rollers and rollers", {"Boundary/Rollers=left right top"}},
     {"along an inclined side",
-     {"Geometry/Shape=polygon",
-      "Geometry/Vertices=0,0; 1,0; 1,1; 0.577350269,1",
-      "Boundary/Contact=side0",
-      "Boundary/Rollers=side3",
-      "Boundary/Plates=side2: -0.5, -0.866025",
+     {"Geometry/Shape=polygon", "Geometry/Vertices=0,0; 1,0; 1,1; 0.577350269,1",
+      "Boundary/Contact=side0", "Boundary/Rollers=side3", "Boundary/Plates=side2: -0.5, -0.866025",
       "Load/Plate force=side2: 1"}},
     {"the gap begins where the held side ends",
      {"Boundary/Displacement=left: 0; -0.01", "Contact/Foundation=plane 0,-0.01 normal 0,1"}},
     {"in 3-D",
-     {"Dimension=3",
-      "Boundary/Displacement=top: 0.1*x; 0.2*y; -0.05",
+     {"Dimension=3", "Boundary/Displacement=top: 0.1*x; 0.2*y; -0.05",
       "Boundary/Rollers=left front"}}};
-  for (const auto &[name, settings] : rows)
-  {
+  for (const auto &[name, settings] : rows) {
     const Parameters parameters =
       parse_parameters("subsection Boundary\nset Contact = bottom\nend\n", "scenes.prm", settings);
-    checks.that("agree: " + name,
-                (dimension_of(parameters) == 2
-                   ? find_contradiction(make_described_scene<2>(parameters))
-                   : find_contradiction(make_described_scene<3>(parameters)))
-                  .empty());
+    checks.that("agree: " + name, (dimension_of(parameters) == 2
+                                     ? find_contradiction(make_described_scene<2>(parameters))
+                                     : find_contradiction(make_described_scene<3>(parameters)))
+                                    .empty());
   }
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({test_bodies, test_pairs_of_sides, test_scene, test_agreement});
 }

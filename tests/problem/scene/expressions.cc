@@ -14,20 +14,17 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 using Point = dealii::Point<2>;
 
 const Point x0(0.3, -0.4);
 
-double value(const std::string &text, const Constants &constants = {})
-{
+double value(const std::string &text, const Constants &constants = {}) {
   return Expression<2>(text, constants, "here")(x0);
 }
 
 /** At x = 0.3, y = -0.4, against the functions of the language. */
-void test_values(Checks &checks)
-{
+void test_values(Checks &checks) {
   const double pi = std::acos(-1.);
   const std::vector<std::pair<std::string, double>> rows = {
     {"1 + 2*3 - 4/8", 6.5},
@@ -56,20 +53,17 @@ void test_values(Checks &checks)
     checks.that("not finite: " + std::string(text), !std::isfinite(value(text)));
 }
 
-void test_refusals(Checks &checks)
-{
+void test_refusals(Checks &checks) {
   for (const char *text :
        {"x=3",        "x+=3",       "1,2",   "(1,2)",   "",         "  ",    "x y",
         "2x",         "x +",        "sin(x", "sin()",   "sin(x,y)", "z",     "unknown",
         "unknown(x)", "if(x>0, 1)", "x ? 1", "1..2",    "\"x\"",    "x; y",  "x @ y",
         "a=1",        "(x)'",       "(x)~",  "(x)^2 2", "(x)^2x",   "(x)^^2"})
-    checks.throws<InputError>("refused: '" + std::string(text) + "'",
-                              "here: the expression '",
+    checks.throws<InputError>("refused: '" + std::string(text) + "'", "here: the expression '",
                               [&] { Expression<2>(text, {}, "here"); });
 }
 
-void test_constants(Checks &checks)
-{
+void test_constants(Checks &checks) {
   const Constants constants =
     read_constants("E=2.5, nu = 0.25, mu=E/(2*(1+nu)), s=max(E,3), a=2*pi", "c");
   const Constants expected = {
@@ -85,8 +79,7 @@ void test_constants(Checks &checks)
 }
 
 /** Copies compute at points of their own, and longer than the original. */
-void test_copies(Checks &checks)
-{
+void test_copies(Checks &checks) {
   auto original = std::make_unique<Expression<2>>("  a*x ", Constants({{"a", 2.}}), "here");
   const Expression<2> copy(*original), copy_of_copy(copy);
   checks.near("original", (*original)(Point(5., 0.)), 10., 0.);
@@ -99,8 +92,7 @@ void test_copies(Checks &checks)
               copy_of_copy.where() == "here" && copy.text() == "a*x");
 }
 
-std::vector<Expression<2>> expressions(const std::vector<std::string> &texts)
-{
+std::vector<Expression<2>> expressions(const std::vector<std::string> &texts) {
   std::vector<Expression<2>> list;
   for (const std::string &text : texts)
     list.emplace_back(text, Constants(), "here");
@@ -108,8 +100,7 @@ std::vector<Expression<2>> expressions(const std::vector<std::string> &texts)
 }
 
 /** Brackets raised to 2 and 3 are multiplied out; everything that only looks like it is not. */
-void test_powers(Checks &checks)
-{
+void test_powers(Checks &checks) {
   const double a = x0[0] + 1., b = x0[1] - 1.;
   const std::vector<std::pair<std::string, double>> rows = {
     {"(x+1)^2", a * a},
@@ -131,16 +122,13 @@ void test_powers(Checks &checks)
 }
 
 /** u = (sin(2x) exp(y), x^3 y^2), by all ways that a function is called. */
-void test_functions(Checks &checks)
-{
+void test_functions(Checks &checks) {
   const std::vector<std::string> u = {"sin(2*x)*exp(y)", "x^3*y^2"};
   const ExpressionFunction<2> differences(expressions(u), {}, 1e-4);
   const ExpressionFunction<2> exact(
-    expressions(u),
-    expressions({"2*cos(2*x)*exp(y)", "sin(2*x)*exp(y)", "3*x^2*y^2", "2*x^3*y"}),
+    expressions(u), expressions({"2*cos(2*x)*exp(y)", "sin(2*x)*exp(y)", "3*x^2*y^2", "2*x^3*y"}),
     1e-4);
-  for (const Point &x : {x0, Point(0.9, 0.1), Point(-0.5, 0.7), Point(0., 0.)})
-  {
+  for (const Point &x : {x0, Point(0.9, 0.1), Point(-0.5, 0.7), Point(0., 0.)}) {
     const double s = std::sin(2. * x[0]), c = std::cos(2. * x[0]), e = std::exp(x[1]);
     const Point gradients[] = {{2. * c * e, s * e},
                                {3. * x[0] * x[0] * x[1] * x[1], 2. * x[0] * x[0] * x[0] * x[1]}};
@@ -149,8 +137,7 @@ void test_functions(Checks &checks)
     std::vector<dealii::Vector<double>> values(2, dealii::Vector<double>(2));
     exact.vector_gradient_list({x0, x}, list);
     differences.vector_value_list({x0, x}, values);
-    for (unsigned int i = 0; i < 2; ++i)
-    {
+    for (unsigned int i = 0; i < 2; ++i) {
       checks.near("values in a list", values[1][i], expected[i], 1e-15);
       checks.near("values", differences.value(x, i), expected[i], 1e-15);
       checks.near("gradient by differences", differences.gradient(x, i), gradients[i], 1e-10);
@@ -161,8 +148,7 @@ void test_functions(Checks &checks)
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests(
     {test_values, test_refusals, test_constants, test_copies, test_powers, test_functions});
 }

@@ -21,19 +21,16 @@
 using namespace Signorini;
 using dealii::numbers::PI;
 
-namespace
-{
+namespace {
 using Point = dealii::Point<2>;
 using Vector = dealii::Tensor<1, 2>;
-Vector at_angle(const double angle)
-{
+Vector at_angle(const double angle) {
   return Vector({std::cos(angle), std::sin(angle)});
 }
 
 /** A thing, a function that is negative inside of it, and, where lines pass by it, the distance of
  * the place that then counts: sqrt(t_1 t_2). */
-struct Thing
-{
+struct Thing {
   std::string name;
   Obstacle obstacle;
   std::function<double(const Point &)> height;
@@ -41,14 +38,12 @@ struct Thing
 };
 
 /** Random lines: the distance is the first place where height has the value zero. */
-void test_lines(Checks &checks)
-{
+void test_lines(Checks &checks) {
   constexpr double reach = 20., rounding = 1e-9;
   RandomNumbers random(7);
   const auto point = [&]() { return Point(2. * random(), 2. * random()); };
   std::map<std::string, std::array<unsigned int, 3>> cases;
-  for (unsigned int i = 0; i < 600; ++i)
-  {
+  for (unsigned int i = 0; i < 600; ++i) {
     const Point p = point(), x = point();
     const Vector nu = at_angle(PI * random()), n = at_angle(PI * random());
     const double length = std::exp(3. * random()), r = 1. + 0.9 * random(), k = 1. + 0.9 * random();
@@ -60,23 +55,18 @@ void test_lines(Checks &checks)
     };
     for (const Thing &thing : std::vector<Thing>{
            {"plane", Obstacle::plane(p, length * nu), [&](const Point &y) { return (y - p) * nu; }},
-           {"disc",
-            Obstacle::circle(p, r, Body::outside),
+           {"disc", Obstacle::circle(p, r, Body::outside),
             [&](const Point &y) { return y.distance(p) - r; },
             [&](const Point &y, const Vector &) {
               return std::sqrt((y - p).norm_square() - r * r);
             }},
-           {"hole",
-            Obstacle::circle(p, r, Body::inside),
+           {"hole", Obstacle::circle(p, r, Body::inside),
             [&](const Point &y) { return r - y.distance(p); }},
-           {"hill",
-            Obstacle::parabola(p, length * nu, -k),
-            parabola(-k),
+           {"hill", Obstacle::parabola(p, length * nu, -k), parabola(-k),
             [&](const Point &y, const Vector &m) {
               return std::sqrt(2. * parabola(-k)(y) / (k * (1. - std::pow(m * nu, 2))));
             }},
-           {"valley", Obstacle::parabola(p, length * nu, k), parabola(k)}})
-    {
+           {"valley", Obstacle::parabola(p, length * nu, k), parabola(k)}}) {
       const std::optional<double> t = thing.obstacle.distance(x, n);
       const bool is_inside = thing.height(x) <= 0.;
       const double far = t ? std::min(std::abs(*t), reach) : reach;
@@ -100,43 +90,35 @@ void test_lines(Checks &checks)
 
 const Vector up({0., 1.}), down({0., -1.}), right({1., 0.});
 
-double entry(const Obstacle &obstacle, const Point &x, const Vector &n)
-{
+double entry(const Obstacle &obstacle, const Point &x, const Vector &n) {
   return obstacle.distance(x, n).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 /** Where a formula with cancellation would lose digits. */
-void test_digits(Checks &checks)
-{
+void test_digits(Checks &checks) {
   // The line y = slope x meets x²/2 at x = 0 and at x = 2 slope; it starts at x = 1, almost
   // parallel to the parabola there.
   const double slope = 1. + 1e-9, norm = std::hypot(1., slope);
   checks.near("a chord of a parabola",
-              entry(Obstacle::parabola(Point(0., 0.), up, 1.),
-                    Point(1., slope),
+              entry(Obstacle::parabola(Point(0., 0.), up, 1.), Point(1., slope),
                     Vector({1. / norm, slope / norm})),
-              norm * (2. * slope - 1.),
-              1e-15);
+              norm * (2. * slope - 1.), 1e-15);
   // With a small curvature the second root is far away.
-  for (const double k : {1e-8, 1e-14, -1e-14})
-  {
+  for (const double k : {1e-8, 1e-14, -1e-14}) {
     const double angle = 0.7, h = 0.3, s = std::sin(angle);
     // h - s t = k/2 (cos t)²: t = h/s - k/2 (cos h/s)²/s + O(k²).
     checks.near("nearly a plane, curvature " + std::to_string(std::log10(std::abs(k))),
                 entry(Obstacle::parabola(Point(0., 0.), up, k), Point(0., h), at_angle(-angle)),
-                h / s - 0.5 * k * std::pow(std::cos(angle) * h / s, 2) / s,
-                1e-15);
+                h / s - 0.5 * k * std::pow(std::cos(angle) * h / s, 2) / s, 1e-15);
   }
   // A large disc is a parabola up to x⁴/(8 R³).
   const double R = 1e4, x = 0.5;
   checks.near("a large disc",
               entry(Obstacle::circle(Point(0., -R), R, Body::outside), Point(x, 0.), down),
-              x * x / (2. * R),
-              4e-12);
+              x * x / (2. * R), 4e-12);
 }
 
-void test_directions(Checks &checks)
-{
+void test_directions(Checks &checks) {
   const Point x(0., 1.);
   const Obstacle ground = Obstacle::plane(Point(3., 0.), up);
   checks.that("along a plane", !ground.distance(x, right));
@@ -147,9 +129,9 @@ void test_directions(Checks &checks)
     is_parallel = is_parallel && !slope.distance(Point(1., 1. + height), along) &&
                   !slope.distance(Point(1., 1. + height), -along);
   checks.that("along a plane but for rounding", is_parallel);
-  checks.that("can_be_hit_along",
-              ground.can_be_hit_along(down) && !ground.can_be_hit_along(right) &&
-                !ground.can_be_hit_along(up));
+  checks.that("can_be_hit_along", ground.can_be_hit_along(down) &&
+                                    !ground.can_be_hit_along(right) &&
+                                    !ground.can_be_hit_along(up));
   const Obstacle disc = Obstacle::circle(Point(), 0.5, Body::outside);
   checks.that("is_hit_by_line: what is ahead, near enough, or around the point",
               disc.is_hit_by_line(x, down, 1.) && !disc.is_hit_by_line(x, down, 0.4) &&
@@ -160,52 +142,42 @@ void test_directions(Checks &checks)
 }
 
 /** Half disc on a plane: (R + t) n_y = -(R + h), so that t = h/|n_y| + R (1/|n_y| - 1). */
-void test_gaps(Checks &checks)
-{
+void test_gaps(Checks &checks) {
   const double R = 2., h = 0.125, largest = 40.;
   const Side<2> arc = make_half_disc(R).sides[1], flat = make_half_disc(R).sides[0];
   const auto ground = std::make_shared<Foundation>(
     std::vector<Obstacle>{Obstacle::plane(Point(0., -R), Vector({0., 5.}))}, largest);
   const auto gap = foundation_gap(arc, ground, Vector({7., -h}));
   for (double angle = 0.2; angle < 3.; angle += 0.1)
-    checks.near("a half disc above a plane",
-                gap->value(arc.point(R * angle)),
-                (R + h) / std::sin(angle) - R,
-                1e-13);
+    checks.near("a half disc above a plane", gap->value(arc.point(R * angle)),
+                (R + h) / std::sin(angle) - R, 1e-13);
   checks.near("beside the arc as on it", gap->value(Point(0., -R - 1e-3)), h, 1e-14);
   checks.near("at most the largest gap", gap->value(arc.point(1e-4)), largest, 0.);
   checks.near("the flat side sees nothing",
-              foundation_gap(flat, ground, Vector())->value(Point(0., 0.)),
-              largest,
-              0.);
+              foundation_gap(flat, ground, Vector())->value(Point(0., 0.)), largest, 0.);
   // In a hole about its own centre the gap of a disc is the same everywhere; moved by e it is
   // e cos(theta) + sqrt(r² - e² sin²(theta)) - R.
   const Side<2> outer = make_ring(1., R).sides[1];
   const auto hole = std::make_shared<Foundation>(
     std::vector<Obstacle>{Obstacle::circle(Point(0., 0.), R + h, Body::inside)}, largest);
-  for (const double e : {0., 0.1})
-  {
+  for (const double e : {0., 0.1}) {
     const auto moved = foundation_gap(outer, hole, Vector({e, 0.}));
-    for (double position = 0.; position < outer.length(); position += 0.1)
-    {
+    for (double position = 0.; position < outer.length(); position += 0.1) {
       const Point x = outer.point(position);
-      checks.near("a shaft in a hole",
-                  moved->value(x),
+      checks.near("a shaft in a hole", moved->value(x),
                   e * x[0] / R + std::sqrt(std::pow(R + h, 2) - std::pow(e * x[1] / R, 2)) - R,
                   1e-14);
     }
   }
 }
 
-Scene<2> scene(std::vector<std::string> settings)
-{
+Scene<2> scene(std::vector<std::string> settings) {
   settings.insert(settings.end(), {"Boundary/Clamped=top", "Boundary/Contact=bottom, left"});
   return make_scene<2>(parse_parameters("", "foundation.prm", settings));
 }
 
 /** The unit square. */
-void test_scenes(Checks &checks)
-{
+void test_scenes(Checks &checks) {
   const Scene<2> two =
     scene({"Constants/Values=R=0.25, gap=0.01",
            "Contact/Foundation=circle 0.25,-R-gap radius R | left: plane "
@@ -224,17 +196,14 @@ void test_scenes(Checks &checks)
                condition(two, "left").data->value(Point(0., 0.3)),
                condition(mixed, "left").data->value(Point(0., 0.5)),
                condition(mixed, "bottom").data->value(Point(0.75, 0.))},
-              {0.01, 0.225, 0.5, 0.25, 0.125},
-              1e-15);
+              {0.01, 0.225, 0.5, 0.25, 0.125}, 1e-15);
   for (const char *side : {"left", "bottom"})
     checks.near("things by side", condition(two, side).foundation->things().size(), 2, 0);
-  checks.that("no foundation",
-              condition(two, "right").foundation == nullptr &&
-                condition(mixed, "left").foundation == nullptr);
+  checks.that("no foundation", condition(two, "right").foundation == nullptr &&
+                                 condition(mixed, "left").foundation == nullptr);
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({test_lines, test_digits, test_directions, test_gaps, test_scenes});
 }

@@ -15,12 +15,10 @@
 using namespace Signorini;
 using dealii::numbers::PI;
 
-namespace
-{
+namespace {
 using Point = dealii::Point<2>;
 
-std::string names_of_motions(const Scene<2> &scene)
-{
+std::string names_of_motions(const Scene<2> &scene) {
   std::string names;
   for (const RigidMotion &motion : free_rigid_motions(scene))
     names += (names.empty() ? "" : ", ") + motion.name();
@@ -28,8 +26,7 @@ std::string names_of_motions(const Scene<2> &scene)
 }
 
 /** What the sides leave free; the scene is not refused here. */
-void test_rigid_motions(Checks &checks)
-{
+void test_rigid_motions(Checks &checks) {
   const std::string x = "the translation along (1, 0)", y = "the translation along (0, 1)";
   const std::string all = x + ", " + y + ", the rotation about (1, 0.5)";
   const std::vector<std::pair<std::vector<std::string>, std::string>> rows = {
@@ -42,13 +39,10 @@ void test_rigid_motions(Checks &checks)
     {{"Boundary/Clamped=right"}, ""},
     {{"Boundary/Displacement=top: 0; -0.1"}, ""},
     // On the slanted side of a triangle.
-    {{"Boundary/Rollers=side2",
-      "Boundary/Contact=side0",
-      "Geometry/Shape=polygon",
+    {{"Boundary/Rollers=side2", "Boundary/Contact=side0", "Geometry/Shape=polygon",
       "Geometry/Vertices=0,0; 4,0; 4,3"},
      "the translation along (0.8, 0.6)"}};
-  for (const auto &[settings, expected] : rows)
-  {
+  for (const auto &[settings, expected] : rows) {
     std::vector<std::string> entries = {"Boundary/Contact=bottom"};
     entries.insert(entries.end(), settings.begin(), settings.end());
     if (settings.size() == 1)
@@ -63,8 +57,7 @@ void test_rigid_motions(Checks &checks)
   scene.boundary.resize(2);
   checks.near("free ring: three motions", free_rigid_motions(scene).size(), 3, 0);
   for (const auto &[role, expected] :
-       {std::pair(Role::roller, "the rotation about (0, 0)"), std::pair(Role::clamped, "")})
-  {
+       {std::pair(Role::roller, "the rotation about (0, 0)"), std::pair(Role::clamped, "")}) {
     scene.boundary[0].role = role;
     checks.that("ring", names_of_motions(scene) == expected);
   }
@@ -72,16 +65,12 @@ void test_rigid_motions(Checks &checks)
 
 /** Where named sides begin and end, and that the body is where it should be; outlines.cc has
  * points, normals and arc lengths. */
-void test_sides(Checks &checks)
-{
+void test_sides(Checks &checks) {
   const Geometry<2> rectangle = make_rectangle(Point(-1., 2.), Point(2., 4.), {3, 2}),
                     triangle = make_polygon({{0., 0.}, {4., 0.}, {4., 3.}}),
                     ring = make_ring(1., 2.), half = make_half_disc(1.5);
-  const auto check = [&](const Geometry<2> &body,
-                         const std::string &name,
-                         const Point &start,
-                         const Point &end,
-                         const Point &normal) {
+  const auto check = [&](const Geometry<2> &body, const std::string &name, const Point &start,
+                         const Point &end, const Point &normal) {
     const Side<2> &side = body.sides.at(body.find_side(name));
     checks.near(name + ": start", side.start(), start, 1e-15);
     checks.near(name + ": end", side.end(), end, 1e-15);
@@ -96,12 +85,11 @@ void test_sides(Checks &checks)
   check(ring, "inner", Point(-1., 0.), Point(-1., 0.), Point(1., 0.));
   checks.that("names",
               triangle.side_names() == std::vector<std::string>({"side0", "side1", "side2"}));
-  checks.near(
-    "diameters", {rectangle.diameter(), triangle.diameter()}, {std::sqrt(13.), 5.}, 1e-15);
+  checks.near("diameters", {rectangle.diameter(), triangle.diameter()}, {std::sqrt(13.), 5.},
+              1e-15);
   // An arc across the negative x-axis.
   const Curve arc = Curve::arc(Point(3., -1.), 0.5, 0.9 * PI, 1.4 * PI, Body::outside);
-  for (const double angle : {0.95, 1.05, 1.39})
-  {
+  for (const double angle : {0.95, 1.05, 1.39}) {
     const Point direction(std::cos(angle * PI), std::sin(angle * PI));
     const Point x(Point(3., -1.) + 0.5 * direction);
     const double s = 0.5 * PI * (angle - 0.9);
@@ -113,17 +101,16 @@ void test_sides(Checks &checks)
 
 /** The rectangle (-1, 1) x (0, 2) with 2 x 1 coarse cells, refined once: four intervals between -1
  * and 1, two between 0 and 2. */
-void test_lines(Checks &checks)
-{
-  const auto positions =
-    [](const std::vector<double> &x, const std::vector<double> &y, const unsigned int d) {
-      dealii::Triangulation<2> mesh;
-      make_rectangle({-1., 0.}, {1., 2.}, {2, 1}).make_mesh_with_lines(mesh, 1, {{x, y}});
-      std::set<double> found;
-      for (const Point &vertex : mesh.get_vertices())
-        found.insert(vertex[d]);
-      return std::vector<double>(found.begin(), found.end());
-    };
+void test_lines(Checks &checks) {
+  const auto positions = [](const std::vector<double> &x, const std::vector<double> &y,
+                            const unsigned int d) {
+    dealii::Triangulation<2> mesh;
+    make_rectangle({-1., 0.}, {1., 2.}, {2, 1}).make_mesh_with_lines(mesh, 1, {{x, y}});
+    std::set<double> found;
+    for (const Point &vertex : mesh.get_vertices())
+      found.insert(vertex[d]);
+    return std::vector<double>(found.begin(), found.end());
+  };
   using Lines = std::vector<double>;
   for (const auto &[name, lines, expected] : std::vector<std::tuple<std::string, Lines, Lines>>{
          {"no lines", {}, {-1., -0.5, 0., 0.5, 1.}},
@@ -135,12 +122,11 @@ void test_lines(Checks &checks)
          {"on the sides and outside", {-1., 1., -3., 1.5}, {-1., -0.5, 0., 0.5, 1.}},
          {"given twice", {0.3, 0.3}, {-1., -0.5, 0., 0.3, 1.}}})
     checks.near("lines, " + name, positions(lines, {}, 0), expected, 1e-14);
-  checks.near(
-    "lines in both directions", positions({0.4}, {0.9, 1.7}, 1), {0., 0.9, 1.7, 2.}, 1e-14);
+  checks.near("lines in both directions", positions({0.4}, {0.9, 1.7}, 1), {0., 0.9, 1.7, 2.},
+              1e-14);
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({test_sides, test_lines, test_rigid_motions});
 }

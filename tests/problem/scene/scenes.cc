@@ -11,25 +11,21 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 using Point = dealii::Point<2>;
 using Strain = dealii::SymmetricTensor<2, 2>;
 
 const double xi = std::sqrt(0.5);
 
-Scene<2> scene(const std::vector<std::string> &settings)
-{
+Scene<2> scene(const std::vector<std::string> &settings) {
   return make_scene<2>(parse_parameters("", "scenes.prm", settings));
 }
 
-const BoundaryCondition<2> &condition(const Scene<2> &scene, const std::string &side)
-{
+const BoundaryCondition<2> &condition(const Scene<2> &scene, const std::string &side) {
   return scene.boundary.at(scene.geometry.find_side(side));
 }
 
-Strain tensor(const double e11, const double e22, const double e12)
-{
+Strain tensor(const double e11, const double e22, const double e12) {
   Strain e;
   e[0][0] = e11;
   e[1][1] = e22;
@@ -38,8 +34,7 @@ Strain tensor(const double e11, const double e22, const double e12)
 }
 
 /** Where contact may end; the data are checked in catalogue.cc. */
-void test_kinks(Checks &checks)
-{
+void test_kinks(Checks &checks) {
   const Scene<2> a1 = scene({"Scene/Name=A1", "Discretization/Kinks at y=0.25"});
   const std::vector<KinkLine<2>> &lines = a1.kinks.lines();
   checks.that("A1 kinks and those of the parameters",
@@ -49,22 +44,18 @@ void test_kinks(Checks &checks)
               a1.kinks.ends().size() == 1 && a1.kinks.ends()[0].distance(Point(xi, 0.)) < 1e-15);
 }
 
-void test_catalogue(Checks &checks)
-{
+void test_catalogue(Checks &checks) {
   const Scene<2> d1 = scene({"Scene/Name=D1"}), block = scene({"Scene/Name=block on parabola"});
   const Point x(0.3, 0.4), left(-0.6, 0.);
   checks.near("D1 p and g, block gap and displacement",
               {condition(d1, "bottom").exact_pressure->value(x),
-               condition(d1, "bottom").data->value(x),
-               condition(block, "bottom").data->value(left),
+               condition(d1, "bottom").data->value(x), condition(block, "bottom").data->value(left),
                condition(block, "top").data->value(x, 0),
                condition(block, "top").data->value(x, 1)},
-              {-0.375, -0.125, 0.09, 0., -0.05},
-              1e-16);
+              {-0.375, -0.125, 0.09, 0., -0.05}, 1e-16);
   checks.that("block is not known exactly",
               block.exact_displacement == nullptr && !block.has_exact_pressure());
-  for (const CatalogueEntry<2> &entry : catalogue<2>())
-  {
+  for (const CatalogueEntry<2> &entry : catalogue<2>()) {
     checks.about(entry.name);
     const Scene<2> found = scene({"Scene/Name=" + entry.name});
     checks.that("listed under its name",
@@ -72,17 +63,14 @@ void test_catalogue(Checks &checks)
                   describe_catalogue().find(entry.name) != std::string::npos);
     for (const char *key : {"Body ", "Material ", "Boundary ", "Load ", "Gap ", "Exact u "})
       checks.that("described", found.description.find(key) != std::string::npos);
-    checks.that("with p if that is known",
-                (found.description.find("Exact p ") != std::string::npos) ==
-                  found.has_exact_pressure());
+    checks.that("with p if that is known", (found.description.find("Exact p ") !=
+                                            std::string::npos) == found.has_exact_pressure());
   }
 }
 
 /** Tests in tests/driver solve described scenes with exact solutions. */
-void test_described(Checks &checks)
-{
-  const Scene<2> sides = scene({"Boundary/Clamped=top",
-                                "Boundary/Contact=bottom, left",
+void test_described(Checks &checks) {
+  const Scene<2> sides = scene({"Boundary/Clamped=top", "Boundary/Contact=bottom, left",
                                 "Contact/Gap=left: y>0.5||y<0.1 ? 1 : 2 | bottom: x^2",
                                 "Exact solution/Pressure=x>0.5 ? 0 : -1"});
   checks.near("two gaps, one pressure for both",
@@ -90,18 +78,14 @@ void test_described(Checks &checks)
                condition(sides, "bottom").data->value(Point(0.3, 0.)),
                condition(sides, "left").exact_pressure->value(Point(0., 0.5)),
                condition(sides, "bottom").exact_pressure->value(Point(0.7, 0.))},
-              {2., 0.09, -1., 0.},
-              1e-16);
-  checks.that("two contact sides",
-              sides.contact_sides() == std::vector<unsigned int>({0, 2}) &&
-                sides.body_force == nullptr);
+              {2., 0.09, -1., 0.}, 1e-16);
+  checks.that("two contact sides", sides.contact_sides() == std::vector<unsigned int>({0, 2}) &&
+                                     sides.body_force == nullptr);
 }
 
 /** Stresses of known strains, worked out by hand; sigma_33 where it is given. */
-void test_materials(Checks &checks)
-{
-  struct Row
-  {
+void test_materials(Checks &checks) {
+  struct Row {
     std::string settings;
     Point x;
     Strain strain, stress;
@@ -146,23 +130,20 @@ void test_materials(Checks &checks)
           large,
           tensor(6.6, 10.2, 6.5),
           false,
-          1.6}})
-  {
+          1.6}}) {
     checks.about(row.settings);
     const auto material =
-      make_scene<2>(parse_parameters("subsection Material\n" + row.settings + "end\n",
-                                     "test",
+      make_scene<2>(parse_parameters("subsection Material\n" + row.settings + "end\n", "test",
                                      {"Boundary/Clamped=top", "Boundary/Contact=bottom"}))
         .material;
     checks.near("stress", material->hooke(row.x) * row.strain, row.stress, 1e-14);
-    checks.near(
-      "across the plane", material->out_of_plane_stress(row.x, row.strain), row.across, 1e-14);
+    checks.near("across the plane", material->out_of_plane_stress(row.x, row.strain), row.across,
+                1e-14);
     checks.that("is_constant", material->is_constant() == row.is_constant);
   }
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({test_kinks, test_catalogue, test_described, test_materials});
 }

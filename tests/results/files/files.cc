@@ -22,11 +22,9 @@
 using namespace Signorini;
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 /** The text of a matrix as the format demands it: a banner, sizes, and entries with all digits. */
-void matrix_market(Checks &checks)
-{
+void matrix_market(Checks &checks) {
   const auto written = [](const auto &...what) {
     std::ostringstream stream;
     write_matrix_market(stream, what...);
@@ -66,14 +64,12 @@ void matrix_market(Checks &checks)
 }
 
 /** u = (x, 2 x - y), n = (0, -1): u_n = -2 x on the bottom; two patches of three faces and five. */
-void contact_line(Checks &checks)
-{
+void contact_line(Checks &checks) {
   const std::vector<std::string> held = {"Boundary/Clamped=top", "Boundary/Contact=bottom"};
   const OneLevel level("subsection Discretization\nset Patch ratio = 3\nend\n"
                        "subsection Contact\nset Gap = 0.1 + x^2\nend\n"
                        "subsection Exact solution\nset Pressure = -x\nend\n",
-                       3,
-                       held);
+                       3, held);
   const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
     return dealii::Point<2>(x[0], 2. * x[0] - x[1]);
   });
@@ -87,8 +83,7 @@ void contact_line(Checks &checks)
   checks.that("contact line: columns", stream.str().compare(0, header.size(), header) == 0);
   const auto rows = read_csv(stream.str());
   checks.near("contact line: rows", rows.size(), 8, 0.);
-  for (unsigned int k = 0; k < rows.size(); ++k)
-  {
+  for (unsigned int k = 0; k < rows.size(); ++k) {
     // The recovered pressure is linear through the middles 3/16 and 11/16 of the patches.
     const double x = (k + 0.5) / 8., patch = k < 3 ? 0. : 1.;
     const std::map<std::string, double> expected = {
@@ -106,23 +101,19 @@ void contact_line(Checks &checks)
       checks.near("contact line: " + name, std::stod(rows[k].at(name)), number, 1e-14);
   }
   checks.that("contact line: side", rows[0].at("side") == "bottom");
-  checks.near(
-    "contact line: ends", line[0].corners.front().x[0] + line[7].corners.back().x[0], 1., 1e-15);
+  checks.near("contact line: ends", line[0].corners.front().x[0] + line[7].corners.back().x[0], 1.,
+              1e-15);
 
   const OneLevel unknown("", 1, held);
   std::ostringstream without;
   write_contact_csv<2>(without,
-                       trace_contact(unknown.space(),
-                                     unknown.multipliers(),
-                                     unknown.scene.boundary,
-                                     unknown.space().zero(),
-                                     Pressure(1)));
+                       trace_contact(unknown.space(), unknown.multipliers(), unknown.scene.boundary,
+                                     unknown.space().zero(), Pressure(1)));
   checks.that("contact line: no exact pressure", read_csv(without.str())[0].at("p_exact").empty());
 }
 
 /** Runs that are killed, full disks and two runs at once: tests/driver/faults. */
-void directories(Checks &checks)
-{
+void directories(Checks &checks) {
   const fs::path directory = "files_test_results", path = directory / "a" / "b";
   fs::remove_all(directory);
   fs::create_directory(directory);
@@ -156,8 +147,7 @@ void directories(Checks &checks)
   fs::remove_all(directory);
 }
 
-void pvd(Checks &checks)
-{
+void pvd(Checks &checks) {
   std::ostringstream stream;
   write_pvd(stream, {{0., "solution-00.vtu"}, {1., "solution-01.vtu"}});
   const std::string pvd = stream.str();
@@ -168,7 +158,6 @@ void pvd(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {matrix_market, contact_line, directories, pvd});
 }

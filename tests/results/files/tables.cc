@@ -16,10 +16,8 @@
 
 using namespace Signorini;
 
-namespace
-{
-std::vector<LevelRecord> two_levels()
-{
+namespace {
+std::vector<LevelRecord> two_levels() {
   LevelRecord coarse;
   coarse.sizes = {2, 16, 50, 2, 0.25, 0.5, false};
   coarse.dual.iterations = 3;
@@ -44,8 +42,7 @@ std::vector<LevelRecord> two_levels()
   return {coarse, fine};
 }
 
-void convergence_csv(Checks &checks)
-{
+void convergence_csv(Checks &checks) {
   std::ostringstream stream;
   write_convergence_csv(stream, two_levels());
   const std::string text = stream.str();
@@ -58,25 +55,20 @@ void convergence_csv(Checks &checks)
               rows.size() == 2 && !rows[0].empty() && !rows[1].empty());
   checks.near("numbers keep all digits",
               {std::stod(rows[0].at("contact_force_n")), std::stod(rows[1].at("p_dual"))},
-              {1. / 3., 0.02},
-              1e-16);
+              {1. / 3., 0.02}, 1e-16);
   using Field = std::array<std::string, 3>;
-  for (const auto &[column, coarse, fine] : {Field{"level", "2", "3"},
-                                             Field{"dofs", "50", "50"},
-                                             Field{"u_post_h1", "", ""},
-                                             Field{"endpoint_error", "", ""},
-                                             Field{"qp_increment_iterations", "", "7"}})
+  for (const auto &[column, coarse, fine] :
+       {Field{"level", "2", "3"}, Field{"dofs", "50", "50"}, Field{"u_post_h1", "", ""},
+        Field{"endpoint_error", "", ""}, Field{"qp_increment_iterations", "", "7"}})
     checks.that(column, rows[0].at(column) == coarse && rows[1].at(column) == fine);
   for (const char *column : {"inf_sup", "p_dual"})
     checks.that("known on one level", rows[0].at(column).empty() && !rows[1].at(column).empty());
 }
 
 /** The same numbers as those of a graded sequence: nothing has an order in h. */
-void graded_tables(Checks &checks)
-{
+void graded_tables(Checks &checks) {
   auto steps = two_levels();
-  for (LevelRecord &step : steps)
-  {
+  for (LevelRecord &step : steps) {
     step.sizes.strategy = Strategy::hp;
     step.sizes.max_degree = 2 + step.sizes.level;
     step.sizes.min_h = 0.01;
@@ -86,9 +78,8 @@ void graded_tables(Checks &checks)
   checks.that("graded: rows align with the header", screen_header(true).size() == row.size());
   checks.that("graded: steps", screen_header(true).rfind(" step", 0) == 0);
   checks.that("graded: no order", split_words(row).back() == "-");
-  checks.that("graded: no orders of errors",
-              errors.find("2.000e-01    -") != std::string::npos &&
-                errors.find("slope") == std::string::npos);
+  checks.that("graded: no orders of errors", errors.find("2.000e-01    -") != std::string::npos &&
+                                               errors.find("slope") == std::string::npos);
   std::ostringstream csv;
   write_convergence_csv(csv, steps);
   const auto rows = read_csv(csv.str());
@@ -98,14 +89,12 @@ void graded_tables(Checks &checks)
 }
 
 /** One blank between all words. */
-std::string words_of(std::string text)
-{
+std::string words_of(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   return join(split_words(text), " ");
 }
 
-void screen_table(Checks &checks)
-{
+void screen_table(Checks &checks) {
   const auto levels = two_levels();
   const std::string first = screen_row(levels[0], nullptr),
                     second = screen_row(levels[1], &levels[0]);
@@ -119,8 +108,7 @@ void screen_table(Checks &checks)
   auto four = levels;
   // 0.2 -> 0.05 -> 0.0125: with 0.4 -> 0.2 before, least squares over x = 0..3 (in log 2) and
   // y = 0, 1, 3, 5 give the slope sum (x - 1.5)(y - 2.25)/5 = 1.7.
-  for (const double error : {0.05, 0.0125})
-  {
+  for (const double error : {0.05, 0.0125}) {
     four.push_back(four.back());
     four.back().sizes.h /= 2.;
     four.back().displacement_errors->h1 = error;
@@ -130,16 +118,14 @@ void screen_table(Checks &checks)
   std::istringstream lines(slopes + screen_header() + "\n" + screen_legend());
   for (std::string line; std::getline(lines, line);)
     checks.that("tables have 80 columns", line.size() <= 80);
-  for (LevelRecord &level : four)
-  {
+  for (LevelRecord &level : four) {
     level.displacement_errors.reset();
     level.pressure_errors.reset();
   }
   checks.that("no table of errors without an exact solution", error_table(four).empty());
 }
 
-void certificate(Checks &checks)
-{
+void certificate(Checks &checks) {
   using Json = nlohmann::json;
   const Judge judge({1e-10, 0.2, 0.});
   const auto parse = [&](const std::vector<LevelRecord> &levels, const StudyVerdict &verdict) {
@@ -153,27 +139,18 @@ void certificate(Checks &checks)
   checks.that("no failure", !good.contains("failure"));
   checks.near("tolerance", good.at("tolerance"), 1e-10, 0.);
   checks.near("bound on residuals", good.at("residual_bound"), 1e-8, 1e-22);
-  for (const char *name : {"stationarity",
-                           "penetration",
-                           "sign",
-                           "complementarity",
-                           "duality_gap",
-                           "force_balance",
-                           "moment_balance",
-                           "support",
-                           "degenerate_patches"})
+  for (const char *name : {"stationarity", "penetration", "sign", "complementarity", "duality_gap",
+                           "force_balance", "moment_balance", "support", "degenerate_patches"})
     checks.that(name, good.at("levels")[0].at(name).is_number());
-  checks.that("inf-sup constant where it is known",
-              good.at("levels")[0].at("inf_sup").is_null() &&
-                good.at("levels")[1].at("inf_sup") == 0.8);
+  checks.that("inf-sup constant where it is known", good.at("levels")[0].at("inf_sup").is_null() &&
+                                                      good.at("levels")[1].at("inf_sup") == 0.8);
   checks.that("the chosen solver answered",
               good.at("levels")[0].at("contact_solver_replaced") == false);
   levels[0].certificate.duality_gap = levels[1].certificate.duality_gap = std::nan("");
   levels[1].dual.active_set_failure = "singular";
   const Json bad = parse(levels, judge.verdict(levels));
-  checks.that("the verdict on a level",
-              bad.at("levels")[0].at("certified") == false &&
-                good.at("levels")[1].at("certified") == true);
+  checks.that("the verdict on a level", bad.at("levels")[0].at("certified") == false &&
+                                          good.at("levels")[1].at("certified") == true);
   checks.that("another solver answered", bad.at("levels")[1].at("contact_solver_replaced") == true);
   const Json failed = parse(levels, judge.failed(levels, "it \"failed\"\n"));
   checks.that("a failure",
@@ -181,7 +158,6 @@ void certificate(Checks &checks)
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({convergence_csv, screen_table, graded_tables, certificate});
 }

@@ -12,8 +12,7 @@
 /** One entry per point, with all components. */
 using PointField = std::vector<std::vector<float>>;
 
-inline std::vector<unsigned char> decode(const std::string &base_64)
-{
+inline std::vector<unsigned char> decode(const std::string &base_64) {
   return dealii::Utilities::decode_base64(base_64);
 }
 
@@ -22,8 +21,7 @@ inline std::vector<unsigned char> decode(const std::string &base_64)
  * is none. Follows the description of the format: a header of four numbers (blocks, size of a block
  * and of the last one, compressed size) and the block, both in base 64. Knows files of one piece.
  */
-inline PointField read_vtu_field(const std::string &text, const std::string &name)
-{
+inline PointField read_vtu_field(const std::string &text, const std::string &name) {
   const std::string start = name.empty() ? "<DataArray type=\"Float32\" NumberOfComponents=\""
                                          : "<DataArray type=\"Float32\" Name=\"" + name + "\"";
   const std::size_t found = text.find(start);

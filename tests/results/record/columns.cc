@@ -12,10 +12,8 @@
 
 using namespace Signorini;
 
-namespace
-{
-void places(Checks &checks)
-{
+namespace {
+void places(Checks &checks) {
   std::vector<std::string> names;
   for (const Column<LevelRecord> &column : level_columns())
     names.push_back(column.name);
@@ -32,16 +30,15 @@ void places(Checks &checks)
   checks.that("columns do not move", join(names, ",").compare(0, until_now.size(), until_now) == 0);
 }
 
-void values(Checks &checks)
-{
+void values(Checks &checks) {
   LevelRecord record;
   record.sizes.dofs = 50;
   record.contact.normal_force = 2.;
   record.times.mesh = 1.;
   record.times.output = 0.5;
-  checks.that("of a part that every record has",
-              value(record, "dofs") == 50. && value(record, "contact_force_n") == 2. &&
-                value(record, "t_total") == 1.5);
+  checks.that("of a part that every record has", value(record, "dofs") == 50. &&
+                                                   value(record, "contact_force_n") == 2. &&
+                                                   value(record, "t_total") == 1.5);
   checks.that("empty without the part",
               !value(record, "u_h1") && !value(record, "effectivity") && !value(record, "inf_sup"));
   record.estimate = ErrorEstimate{0.3, 0.2, 0.1, 0.16, 0.12};
@@ -59,7 +56,6 @@ void values(Checks &checks)
 
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({places, values});
 }

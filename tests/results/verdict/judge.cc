@@ -11,22 +11,15 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 const Judge judge({1e-10, 0.2, 0.});
 
 /** A residual that is not a number is not a small one, whichever it is. */
-void residuals(Checks &checks)
-{
-  for (double Certificate::*const member : {&Certificate::stationarity,
-                                            &Certificate::penetration,
-                                            &Certificate::sign,
-                                            &Certificate::support,
-                                            &Certificate::complementarity,
-                                            &Certificate::duality_gap,
-                                            &Certificate::force_balance,
-                                            &Certificate::moment_balance})
-  {
+void residuals(Checks &checks) {
+  for (double Certificate::*const member :
+       {&Certificate::stationarity, &Certificate::penetration, &Certificate::sign,
+        &Certificate::support, &Certificate::complementarity, &Certificate::duality_gap,
+        &Certificate::force_balance, &Certificate::moment_balance}) {
     Certificate certificate;
     certificate.*member = std::nan("");
     checks.that("what is not a number", std::isnan(max_residual(certificate).value));
@@ -39,25 +32,21 @@ void residuals(Checks &checks)
   checks.near("moments of curved cells do not count", max_residual(curved).value, 0., 0.);
 }
 
-void bounds(Checks &checks)
-{
+void bounds(Checks &checks) {
   LevelRecord level, in_U, in_forces, large;
   in_U.linear.rounding_error = 1e-9;
   in_forces.certificate.rounding = 1e-8;
   large.certificate.rounding = 1.;
-  for (const auto &[record, tolerance, bound] : {std::tuple(level, 1e-10, 1e-8),
-                                                 std::tuple(level, 1e-6, 1e-4),
-                                                 std::tuple(level, 1e-2, 0.01),
-                                                 std::tuple(in_U, 1e-10, 1e-7),
-                                                 std::tuple(in_forces, 1e-10, 1e-6),
-                                                 std::tuple(large, 1e-10, 1e-5)})
-    checks.near(
-      "bound on residuals", Judge({tolerance, 0.2, 0.}).residual_bound(record) / bound, 1., 1e-13);
+  for (const auto &[record, tolerance, bound] :
+       {std::tuple(level, 1e-10, 1e-8), std::tuple(level, 1e-6, 1e-4),
+        std::tuple(level, 1e-2, 0.01), std::tuple(in_U, 1e-10, 1e-7),
+        std::tuple(in_forces, 1e-10, 1e-6), std::tuple(large, 1e-10, 1e-5)})
+    checks.near("bound on residuals", Judge({tolerance, 0.2, 0.}).residual_bound(record) / bound,
+                1., 1e-13);
 }
 
 /** From the last cause to the first: each one hides those behind it. */
-void doubts(Checks &checks)
-{
+void doubts(Checks &checks) {
   LevelRecord level;
   const auto doubt = [&](const std::string &beginning) {
     checks.that(beginning, judge.doubt(level).rfind(beginning, 0) == 0 && !judge.accepts(level));
@@ -90,11 +79,9 @@ void doubts(Checks &checks)
   doubt("numbers overflow");
 }
 
-std::vector<LevelRecord> three_levels()
-{
+std::vector<LevelRecord> three_levels() {
   std::vector<LevelRecord> levels(3);
-  for (unsigned int k = 0; k < 3; ++k)
-  {
+  for (unsigned int k = 0; k < 3; ++k) {
     levels[k].sizes.level = k + 2;
     levels[k].estimate = ErrorEstimate{1., std::pow(0.5, k), 0.1 * std::pow(0.5, k), 0., 0.};
   }
@@ -102,8 +89,7 @@ std::vector<LevelRecord> three_levels()
 }
 
 /** A bound of this relative size. */
-ErrorBound bound_of(const double relative)
-{
+ErrorBound bound_of(const double relative) {
   ErrorBound bound;
   bound.relative = bound.absolute = relative;
   bound.mesh = 0.15;
@@ -115,14 +101,12 @@ ErrorBound bound_of(const double relative)
 }
 
 /** Levels, and what is said about them as a study. */
-struct Study
-{
+struct Study {
   Checks &checks;
   Demands demands = {1e-10, 0.2, 0.};
   std::vector<LevelRecord> levels = three_levels();
 
-  void is(const Outcome outcome, const std::vector<std::string> &parts = {})
-  {
+  void is(const Outcome outcome, const std::vector<std::string> &parts = {}) {
     const StudyVerdict verdict = Judge(demands).verdict(levels);
     checks.about(parts.empty() ? verdict.accuracy : parts[0]);
     checks.that("outcome", verdict.outcome == outcome);
@@ -135,8 +119,7 @@ constexpr Outcome solved = Outcome::equations_certified, certified = Outcome::ce
                   coarse = Outcome::not_resolved, bad = Outcome::not_certified;
 
 /** From the last cause to the first, likewise. */
-void studies(Checks &checks)
-{
+void studies(Checks &checks) {
   Study study = {checks};
   std::vector<LevelRecord> &levels = study.levels;
   study.is(solved, {"there is no bound"});
@@ -152,9 +135,8 @@ void studies(Checks &checks)
   levels[1].estimate->relative = 0.1;
   // A bound of 19 % does not exclude locking, one of 2 % does.
   levels[2].locking_number = 0.5;
-  study.is(
-    coarse,
-    {"The body is nearly incompressible", "level 4: K/mu (h/l)^2 = 0.5, allowed: at most 0.25;"});
+  study.is(coarse, {"The body is nearly incompressible",
+                    "level 4: K/mu (h/l)^2 = 0.5, allowed: at most 0.25;"});
   levels[2].bound = bound_of(0.19);
   study.is(coarse, {"The body is nearly incompressible"});
   levels[2].bound->relative = 0.02;
@@ -173,8 +155,7 @@ void studies(Checks &checks)
 }
 
 /** A bound decides where there is one, and the message names what dominates it. */
-void errors(Checks &checks)
-{
+void errors(Checks &checks) {
   Study study = {checks};
   LevelRecord &level = study.levels[2];
   level.bound = bound_of(0.2);
@@ -190,15 +171,13 @@ void errors(Checks &checks)
   level.bound->relative = 0.05;
   study.demands.target_error = 0.04;
   study.is(coarse, {"The target error is not reached"});
-  checks.that("reaches_target",
-              !Judge(study.demands).reaches_target(level) &&
-                Judge({1e-10, 0.2, 0.06}).reaches_target(level));
+  checks.that("reaches_target", !Judge(study.demands).reaches_target(level) &&
+                                  Judge({1e-10, 0.2, 0.06}).reaches_target(level));
 }
 
 /** Whatever number judges: above Tolerated error nothing is resolved, and below it an aim that the
  * user has not set condemns nothing. */
-void estimates(Checks &checks)
-{
+void estimates(Checks &checks) {
   Study study = {checks, {1e-10, 0.02, 1e-4}};
   study.demands.target_is_given = false;
   study.demands.can_be_graded = true;
@@ -228,14 +207,10 @@ void estimates(Checks &checks)
 }
 
 /** The energy must be known to 2.5 times the square of the tolerated error: 10 % of |J|. */
-void energies(Checks &checks)
-{
+void energies(Checks &checks) {
   using Bracket = std::pair<double, double>;
-  const auto check = [&](const double energy,
-                         const Bracket &bracket,
-                         const Bracket &before,
-                         const Outcome outcome,
-                         const std::string &reason = "") {
+  const auto check = [&](const double energy, const Bracket &bracket, const Bracket &before,
+                         const Outcome outcome, const std::string &reason = "") {
     Study study = {checks};
     LevelRecord &level = study.levels[2], &other = study.levels[1];
     level.certificate.energy = energy;
@@ -254,7 +229,6 @@ void energies(Checks &checks)
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({residuals, bounds, doubts, studies, errors, estimates, energies});
 }

@@ -11,36 +11,28 @@
 
 using namespace Signorini;
 
-namespace
-{
-LevelSolution<2> solve(const double S)
-{
+namespace {
+LevelSolution<2> solve(const double S) {
   std::ostringstream number;
   number << std::fixed << S;
-  return OneLevel("",
-                  4,
-                  {"Material/Young's modulus=1000",
-                   "Boundary/Contact=bottom",
+  return OneLevel("", 4,
+                  {"Material/Young's modulus=1000", "Boundary/Contact=bottom",
                    "Boundary/Displacement=top: 0; " + number.str() + " - 0.01",
-                   "Contact/Gap=0.02*x - 0.005 - " + number.str(),
-                   "Discretization/Finest level=4",
+                   "Contact/Gap=0.02*x - 0.005 - " + number.str(), "Discretization/Finest level=4",
                    "Output/Inf-sup constant=false"})
     .solve();
 }
 
-void test_translations(Checks &checks)
-{
+void test_translations(Checks &checks) {
   const Judge judge({1e-10, 0.2, 0.});
   const LevelSolution<2> unmoved = solve(0.);
   const LevelRecord &still = unmoved.record;
   checks.that("S = 0 is accepted", judge.accepts(still));
-  for (const double S : {1., 1e4, 1e8, 1e14})
-  {
+  for (const double S : {1., 1e4, 1e8, 1e14}) {
     checks.about("S = " + std::to_string(S));
     const LevelSolution<2> moved = solve(S);
     const LevelRecord &record = moved.record;
-    if (!judge.accepts(record))
-    {
+    if (!judge.accepts(record)) {
       checks.that("refused only if it is large", S > 1e4);
       checks.that("the translation is named",
                   judge.doubt(record).find("moved as a whole") != std::string::npos);
@@ -57,7 +49,6 @@ void test_translations(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {test_translations});
 }

@@ -7,37 +7,29 @@
 #include <stdexcept>
 
 /** Hands out columns of a matrix and remembers which: what was asked for once is kept. */
-class ColumnsOnDemand final : public Signorini::DenseCompliance
-{
+class ColumnsOnDemand final : public Signorini::DenseCompliance {
 public:
   explicit ColumnsOnDemand(const Matrix &from)
     : DenseCompliance(Matrix(from.m(), from.n()))
-    , from_(from)
-  {
-  }
+    , from_(from) {}
 
-  Vector diagonal() const override
-  {
+  Vector diagonal() const override {
     throw std::logic_error("the whole diagonal costs all columns");
   }
-  const Matrix &dense() const override
-  {
+  const Matrix &dense() const override {
     throw std::logic_error("all of C costs all columns");
   }
-  bool is_explicit() const override
-  {
+  bool is_explicit() const override {
     return false;
   }
 
   /** In ascending order. */
-  const std::set<unsigned int> &asked() const
-  {
+  const std::set<unsigned int> &asked() const {
     return asked_;
   }
 
 private:
-  void require(const Indices &numbers) const override
-  {
+  void require(const Indices &numbers) const override {
     for (const unsigned int j : numbers)
       if (asked_.insert(j).second)
         for (unsigned int i = 0; i < size(); ++i)

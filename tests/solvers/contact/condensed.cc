@@ -11,17 +11,14 @@
 
 using namespace Signorini;
 
-namespace
-{
-double relative_distance(const dealii::FullMatrix<double> &a, const dealii::FullMatrix<double> &b)
-{
+namespace {
+double relative_distance(const dealii::FullMatrix<double> &a, const dealii::FullMatrix<double> &b) {
   dealii::FullMatrix<double> difference(a);
   difference.add(-1., b);
   return difference.linfty_norm() / b.linfty_norm();
 }
 
-double asymmetry(const dealii::FullMatrix<double> &C)
-{
+double asymmetry(const dealii::FullMatrix<double> &C) {
   double largest = 0.;
   for (unsigned int i = 0; i < C.m(); ++i)
     for (unsigned int j = 0; j < i; ++j)
@@ -30,12 +27,8 @@ double asymmetry(const dealii::FullMatrix<double> &C)
 }
 
 /** The same matrix by all solvers. */
-void compare(Checks &checks,
-             const std::string &name,
-             const OneLevel &level,
-             const dealii::TrilinosWrappers::SparseMatrix &A,
-             const double unit)
-{
+void compare(Checks &checks, const std::string &name, const OneLevel &level,
+             const dealii::TrilinosWrappers::SparseMatrix &A, const double unit) {
   checks.about(name);
   double seconds = 0.;
   const auto compliance = [&](const StiffnessInverse &inverse) {
@@ -47,8 +40,7 @@ void compare(Checks &checks,
   const auto C = compliance(*condensed);
   checks.that("no solve", condensed->n_solves() == 0);
   checks.near("symmetric", asymmetry(C), 0., 0.);
-  for (const LinearSolver solver : {LinearSolver::amesos_klu, LinearSolver::amesos_mumps})
-  {
+  for (const LinearSolver solver : {LinearSolver::amesos_klu, LinearSolver::amesos_mumps}) {
     const auto inverse = factorise(A, unit, solver);
     const std::string other = to_text(solver);
     checks.near("C as by " + other, relative_distance(C, compliance(*inverse)), 0., 1e-12);
@@ -59,8 +51,8 @@ void compare(Checks &checks,
   checks.near("C by solves with CHOLMOD", relative_distance(compliance(*plain), C), 0., 1e-12);
 }
 
-void compare(Checks &checks, const std::string &name, const std::string &text, const unsigned int n)
-{
+void compare(Checks &checks, const std::string &name, const std::string &text,
+             const unsigned int n) {
   const OneLevel level(text, n);
   const LinearSystem<2> system = assemble_linear_system(level.space(), level.scene, 2);
   compare(checks, name + ", A", level, system.matrix, system.unit);
@@ -69,8 +61,7 @@ void compare(Checks &checks, const std::string &name, const std::string &text, c
 }
 
 /** The interface of C with one solve per column that is asked for, and not one more. */
-void columns_on_demand(Checks &checks)
-{
+void columns_on_demand(Checks &checks) {
   const OneLevel level("Boundary/Clamped = top\nBoundary/Contact = bottom left\n"
                        "Material/Young's modulus = 40\n",
                        4);
@@ -90,21 +81,18 @@ void columns_on_demand(Checks &checks)
   few[m - 3] = -0.25;
   C.vmult(product, few);
   const auto all = RandomNumbers(4).vector(m);
-  for (const LinearSolver solver : {LinearSolver::condensed, LinearSolver::amesos_mumps})
-  {
+  for (const LinearSolver solver : {LinearSolver::condensed, LinearSolver::amesos_mumps}) {
     checks.about("columns by " + std::string(to_text(solver)));
     const auto inverse = factorise(system.matrix, system.unit, solver);
     unsigned int n_done = 0;
-    const ColumnCompliance by_columns(
-      *inverse, D, seconds, [&](const unsigned int n) { n_done = n; });
+    const ColumnCompliance by_columns(*inverse, D, seconds,
+                                      [&](const unsigned int n) { n_done = n; });
     checks.that("size", by_columns.size() == m && !by_columns.is_explicit());
-    checks.near(
-      "C P for two pressing patches", distance(by_columns.apply(few), product), 0., 1e-12 * size);
-    checks.that("two solves", inverse->n_solves() == 2 && n_done == 2);
-    checks.near("C_kk P_k",
-                distance(by_columns.diagonal_times(few), known->diagonal_times(few)),
-                0.,
+    checks.near("C P for two pressing patches", distance(by_columns.apply(few), product), 0.,
                 1e-12 * size);
+    checks.that("two solves", inverse->n_solves() == 2 && n_done == 2);
+    checks.near("C_kk P_k", distance(by_columns.diagonal_times(few), known->diagonal_times(few)),
+                0., 1e-12 * size);
     checks.that("no further solve", inverse->n_solves() == 2);
     const dealii::FullMatrix<double> two = by_columns.columns({m - 3, 5});
     double largest = 0.;
@@ -117,13 +105,12 @@ void columns_on_demand(Checks &checks)
     checks.near("a block",
                 std::abs(block(0, 0) - C(2, 2)) + std::abs(block(1, 1) - C(5, 5)) +
                   std::abs(block(0, 1) - C(2, 5)) + std::abs(block(1, 0) - C(5, 2)),
-                0.,
-                1e-12 * size);
+                0., 1e-12 * size);
     checks.near("diagonal", distance(by_columns.diagonal(), known->diagonal()), 0., 1e-12 * size);
     checks.near("all of C", relative_distance(by_columns.dense(), C), 0., 1e-12);
     checks.near("symmetric", asymmetry(by_columns.dense()), 0., 0.);
-    checks.near(
-      "C P for all patches", distance(by_columns.apply(all), known->apply(all)), 0., 1e-12 * size);
+    checks.near("C P for all patches", distance(by_columns.apply(all), known->apply(all)), 0.,
+                1e-12 * size);
     checks.that("a solve per column and no more",
                 inverse->n_solves() == m && n_done == m && by_columns.is_explicit());
   }
@@ -131,11 +118,9 @@ void columns_on_demand(Checks &checks)
 
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(
-    argc,
-    argv,
+    argc, argv,
     {columns_on_demand, [](Checks &checks) {
        const std::string pentagon =
          "Geometry/Shape = polygon\nGeometry/Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\n";
@@ -146,8 +131,7 @@ int main(int argc, char **argv)
                         "Discretization/Patches = 5\nGeometry/Distortion = 0.2\n",
                         3U),
              std::tuple("contact all around",
-                        "Boundary/Contact = bottom left top\nBoundary/Clamped = right\n",
-                        3U),
+                        "Boundary/Contact = bottom left top\nBoundary/Clamped = right\n", 3U),
              std::tuple("rollers and prescribed displacements, H = h",
                         "Boundary/Rollers = left right\nBoundary/Displacement = top: 0; -0.1\n"
                         "Boundary/Contact = bottom\nDiscretization/Patch ratio = 1\n",

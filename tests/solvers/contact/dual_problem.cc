@@ -13,37 +13,26 @@
 using namespace Signorini;
 using dealii::Point;
 
-namespace
-{
+namespace {
 /** lambda = mu = 1 in plane strain. */
 const std::string elastic = "subsection Material\nset Young's modulus = 2.5\n"
                             "set Poisson's ratio = 0.25\nend\n";
 
-struct DualProblem
-{
+struct DualProblem {
   DualProblem(const std::string &text, const unsigned int number)
     : level(text + elastic, number)
     , system(assemble_linear_system(level.space(), level.scene, 3))
     , inverse(factorise(system.matrix, system.unit, LinearSolver::automatic))
-    , C(make_compliance(*inverse,
-                        level.discretization.condensed_D,
-                        seconds,
+    , C(make_compliance(*inverse, level.discretization.condensed_D, seconds,
                         [&](const unsigned int done) { n_columns_done = done; })
           ->dense())
-    , free(solve_free_state(*inverse,
-                            level.space(),
-                            system.f,
-                            level.discretization.D,
-                            level.discretization.G))
-  {
-  }
+    , free(solve_free_state(*inverse, level.space(), system.f, level.discretization.D,
+                            level.discretization.G)) {}
 
-  Displacement recover(const dealii::Vector<double> &P, const DistributedVector &f) const
-  {
+  Displacement recover(const dealii::Vector<double> &P, const DistributedVector &f) const {
     return recover_displacement(*inverse, level.space(), level.discretization.condensed_D, P, f);
   }
-  dealii::Vector<double> transpose_product(const Displacement &U) const
-  {
+  dealii::Vector<double> transpose_product(const Displacement &U) const {
     return level.discretization.D.transpose_product(U);
   }
 
@@ -57,8 +46,7 @@ struct DualProblem
 };
 
 /** a(u_h, v) = f(v) + [p, Bv] for all admissible v, also with prescribed displacements. */
-void equilibrium(Checks &checks, const std::string &name, const DualProblem &problem)
-{
+void equilibrium(Checks &checks, const std::string &name, const DualProblem &problem) {
   checks.about(name);
   const auto &space = problem.level.space();
   const auto P = RandomNumbers(8).vector(problem.C.m());
@@ -69,8 +57,7 @@ void equilibrium(Checks &checks, const std::string &name, const DualProblem &pro
   for (unsigned int tau = 0; tau < P.size(); ++tau)
     for (const auto &entry : problem.level.discretization.D.column(tau))
       residual[entry.first] -= entry.second * P[tau];
-  for (const auto &line : space.constraints().get_lines())
-  {
+  for (const auto &line : space.constraints().get_lines()) {
     for (const auto &entry : line.entries)
       residual[entry.first] += entry.second * residual[line.index];
     residual[line.index] = 0.;
@@ -86,13 +73,11 @@ void equilibrium(Checks &checks, const std::string &name, const DualProblem &pro
   checks.near("C P - F = D^T U - G", distance(W, opening), 0., 1e-12);
 }
 
-std::string square(const std::string &boundary, const std::string &more)
-{
+std::string square(const std::string &boundary, const std::string &more) {
   return "subsection Boundary\nset Contact = bottom\n" + boundary + "end\n" + more;
 }
 
-void general(Checks &checks)
-{
+void general(Checks &checks) {
   const std::string load = "Load/Body force = 1; x - 2*y\n"
                            "Contact/Gap = 0.1*x^2\n";
   for (const auto &[name, text] : std::vector<std::pair<std::string, std::string>>{
@@ -105,8 +90,7 @@ void general(Checks &checks)
          {"oblique roller",
           "Geometry/Shape = polygon\nGeometry/Vertices = 0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1\n"
           "Boundary/Contact = side0 side2\nBoundary/Rollers = side1\nBoundary/Clamped = side3\n" +
-            load}})
-  {
+            load}}) {
     const DualProblem problem(text, 3);
     equilibrium(checks, name, problem);
     checks.that(name + ": progress up to the last column, timed",
@@ -116,19 +100,15 @@ void general(Checks &checks)
 }
 
 /** Bars between rollers: u_n = p h/(lambda + 2 mu) under a uniform pressure p. */
-void bars(Checks &checks)
-{
+void bars(Checks &checks) {
   const std::string between_rollers = "set Rollers = left right\nset Clamped = top\n";
   const std::string one = "Discretization/Patches = 1\n";
   for (const unsigned int number : {1U, 3U})
     checks.near("bar, one patch, level " + std::to_string(number),
-                DualProblem(square(between_rollers, one), number).C(0, 0),
-                1. / 3.,
-                1e-14);
+                DualProblem(square(between_rollers, one), number).C(0, 0), 1. / 3., 1e-14);
   checks.near("bar, distorted mesh",
               DualProblem(square(between_rollers, one + "Geometry/Distortion = 0.3\n"), 3).C(0, 0),
-              1. / 3.,
-              1e-14);
+              1. / 3., 1e-14);
   // The sides have the length sqrt(5): C = 5/(lambda + 2 mu).
   const DualProblem rotated(
     "subsection Geometry\nset Shape = polygon\n"
@@ -139,8 +119,7 @@ void bars(Checks &checks)
   checks.near("rotated bar", rotated.C(0, 0), 5. / 3., 1e-13);
 
   // Pressure one on all patches: (C e)_tau = |tau| h/(lambda + 2 mu).
-  for (const std::string partition : {"Patch ratio = 3", "Patches = 5"})
-  {
+  for (const std::string partition : {"Patch ratio = 3", "Patches = 5"}) {
     const DualProblem bar(
       square(between_rollers, "subsection Discretization\nset " + partition + "\nend\n"), 3);
     const unsigned int m = bar.C.m();
@@ -161,7 +140,6 @@ void bars(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {general, bars});
 }

@@ -16,14 +16,12 @@ using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 using Numbers = std::vector<double>;
 
-namespace
-{
+namespace {
 /**
  * A rigid beam on springs of compliance c at the places x, with gaps below it. q_0 is its way down,
  * q_1 its rotation: B_i = (1, x_i). It is loaded with the force N at the place e.
  */
-struct Beam
-{
+struct Beam {
   Numbers x;
   double c = 1.;
   double N = 1.;
@@ -31,24 +29,20 @@ struct Beam
   Numbers gap = {};
 };
 
-Vector gaps_of(const Beam &beam)
-{
+Vector gaps_of(const Beam &beam) {
   return beam.gap.empty() ? Vector(beam.x.size()) : Vector(beam.gap.begin(), beam.gap.end());
 }
 
-std::shared_ptr<const ComplianceOperator> compliance_of(const Beam &beam)
-{
+std::shared_ptr<const ComplianceOperator> compliance_of(const Beam &beam) {
   Matrix C(beam.x.size(), beam.x.size());
   for (unsigned int i = 0; i < beam.x.size(); ++i)
     C(i, i) = beam.c;
   return std::make_shared<const DenseCompliance>(C);
 }
 
-FreeMotions motions_of(const Beam &beam)
-{
+FreeMotions motions_of(const Beam &beam) {
   FreeMotions motions{Matrix(beam.x.size(), 2), Matrix(2, 2), Vector(2)};
-  for (unsigned int i = 0; i < beam.x.size(); ++i)
-  {
+  for (unsigned int i = 0; i < beam.x.size(); ++i) {
     motions.B(i, 0) = 1.;
     motions.B(i, 1) = beam.x[i];
   }
@@ -57,15 +51,13 @@ FreeMotions motions_of(const Beam &beam)
   return motions;
 }
 
-DualSolverOptions options_for(const ContactSolver method)
-{
+DualSolverOptions options_for(const ContactSolver method) {
   DualSolverOptions options;
   options.method = method;
   return options;
 }
 
-double distance(const Vector &found, const Numbers &expected)
-{
+double distance(const Vector &found, const Numbers &expected) {
   double largest = std::abs(static_cast<double>(found.size()) - expected.size());
   for (unsigned int i = 0; i < found.size() && i < expected.size(); ++i)
     largest = std::max(largest, std::abs(found[i] - expected[i]));
@@ -73,20 +65,14 @@ double distance(const Vector &found, const Numbers &expected)
 }
 
 /** Both methods; q is compared unless it is empty. */
-void compare(Checks &checks,
-             const std::string &name,
-             const Beam &beam,
-             const FreeMotions &motions,
-             const Numbers &P,
-             const Numbers &q)
-{
-  for (const ContactSolver method : {ContactSolver::active_set, ContactSolver::psor})
-  {
+void compare(Checks &checks, const std::string &name, const Beam &beam, const FreeMotions &motions,
+             const Numbers &P, const Numbers &q) {
+  for (const ContactSolver method : {ContactSolver::active_set, ContactSolver::psor}) {
     const bool sweeps = method == ContactSolver::psor;
     const std::string full = name + (sweeps ? ", psor" : ", active set");
     const double tolerance = sweeps ? 1e-8 : 1e-11;
-    const MotionResult found = solve_dual_problem(
-      compliance_of(beam), gaps_of(beam), motions, Vector(), options_for(method));
+    const MotionResult found = solve_dual_problem(compliance_of(beam), gaps_of(beam), motions,
+                                                  Vector(), options_for(method));
     checks.near(full + ": P", distance(found.qp.P, P), 0., tolerance);
     if (!q.empty())
       checks.near(full + ": q", distance(found.q, q), 0., tolerance);
@@ -94,26 +80,20 @@ void compare(Checks &checks,
   }
 }
 
-void compare(Checks &checks,
-             const std::string &name,
-             const Beam &beam,
-             const Numbers &P,
-             const Numbers &q)
-{
+void compare(Checks &checks, const std::string &name, const Beam &beam, const Numbers &P,
+             const Numbers &q) {
   compare(checks, name, beam, motions_of(beam), P, q);
 }
 
-MotionResult solve(const Beam &beam, const FreeMotions &motions)
-{
-  return solve_dual_problem(
-    compliance_of(beam), gaps_of(beam), motions, Vector(), DualSolverOptions());
+MotionResult solve(const Beam &beam, const FreeMotions &motions) {
+  return solve_dual_problem(compliance_of(beam), gaps_of(beam), motions, Vector(),
+                            DualSolverOptions());
 }
 
-void balanced_beams(Checks &checks)
-{
+void balanced_beams(Checks &checks) {
   compare(checks, "two springs", {{-1, 1}, 2., 3., 0.5}, {-0.75, -2.25}, {3., 1.5});
-  compare(
-    checks, "two springs, a gap", {{-1, 1}, 2., 3., 0.5, {4., 0.}}, {-0.75, -2.25}, {5., -0.5});
+  compare(checks, "two springs, a gap", {{-1, 1}, 2., 3., 0.5, {4., 0.}}, {-0.75, -2.25},
+          {5., -0.5});
   // R = N/n + N e x/sum x^2 while that is positive.
   const Numbers x = {-2, -1, 0, 1, 2};
   compare(checks, "inside the kern", {x, 1., 10., 0.5}, {-1., -1.5, -2., -2.5, -3.}, {2., 0.5});
@@ -129,8 +109,7 @@ void balanced_beams(Checks &checks)
   compare(checks, "no load, gaps", {{-1, 1}, 1., 0., 0., {1., 2.}}, {0., 0.}, {0., 0.});
 }
 
-void translations(Checks &checks)
-{
+void translations(Checks &checks) {
   // sum (q - gap_i)_+/c = N.
   const Beam beam{{0, 0, 0}, 0.5, 3., 0., {0., 1., 5.}};
   FreeMotions motions{Matrix(3, 1), Matrix(1, 1), Vector(1)};
@@ -153,17 +132,14 @@ void translations(Checks &checks)
 }
 
 /** The escape v opens everywhere and gains work; relative to its size. */
-bool escapes(const MotionResult &found, const FreeMotions &motions)
-{
+bool escapes(const MotionResult &found, const FreeMotions &motions) {
   if (!found.escape || found.qp.converged || found.qp.P.linfty_norm() > 0.)
     return false;
   const Vector &v = *found.escape;
   bool opens = true;
-  for (unsigned int i = 0; i < motions.B.m(); ++i)
-  {
+  for (unsigned int i = 0; i < motions.B.m(); ++i) {
     double rate = 0., size = 0.;
-    for (unsigned int j = 0; j < v.size(); ++j)
-    {
+    for (unsigned int j = 0; j < v.size(); ++j) {
       rate += motions.B(i, j) * v[j];
       size += std::abs(motions.B(i, j) * v[j]);
     }
@@ -172,16 +148,13 @@ bool escapes(const MotionResult &found, const FreeMotions &motions)
   return opens && motions.b * v > 0.;
 }
 
-void escaping_beams(Checks &checks)
-{
+void escaping_beams(Checks &checks) {
   const Numbers x = {-2, -1, 0, 1, 2};
   const Beam tipping{x, 1., 12., 2.5};
   MotionResult found = solve(tipping, motions_of(tipping));
   checks.that("tipping", escapes(found, motions_of(tipping)));
   checks.near("tipping about the last spring",
-              found.escape ? (*found.escape)[0] + 2. * (*found.escape)[1] : 1.,
-              0.,
-              1e-12);
+              found.escape ? (*found.escape)[0] + 2. * (*found.escape)[1] : 1., 0., 1e-12);
   const Beam just{x, 1., 12., 2. + 1e-6};
   checks.that("tipping, just", escapes(solve(just, motions_of(just)), motions_of(just)));
   const Beam hardly{x, 1., 12., 2. + 1e-12};
@@ -204,14 +177,12 @@ void escaping_beams(Checks &checks)
   checks.that("lifted against springs", solve(tipping, moment).qp.converged);
 }
 
-void unseen_motions(Checks &checks)
-{
+void unseen_motions(Checks &checks) {
   // q_2 slides, and so does what q_0 + q_1 do together less q_3.
   const Beam beam{{-1, 1}, 2., 3., 0.5};
   const FreeMotions two = motions_of(beam);
   FreeMotions motions{Matrix(2, 4), Matrix(4, 4), Vector(4)};
-  for (unsigned int i = 0; i < 2; ++i)
-  {
+  for (unsigned int i = 0; i < 2; ++i) {
     motions.B(i, 0) = 1.;
     motions.B(i, 1) = beam.x[i];
     motions.B(i, 2) = 1e-17 * beam.x[i];
@@ -244,8 +215,7 @@ void unseen_motions(Checks &checks)
   checks.near("one unseen motion", found.unseen.size(), 1., 0.);
 }
 
-void empty_problems(Checks &checks)
-{
+void empty_problems(Checks &checks) {
   const Beam beam{{-1, 1}, 2., 3., 0., {-1., 1.}};
   const MotionResult held = solve(beam, FreeMotions());
   checks.near("no motions", distance(held.qp.P, {-0.5, 0.}), 0., 1e-14);
@@ -269,7 +239,6 @@ void empty_problems(Checks &checks)
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({balanced_beams, translations, escaping_beams, unseen_motions, empty_problems});
 }

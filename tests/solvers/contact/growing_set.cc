@@ -15,21 +15,15 @@ using namespace Signorini;
 using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 
-namespace
-{
-QPResult by_active_set(const BoundConstrainedQP &qp, const Vector &start)
-{
+namespace {
+QPResult by_active_set(const BoundConstrainedQP &qp, const Vector &start) {
   return solve_by_active_set(qp, start, IterationOptions());
 }
 
 /** Solves with columns on demand and compares with the whole matrix. @return the columns asked for.
  */
-unsigned int compare(Checks &checks,
-                     const std::string &name,
-                     const Matrix &C,
-                     const Vector &F,
-                     const Vector &start)
-{
+unsigned int compare(Checks &checks, const std::string &name, const Matrix &C, const Vector &F,
+                     const Vector &start) {
   const BoundConstrainedQP qp(C, F);
   const QPResult whole = by_active_set(qp, Vector());
   // solve_dual_problem() sees that columns are expensive.
@@ -48,8 +42,7 @@ unsigned int compare(Checks &checks,
 }
 
 /** Like a compliance: positive definite, entries that decay away from the diagonal. */
-Matrix make_compliance(const unsigned int m)
-{
+Matrix make_compliance(const unsigned int m) {
   Matrix C(m, m);
   for (unsigned int i = 0; i < m; ++i)
     for (unsigned int j = 0; j < m; ++j)
@@ -58,27 +51,25 @@ Matrix make_compliance(const unsigned int m)
 }
 
 /** solve_dual_problem() by both methods, and where C is singular. */
-void choice(Checks &checks, const Matrix &C, const Vector &F)
-{
+void choice(Checks &checks, const Matrix &C, const Vector &F) {
   const unsigned int m = F.size();
   DualSolverOptions psor;
   psor.method = ContactSolver::psor;
   const auto by = [](const Matrix &matrix, const Vector &load, const DualSolverOptions &options) {
-    return solve_dual_problem(
-      std::make_shared<const DenseCompliance>(matrix), load, Vector(), options);
+    return solve_dual_problem(std::make_shared<const DenseCompliance>(matrix), load, Vector(),
+                              options);
   };
   const QPResult sets = by(C, F, DualSolverOptions()), sweeps = by(C, F, psor);
   Vector difference = sets.P;
   difference -= sweeps.P;
   checks.near("both methods", difference.linfty_norm(), 0., 1e-8);
-  checks.that("the one that was chosen",
-              sets.increment_iterations == 0 && sweeps.increment_iterations > 0 &&
-                !sets.active_set_failure && !sweeps.active_set_failure);
+  checks.that("the one that was chosen", sets.increment_iterations == 0 &&
+                                           sweeps.increment_iterations > 0 &&
+                                           !sets.active_set_failure && !sweeps.active_set_failure);
   // All entries 1: only the sum of P is known, and it is -1.
   Matrix ones(m, m);
   Vector load(m);
-  for (unsigned int i = 0; i < m; ++i)
-  {
+  for (unsigned int i = 0; i < m; ++i) {
     load[i] = -1.;
     for (unsigned int j = 0; j < m; ++j)
       ones(i, j) = 1.;
@@ -93,8 +84,7 @@ void choice(Checks &checks, const Matrix &C, const Vector &F)
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({[](Checks &checks) {
     const unsigned int m = 40;
     const Matrix C = make_compliance(m);
@@ -122,13 +112,9 @@ int main()
     checks.between("patches that join: columns", joined, 5, m - 5);
 
     RandomNumbers random(7);
-    for (unsigned int k = 0; k < 20; ++k)
-    {
+    for (unsigned int k = 0; k < 20; ++k) {
       const Vector shifted = random.vector(m);
-      compare(checks,
-              "random " + std::to_string(k),
-              C,
-              shifted,
+      compare(checks, "random " + std::to_string(k), C, shifted,
               k % 2 == 0 ? Vector() : random.vector(m));
     }
 

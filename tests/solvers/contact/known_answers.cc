@@ -12,10 +12,8 @@
 
 using namespace Signorini;
 
-namespace
-{
-struct Problem
-{
+namespace {
+struct Problem {
   std::string name;
   std::vector<std::vector<double>> C;
   std::vector<double> F;
@@ -31,32 +29,27 @@ const std::vector<Problem> problems = {
   {"middle opens", {{4, 3, 1}, {3, 5, 3}, {1, 3, 4}}, {-5, -5, -5}, {-1, 0, -1}},
   {"all press", {{3, 1, 0}, {1, 3, 1}, {0, 1, 3}}, {-4, -5, -4}, {-1, -1, -1}}};
 
-BoundConstrainedQP make_qp(const Problem &problem, const AdmissibleSet &K)
-{
+BoundConstrainedQP make_qp(const Problem &problem, const AdmissibleSet &K) {
   const unsigned int m = problem.F.size();
   dealii::FullMatrix<double> C(m, m);
   for (unsigned int i = 0; i < m; ++i)
     for (unsigned int j = 0; j < m; ++j)
       C(i, j) = problem.C[i][j];
   return BoundConstrainedQP(std::make_shared<const DenseCompliance>(C),
-                            dealii::Vector<double>(problem.F.begin(), problem.F.end()),
-                            K);
+                            dealii::Vector<double>(problem.F.begin(), problem.F.end()), K);
 }
 
-BoundConstrainedQP make_qp(const Problem &problem)
-{
+BoundConstrainedQP make_qp(const Problem &problem) {
   return make_qp(problem, AdmissibleSet::nonpositive(problem.F.size()));
 }
 
-void solve(const Problem &problem, const BoundConstrainedQP &qp, Checks &checks)
-{
+void solve(const Problem &problem, const BoundConstrainedQP &qp, Checks &checks) {
   const dealii::Vector<double> zero(qp.size());
   for (const auto &[method, result, tolerance] :
        {std::tuple("psor", solve_by_psor(qp, zero, {1e-12, 1000, 1.1}), 1e-10),
         std::tuple("active set", solve_by_active_set(qp, {}, {1e-12, 100}), 1e-14),
         std::tuple("active set from zero", solve_by_active_set(qp, zero, {1e-12, 100}), 1e-14),
-        std::tuple("mprgp", solve_by_mprgp(qp, {}, {1e-12, 1000}), 1e-10)})
-  {
+        std::tuple("mprgp", solve_by_mprgp(qp, {}, {1e-12, 1000}), 1e-10)}) {
     checks.about(problem.name + ", " + method);
     checks.near("P", std::vector<double>(result.P.begin(), result.P.end()), problem.P, tolerance);
     checks.that("converged", result.converged);
@@ -70,15 +63,12 @@ const std::vector<Problem> two_components = {{"sticks", {{2, 1}, {1, 2}}, {-1.5,
                                              {"opens", {{2, 1}, {1, 2}}, {2, 4}, {0, 1}}};
 
 /** The energy falls in every sweep for every omega in (0, 2). */
-void descend(const Problem &problem, Checks &checks)
-{
+void descend(const Problem &problem, Checks &checks) {
   const BoundConstrainedQP qp = make_qp(problem);
   bool falls = true;
-  for (const double omega : {0.02, 0.5, 1., 1.5, 1.99})
-  {
+  for (const double omega : {0.02, 0.5, 1., 1.5, 1.99}) {
     dealii::Vector<double> P(qp.size());
-    for (unsigned int sweep = 0; sweep < 50; ++sweep)
-    {
+    for (unsigned int sweep = 0; sweep < 50; ++sweep) {
       const double before = qp.energy(P);
       psor_sweep(qp, omega, P);
       falls = falls && qp.energy(P) <= before + 1e-14;
@@ -88,11 +78,9 @@ void descend(const Problem &problem, Checks &checks)
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({[](Checks &checks) {
-    for (const Problem &problem : problems)
-    {
+    for (const Problem &problem : problems) {
       solve(problem, make_qp(problem), checks);
       descend(problem, checks);
     }

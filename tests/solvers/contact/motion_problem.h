@@ -6,18 +6,15 @@
 #include <memory>
 
 /** A dual problem with free motions. */
-struct MotionProblem
-{
+struct MotionProblem {
   dealii::FullMatrix<double> C;
   dealii::Vector<double> F;
   Signorini::FreeMotions motions;
 
-  unsigned int m() const
-  {
+  unsigned int m() const {
     return F.size();
   }
-  unsigned int k() const
-  {
+  unsigned int k() const {
     return motions.b.size();
   }
 };
@@ -25,21 +22,16 @@ struct MotionProblem
 inline Signorini::MotionResult
 solve(const MotionProblem &problem,
       const Signorini::ContactSolver method = Signorini::ContactSolver::active_set,
-      const dealii::Vector<double> &start = {})
-{
+      const dealii::Vector<double> &start = {}) {
   Signorini::DualSolverOptions options;
   options.method = method;
   return Signorini::solve_dual_problem(
-    std::make_shared<const Signorini::DenseCompliance>(problem.C),
-    problem.F,
-    problem.motions,
-    start,
-    options);
+    std::make_shared<const Signorini::DenseCompliance>(problem.C), problem.F, problem.motions,
+    start, options);
 }
 
 /** max |a_i - b_i|. */
-inline double difference(dealii::Vector<double> a, const dealii::Vector<double> &b)
-{
+inline double difference(dealii::Vector<double> a, const dealii::Vector<double> &b) {
   a -= b;
   return a.linfty_norm();
 }

@@ -16,15 +16,12 @@ using namespace Signorini;
 using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 
-namespace
-{
+namespace {
 /** A parabola, pressed by a force at the place e, that may rotate. */
-MotionProblem
-indenter(const unsigned int m, const double curvature, const double force, const double e)
-{
+MotionProblem indenter(const unsigned int m, const double curvature, const double force,
+                       const double e) {
   MotionProblem problem{logarithmic_kernel(m), Vector(m), {Matrix(m, 2), Matrix(2, 2), Vector(2)}};
-  for (unsigned int i = 0; i < m; ++i)
-  {
+  for (unsigned int i = 0; i < m; ++i) {
     const double x = (i + 0.5) / m - 0.5;
     problem.F[i] = curvature * x * x / m;
     problem.motions.B(i, 0) = 1. / m;
@@ -35,11 +32,9 @@ indenter(const unsigned int m, const double curvature, const double force, const
   return problem;
 }
 
-void indenters(Checks &checks)
-{
+void indenters(Checks &checks) {
   for (const double e : {0., 0.1, 0.3})
-    for (const double curvature : {0., 50., 2000.})
-    {
+    for (const double curvature : {0., 50., 2000.}) {
       const unsigned int m = 128;
       const MotionProblem problem = indenter(m, curvature, 1., e);
       const MotionResult found = solve(problem);
@@ -51,18 +46,14 @@ void indenters(Checks &checks)
       const auto C = std::make_shared<const DenseCompliance>(problem.C);
       const QPResult held = solve_dual_problem(C, F, Vector(), DualSolverOptions());
       checks.that("indenter: converged", found.qp.converged);
-      checks.near("indenter: the held one has the same P",
-                  difference(held.P, found.qp.P),
-                  0.,
+      checks.near("indenter: the held one has the same P", difference(held.P, found.qp.P), 0.,
                   1e-9 * held.P.linfty_norm());
       checks.near("indenter: force", found.qp.P.mean_value(), -1., 1e-11);
       checks.between("indenter: linear solves", found.qp.iterations, 1., 2. * held.iterations + 6.);
       const auto columns = std::make_shared<const ColumnsOnDemand>(problem.C);
       const MotionResult few =
         solve_dual_problem(columns, problem.F, problem.motions, Vector(), DualSolverOptions());
-      checks.near("indenter: columns on demand",
-                  difference(few.qp.P, found.qp.P),
-                  0.,
+      checks.near("indenter: columns on demand", difference(few.qp.P, found.qp.P), 0.,
                   1e-9 * held.P.linfty_norm());
       unsigned int pressing = 0;
       for (const double P_i : found.qp.P)
@@ -71,19 +62,17 @@ void indenters(Checks &checks)
       const MotionResult warm = solve(problem, ContactSolver::active_set, found.qp.P);
       checks.that("indenter: its own start costs one solve", warm.qp.iterations == 1);
       const MotionResult sweeps = solve(problem, ContactSolver::psor);
-      checks.near(
-        "indenter: psor", difference(sweeps.qp.P, found.qp.P), 0., 1e-6 * held.P.linfty_norm());
+      checks.near("indenter: psor", difference(sweeps.qp.P, found.qp.P), 0.,
+                  1e-6 * held.P.linfty_norm());
     }
 }
 
 /** Two patches at each place: only the sum of their pressures is known. */
-void singular_compliance(Checks &checks)
-{
+void singular_compliance(Checks &checks) {
   const unsigned int m = 10;
   const MotionProblem single = indenter(m, 10., 1., 0.05);
   MotionProblem twice = indenter(2 * m, 0., 1., 0.05);
-  for (unsigned int i = 0; i < 2 * m; ++i)
-  {
+  for (unsigned int i = 0; i < 2 * m; ++i) {
     twice.F[i] = single.F[i / 2];
     for (unsigned int j = 0; j < 2; ++j)
       twice.motions.B(i, j) = single.motions.B(i / 2, j);
@@ -93,11 +82,8 @@ void singular_compliance(Checks &checks)
   DualSolverOptions options;
   options.may_be_singular = true;
   const auto by = [&](const MotionProblem &problem) {
-    return solve_dual_problem(std::make_shared<const DenseCompliance>(problem.C),
-                              problem.F,
-                              problem.motions,
-                              Vector(),
-                              options);
+    return solve_dual_problem(std::make_shared<const DenseCompliance>(problem.C), problem.F,
+                              problem.motions, Vector(), options);
   };
   const MotionResult found = by(twice), expected = by(single);
   Vector sums(m);
@@ -112,7 +98,6 @@ void singular_compliance(Checks &checks)
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({indenters, singular_compliance});
 }

@@ -15,21 +15,16 @@ using namespace Signorini;
 using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 
-namespace
-{
+namespace {
 /** b = K q - B^T P for some P <= 0, so that there is a solution. */
-MotionProblem random_problem(const unsigned int m,
-                             const unsigned int k,
-                             const unsigned int n_springs,
-                             RandomNumbers &random)
-{
+MotionProblem random_problem(const unsigned int m, const unsigned int k,
+                             const unsigned int n_springs, RandomNumbers &random) {
   MotionProblem problem{
     random_matrix(m, random), random.vector(m), {Matrix(m, k), Matrix(k, k), Vector(k)}};
   for (unsigned int i = 0; i < m; ++i)
     for (unsigned int j = 0; j < k; ++j)
       problem.motions.B(i, j) = j == 0 ? 1.5 + random() : 2. * random();
-  for (unsigned int s = 0; s < n_springs; ++s)
-  {
+  for (unsigned int s = 0; s < n_springs; ++s) {
     const Vector v = random.vector(k);
     for (unsigned int i = 0; i < k; ++i)
       for (unsigned int j = 0; j < k; ++j)
@@ -39,8 +34,7 @@ MotionProblem random_problem(const unsigned int m,
   for (double &P_i : P)
     P_i = std::min(P_i, 0.);
   const Vector q = random.vector(k);
-  for (unsigned int j = 0; j < k; ++j)
-  {
+  for (unsigned int j = 0; j < k; ++j) {
     for (unsigned int i = 0; i < m; ++i)
       problem.motions.b[j] -= problem.motions.B(i, j) * P[i];
     for (unsigned int i = 0; i < k; ++i)
@@ -50,20 +44,17 @@ MotionProblem random_problem(const unsigned int m,
 }
 
 /** The worst violation of all conditions. */
-double violation(const MotionProblem &problem, const Vector &P, const Vector &q)
-{
+double violation(const MotionProblem &problem, const Vector &P, const Vector &q) {
   Vector W(problem.m());
   problem.C.vmult(W, P);
   double worst = 0.;
-  for (unsigned int i = 0; i < problem.m(); ++i)
-  {
+  for (unsigned int i = 0; i < problem.m(); ++i) {
     W[i] -= problem.F[i];
     for (unsigned int j = 0; j < problem.k(); ++j)
       W[i] += problem.motions.B(i, j) * q[j];
     worst = std::max({worst, P[i], W[i], std::abs(P[i] * W[i])});
   }
-  for (unsigned int j = 0; j < problem.k(); ++j)
-  {
+  for (unsigned int j = 0; j < problem.k(); ++j) {
     double r = -problem.motions.b[j];
     for (unsigned int i = 0; i < problem.m(); ++i)
       r -= problem.motions.B(i, j) * P[i];
@@ -76,24 +67,20 @@ double violation(const MotionProblem &problem, const Vector &P, const Vector &q)
 
 /** Up to three motions, as of a body in 2-D, and six, as in 3-D: a pressure and motions that
  * satisfy all conditions are the solution. */
-void random_problems(Checks &checks)
-{
+void random_problems(Checks &checks) {
   RandomNumbers random(11);
   for (const unsigned int m : {1U, 2U, 5U, 8U, 20U})
     for (const unsigned int k : {1U, 2U, 3U, 6U})
       for (unsigned int springs = 0; springs <= std::min(k, 3U); ++springs)
-        for (unsigned int repeat = 0; repeat < 4; ++repeat)
-        {
+        for (unsigned int repeat = 0; repeat < 4; ++repeat) {
           const MotionProblem problem = random_problem(m, k, springs, random);
           const MotionResult sets = solve(problem), sweeps = solve(problem, ContactSolver::psor),
                              warm = solve(problem, ContactSolver::active_set, random.vector(m));
           const double scale = std::pow(1. + sets.qp.P.linfty_norm() + sets.q.linfty_norm(), 2);
-          for (const MotionResult *found : {&sets, &sweeps, &warm})
-          {
+          for (const MotionResult *found : {&sets, &sweeps, &warm}) {
             checks.that("random problems: converged", found->qp.converged);
             checks.near(found == &sweeps ? "random problems: psor" : "random problems: active set",
-                        violation(problem, found->qp.P, found->q) / scale,
-                        0.,
+                        violation(problem, found->qp.P, found->q) / scale, 0.,
                         found == &sweeps ? 1e-8 : 1e-11);
           }
         }
@@ -102,13 +89,11 @@ void random_problems(Checks &checks)
 /** A nearly rigid disc on a plane: its motion closes gaps that are far larger than what its own
  * compliance can close. Patches lie around the disc of radius one above the plane y = -1, which is
  * tilted by a little. */
-MotionProblem disc(const unsigned int m, const double softness, const double direction)
-{
+MotionProblem disc(const unsigned int m, const double softness, const double direction) {
   constexpr double tilt = 0.09;
   MotionProblem problem{Matrix(m, m), Vector(m), {Matrix(m, 2), Matrix(2, 2), Vector(2)}};
   const double pi = std::acos(-1.);
-  for (unsigned int i = 0; i < m; ++i)
-  {
+  for (unsigned int i = 0; i < m; ++i) {
     const double angle = 2. * pi * (i + 0.5) / m - pi;
     problem.motions.B(i, 0) = std::sin(angle);
     problem.motions.B(i, 1) = -std::cos(angle);
@@ -123,12 +108,10 @@ MotionProblem disc(const unsigned int m, const double softness, const double dir
   return problem;
 }
 
-void nearly_rigid(Checks &checks)
-{
+void nearly_rigid(Checks &checks) {
   for (const double softness : {1e-1, 1e-3, 1e-5, 1e-7})
     for (const double direction : {-0.3, 0.01, 0.25, 0.7})
-      for (const bool is_far : {false, true})
-      {
+      for (const bool is_far : {false, true}) {
         const MotionProblem problem = disc(24, softness, direction);
         Vector far(is_far ? 24 : 0);
         if (is_far)
@@ -142,11 +125,9 @@ void nearly_rigid(Checks &checks)
 }
 
 /** Whether b is a nonnegative combination of k rows of B. */
-bool is_in_cone(const FreeMotions &motions)
-{
+bool is_in_cone(const FreeMotions &motions) {
   const unsigned int m = motions.B.m(), k = motions.b.size();
-  for (unsigned int set = 0; set < (1U << m); ++set)
-  {
+  for (unsigned int set = 0; set < (1U << m); ++set) {
     std::vector<unsigned int> rows;
     for (unsigned int i = 0; i < m; ++i)
       if (((set >> i) & 1U) == 1)
@@ -166,15 +147,13 @@ bool is_in_cone(const FreeMotions &motions)
   return false;
 }
 
-void escapes(Checks &checks)
-{
+void escapes(Checks &checks) {
   RandomNumbers random(5);
   unsigned int right = 0, n_escapes = 0, all = 0;
   double opening = 0.;
   for (const unsigned int m : {4U, 7U})
     for (unsigned int k = 2; k <= 3; ++k)
-      for (unsigned int repeat = 0; repeat < 50; ++repeat, ++all)
-      {
+      for (unsigned int repeat = 0; repeat < 50; ++repeat, ++all) {
         MotionProblem problem = random_problem(m, k, 0, random);
         problem.motions.b = random.vector(k);
         problem.motions.b[0] += 1.;
@@ -184,8 +163,7 @@ void escapes(Checks &checks)
         if (!found.escape)
           continue;
         ++n_escapes;
-        for (unsigned int i = 0; i < m; ++i)
-        {
+        for (unsigned int i = 0; i < m; ++i) {
           double rate = 0.;
           for (unsigned int l = 0; l < k; ++l)
             rate += problem.motions.B(i, l) * (*found.escape)[l];
@@ -199,18 +177,15 @@ void escapes(Checks &checks)
 }
 
 /** Lengths times the given factor, forces times another one; rotations keep their unit. */
-void units(Checks &checks)
-{
+void units(Checks &checks) {
   RandomNumbers random(3);
   for (const double length : {1e-9, 1., 1e9})
-    for (const double force : {1e-9, 1e9})
-    {
+    for (const double force : {1e-9, 1e9}) {
       const MotionProblem problem = random_problem(8, 3, 1, random);
       MotionProblem scaled = problem;
       scaled.C *= length / force;
       scaled.F *= length;
-      for (unsigned int j = 0; j < 3; ++j)
-      {
+      for (unsigned int j = 0; j < 3; ++j) {
         const double unit = j == 2 ? length : 1.; // of a row of B: length per unit of q_j
         for (unsigned int i = 0; i < 8; ++i)
           scaled.motions.B(i, j) *= unit;
@@ -236,7 +211,6 @@ void units(Checks &checks)
 
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({random_problems, nearly_rigid, escapes, units});
 }

@@ -11,11 +11,9 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** The norm of doc/formulas.md on a segment has omega_0 = 1. */
-void series(Checks &checks)
-{
+void series(Checks &checks) {
   constexpr unsigned int n = 12;
   constexpr double length = 1.7;
   const CosineGrid grid({n, 1}, {length, 0.}, 1.);
@@ -30,8 +28,7 @@ void series(Checks &checks)
   checks.near("Gram matrix of the spectral norm", largest / gram(0, 0), 0., 1e-4);
 }
 
-void products(Checks &checks)
-{
+void products(Checks &checks) {
   RandomNumbers random(1);
   const CosineGrid grid({5, 7}, {1., 2.}, 0.5);
   const dealii::Vector<double> P = random.vector(35);
@@ -44,8 +41,7 @@ void products(Checks &checks)
     grid.apply(y, x, inverse);
     return y;
   };
-  const auto expect = [&](const std::string &name,
-                          dealii::Vector<double> found,
+  const auto expect = [&](const std::string &name, dealii::Vector<double> found,
                           const dealii::Vector<double> &expected) {
     found -= expected;
     checks.near(name, found.linfty_norm() / expected.linfty_norm(), 0., 1e-13);
@@ -60,7 +56,6 @@ void products(Checks &checks)
 
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({series, products});
 }

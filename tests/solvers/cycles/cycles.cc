@@ -9,12 +9,10 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** Contact takes few V-cycles more than a linear solve with its pressure, and no MINRES. */
 template <int dim>
-void compare(Checks &checks, const std::string &name, const Iterated<dim> &iterated)
-{
+void compare(Checks &checks, const std::string &name, const Iterated<dim> &iterated) {
   checks.about(name);
   ContactIterationOptions options;
   options.tolerance = 1e-8;
@@ -41,16 +39,13 @@ end
 )";
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(
     argc, argv, {[](Checks &checks) {
-      for (unsigned int level = 4; level < 8; ++level)
-      {
+      for (unsigned int level = 4; level < 8; ++level) {
         const OneLevel problem(block, level);
         const Discretization<2> &d = problem.discretization;
-        compare(checks,
-                "plane, level " + std::to_string(level),
+        compare(checks, "plane, level " + std::to_string(level),
                 Iterated<2>(d.space, problem.scene, d.multipliers, d.D, d.condensed_D, d.G));
       }
       Scene<3> scene = make_box_scene(
@@ -60,11 +55,9 @@ int main(int argc, char **argv)
         field([](const auto &) { return Vector3(); }));
       for (const char *side : {"left", "right", "front", "back"})
         scene.boundary[scene.geometry.find_side(side)].role = Role::free;
-      for (unsigned int level = 3; level < 6; ++level)
-      {
+      for (unsigned int level = 3; level < 6; ++level) {
         const Box box(scene, level, 2);
-        compare(checks,
-                "cube, n = " + std::to_string(1U << level),
+        compare(checks, "cube, n = " + std::to_string(1U << level),
                 Iterated<3>(box.space, scene, box.multipliers, box.D, box.condensed_D, box.G));
       }
     }});

@@ -12,13 +12,10 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 template <int dim>
 dealii::FullMatrix<double> compliance_of(const DisplacementSpace<dim> &space,
-                                         const Scene<dim> &scene,
-                                         const Coupling &condensed_D)
-{
+                                         const Scene<dim> &scene, const Coupling &condensed_D) {
   const LinearSystem<dim> system = assemble_linear_system(space, scene, 2);
   const auto inverse =
     factorise(system.matrix, system.unit, LinearSolver::condensed, contact_unknowns(condensed_D));
@@ -26,20 +23,14 @@ dealii::FullMatrix<double> compliance_of(const DisplacementSpace<dim> &space,
   return make_compliance(*inverse, condensed_D, seconds)->dense();
 }
 
-std::string body(const std::string &geometry, const std::string &boundary)
-{
+std::string body(const std::string &geometry, const std::string &boundary) {
   return "subsection Geometry\n" + geometry + "\nend\nsubsection Boundary\n" + boundary +
          "\nend\nsubsection Contact\n set Gap = 0\nend\n";
 }
 
-enum class Model
-{
-  chosen,
-  kernel
-};
+enum class Model { chosen, kernel };
 
-Spectrum measure(const std::string &text, const unsigned int level, const Model model)
-{
+Spectrum measure(const std::string &text, const unsigned int level, const Model model) {
   const OneLevel problem(text, level);
   const auto C = compliance_of(problem.space(), problem.scene, problem.discretization.condensed_D);
   const auto C_hat = model == Model::kernel ? make_kernel_model(problem.multipliers())
@@ -47,8 +38,7 @@ Spectrum measure(const std::string &text, const unsigned int level, const Model 
   return spectrum(C_hat->dense(), C);
 }
 
-Spectrum measure(const Scene<3> &scene, const unsigned int level, const Model model)
-{
+Spectrum measure(const Scene<3> &scene, const unsigned int level, const Model model) {
   const Box box(scene, level, 2);
   const auto C = compliance_of(box.space, scene, box.condensed_D);
   const auto C_hat = model == Model::kernel ? make_kernel_model(box.multipliers)
@@ -59,65 +49,43 @@ Spectrum measure(const Scene<3> &scene, const unsigned int level, const Model mo
 /** Conditions on three levels: below a limit, and the last step's growth, which is that of a
  * logarithm where contact ends at a corner. */
 template <typename Body>
-void flat(Checks &checks,
-          const std::string &name,
-          const Body &text_or_scene,
-          const unsigned int coarsest,
-          const Model model,
-          const double limit,
-          const double growth = 1.2)
-{
+void flat(Checks &checks, const std::string &name, const Body &text_or_scene,
+          const unsigned int coarsest, const Model model, const double limit,
+          const double growth = 1.2) {
   Spectrum before = {1., 1.};
-  for (unsigned int level = coarsest; level < coarsest + 3; ++level)
-  {
+  for (unsigned int level = coarsest; level < coarsest + 3; ++level) {
     const Spectrum now = measure(text_or_scene, level, model);
     checks.between(name + ", level " + std::to_string(level), now.condition(), 1., limit);
     // The kernel has its moduli right: no factor of size is left.
     checks.between(name + ", largest", now.largest, 0.7, 4.);
     if (level == coarsest + 2)
-      checks.between(
-        name + ", growth of the last step", now.condition() / before.condition(), 0.8, growth);
+      checks.between(name + ", growth of the last step", now.condition() / before.condition(), 0.8,
+                     growth);
     before = now;
   }
 }
 
-void in_the_plane(Checks &checks)
-{
+void in_the_plane(Checks &checks) {
   const std::string held = " set Clamped = top\n set Contact = bottom";
   const std::string square = " set Upper right = 1, 1";
   flat(checks, "square", body(square, held), 4, Model::chosen, 3.);
   flat(checks, "square, kernel", body(square, held), 4, Model::kernel, 4.4);
-  flat(checks,
-       "square, two sides",
-       body(square, " set Clamped = top\n set Contact = bottom, right"),
-       4,
-       Model::chosen,
-       31.,
+  flat(checks, "square, two sides",
+       body(square, " set Clamped = top\n set Contact = bottom, right"), 4, Model::chosen, 31.,
        1.3);
-  flat(
-    checks, "distorted square: kernel", body(" set Distortion = 0.2", held), 3, Model::chosen, 5.);
-  flat(checks,
-       "modulus that grows tenfold along the side",
-       body(square, held) + "Material/Young's modulus = 10^x\n",
-       4,
-       Model::chosen,
+  flat(checks, "distorted square: kernel", body(" set Distortion = 0.2", held), 3, Model::chosen,
        5.);
-  flat(checks,
-       "half disc: kernel",
-       body(" set Shape = half disc", " set Clamped = flat\n set Contact = arc"),
-       3,
-       Model::chosen,
+  flat(checks, "modulus that grows tenfold along the side",
+       body(square, held) + "Material/Young's modulus = 10^x\n", 4, Model::chosen, 5.);
+  flat(checks, "half disc: kernel",
+       body(" set Shape = half disc", " set Clamped = flat\n set Contact = arc"), 3, Model::chosen,
        7.5);
-  flat(checks,
-       "ring: kernel",
-       body(" set Shape = ring", " set Clamped = outer\n set Contact = inner"),
-       2,
-       Model::chosen,
+  flat(checks, "ring: kernel",
+       body(" set Shape = ring", " set Clamped = outer\n set Contact = inner"), 2, Model::chosen,
        12.5);
 }
 
-void in_space(Checks &checks)
-{
+void in_space(Checks &checks) {
   Scene<3> scene = make_box_scene(scalar([](const auto &) { return 0.; }),
                                   field([](const auto &) { return Vector3(); }));
   flat(checks, "box between rollers", scene, 2, Model::chosen, 2.);
@@ -131,7 +99,6 @@ void in_space(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {in_the_plane, in_space});
 }

@@ -8,20 +8,15 @@
 
 /** What the iteration needs of a level. */
 template <int dim>
-struct Iterated
-{
-  Iterated(const Signorini::DisplacementSpace<dim> &space_,
-           const Signorini::Scene<dim> &scene,
-           const Signorini::MultiplierSpace<dim> &multipliers,
-           const Signorini::Coupling &D,
-           const Signorini::Coupling &condensed_D,
-           const dealii::Vector<double> &G)
+struct Iterated {
+  Iterated(const Signorini::DisplacementSpace<dim> &space_, const Signorini::Scene<dim> &scene,
+           const Signorini::MultiplierSpace<dim> &multipliers, const Signorini::Coupling &D,
+           const Signorini::Coupling &condensed_D, const dealii::Vector<double> &G)
     : space(space_)
     , A(space, scene)
     , gap(G)
     , model(make_boundary_model(multipliers))
-    , contact{A, f, condensed_D, gap, *model}
-  {
+    , contact{A, f, condensed_D, gap, *model} {
     // f = T^T (loads - a(k, .)), and the gap that k leaves.
     const Signorini::Displacement k = space.prescribed(scene);
     Signorini::DualVector r = space.dual(assemble_right_hand_side(space, scene, 2).loads);
@@ -33,14 +28,12 @@ struct Iterated
   Iterated(const Iterated &) = delete;
 
   Signorini::ContactIterationResult
-  solve(const Signorini::ContactIterationOptions &options = {}) const
-  {
-    return solve_contact_by_cycles(
-      contact, dealii::Vector<double>(A.size()), dealii::Vector<double>(gap.size()), options);
+  solve(const Signorini::ContactIterationOptions &options = {}) const {
+    return solve_contact_by_cycles(contact, dealii::Vector<double>(A.size()),
+                                   dealii::Vector<double>(gap.size()), options);
   }
   /** U = T U_free + k. */
-  Signorini::Displacement complete(const dealii::Vector<double> &U_free) const
-  {
+  Signorini::Displacement complete(const dealii::Vector<double> &U_free) const {
     Signorini::DistributedVector free = space.make_vector();
     for (unsigned int i = 0; i < U_free.size(); ++i)
       free(i) = U_free[i];

@@ -6,17 +6,14 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 /** The extreme eigenvalues of B^{-1} C. */
-struct Spectrum
-{
+struct Spectrum {
   double smallest, largest;
-  double condition() const
-  {
+  double condition() const {
     return largest / smallest;
   }
 };
 
-inline Spectrum spectrum(const dealii::FullMatrix<double> &B, const dealii::FullMatrix<double> &C)
-{
+inline Spectrum spectrum(const dealii::FullMatrix<double> &B, const dealii::FullMatrix<double> &C) {
   dealii::LAPACKFullMatrix<double> C_copy(C.m(), C.n()), B_copy(B.m(), B.n());
   C_copy = C;
   B_copy = B;

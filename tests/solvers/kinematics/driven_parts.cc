@@ -13,12 +13,10 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** Own weight between rollers: p = -w for every E and nu, u = w ((1+nu)(1-2nu)/(E(1-nu)))
  * (y²/2 - y) - g. */
-void test_column(Checks &checks)
-{
+void test_column(Checks &checks) {
   const std::string text = "Constants/Values = E=7, nu=0.2, w=3\n"
                            "subsection Material\nset Young's modulus = E\nset Poisson's ratio = "
                            "nu\nend\n"
@@ -41,22 +39,19 @@ void test_column(Checks &checks)
 
 const std::string parabola = "0.5*(x-0.5)^2";
 
-std::string pressed(const std::string &plate, const std::string &loads, const std::string &g)
-{
+std::string pressed(const std::string &plate, const std::string &loads, const std::string &g) {
   return "Boundary/Contact = bottom\nBoundary/Plates = top: " + plate + "\n" + loads +
          "Contact/Gap = " + g;
 }
 
-std::string exactly(const double number)
-{
+std::string exactly(const double number) {
   std::ostringstream text;
   text << std::setprecision(17) << number;
   return text.str();
 }
 
 /** The travel that a force causes needs that force. */
-void test_force_and_travel(Checks &checks)
-{
+void test_force_and_travel(Checks &checks) {
   const StudyResult<2> by_force =
     solve(pressed("0, -1", "Load/Plate force = top: 0.05\n", parabola));
   const PlateRecord &plate = by_force.levels.back().motions.plates.at(0);
@@ -66,14 +61,11 @@ void test_force_and_travel(Checks &checks)
   const PlateRecord &same = by_travel.levels.back().motions.plates.at(0);
   checks.near("travel: the force", same.force, 0.05, 1e-11);
   checks.near("force and travel: pressures",
-              relative_distance(by_force.pressure.P, by_travel.pressure.P),
-              0.,
-              1e-9);
+              relative_distance(by_force.pressure.P, by_travel.pressure.P), 0., 1e-9);
   const double work = 0.05 * plate.motion.travel;
   checks.near("force and travel: energies differ by the work",
               by_force.levels.back().certificate.energy,
-              by_travel.levels.back().certificate.energy - work,
-              1e-12);
+              by_travel.levels.back().certificate.energy - work, 1e-12);
   const LevelRecord &finest = by_force.levels.back();
   checks.that("force: certified with a bound",
               by_force.verdict.outcome == Outcome::certified && finest.bound->energy_lower &&
@@ -82,8 +74,7 @@ void test_force_and_travel(Checks &checks)
 
 /** 0.5 (x - 0.4)² = 0.5 (x - 0.5)² + 0.1 (x - 0.5) + 0.005: the plate turns by -0.1 and travels by
  * 0.005 more, and nothing else changes. */
-void test_turning(Checks &checks)
-{
+void test_turning(Checks &checks) {
   const std::string loads = "Load/Plate force = top: 0.05\n";
   const StudyResult<2> straight = solve(pressed("0, -1 turning", loads, parabola));
   const StudyResult<2> tilted = solve(pressed("0, -1 turning", loads, "0.5*(x-0.4)^2"));
@@ -92,13 +83,12 @@ void test_turning(Checks &checks)
   checks.near("turning: symmetric", a.rotation, 0., 1e-10);
   checks.near("turning: rotation", b.rotation, -0.1, 1e-10);
   checks.near("turning: travel", b.travel - a.travel, 0.005, 1e-10);
-  checks.near(
-    "turning: pressures", relative_distance(tilted.pressure.P, straight.pressure.P), 0., 1e-8);
+  checks.near("turning: pressures", relative_distance(tilted.pressure.P, straight.pressure.P), 0.,
+              1e-8);
 }
 
 /** A bar with nu = 0, clamped on the left and pulled on the right: travel = F l/(E A). */
-void test_elastic_resistance(Checks &checks)
-{
+void test_elastic_resistance(Checks &checks) {
   const StudyResult<2> result = solve(
     "subsection Geometry\nset Upper right = 3, 1\nset Cells = 3, 1\nend\nsubsection "
     "Material\nset Young's modulus = 5\nset Poisson's ratio = 0\nend\n"
@@ -113,15 +103,14 @@ void test_elastic_resistance(Checks &checks)
 }
 
 /** The resultant of the pressure is that of the loads: F at the distance M/F from the middle. */
-void test_moment(Checks &checks)
-{
+void test_moment(Checks &checks) {
   const std::string loads = "Load/Plate force = top: 2\nLoad/Plate moment = top: 0\n";
   const auto with_moment = [&](const std::string &moment, const std::string &coarsest = "2") {
     return solve(pressed("0, -1 turning", loads, "0"),
                  {"Load/Plate moment=top: " + moment, "Discretization/Coarsest level=" + coarsest});
   };
-  checks.throws<InputError>(
-    "moment on a coarse mesh", "a finer coarsest level", [&]() { with_moment("0.6"); });
+  checks.throws<InputError>("moment on a coarse mesh", "a finer coarsest level",
+                            [&]() { with_moment("0.6"); });
   const LevelRecord record = with_moment("0.6", "4").levels.back();
   checks.near("moment: force", record.answer.contact_force.resultant.force[1], 2., 1e-10);
   // About (0.5, 0): the plate turns the body counter-clockwise, the foundation clockwise.
@@ -129,35 +118,31 @@ void test_moment(Checks &checks)
   checks.near("moment: contact moment", contact.moment[0] - 0.5 * contact.force[1], -0.6, 1e-10);
   checks.that("moment: part of the side has lifted",
               record.contact.active < record.sizes.multipliers);
-  checks.throws<InputError>(
-    "moment beyond the edge", "it tips over", [&]() { with_moment("1.1"); });
-  checks.throws<InputError>(
-    "moment beyond the other edge", "it tips over", [&]() { with_moment("-1.1"); });
+  checks.throws<InputError>("moment beyond the edge", "it tips over",
+                            [&]() { with_moment("1.1"); });
+  checks.throws<InputError>("moment beyond the other edge", "it tips over",
+                            [&]() { with_moment("-1.1"); });
 }
 
-void test_escapes(Checks &checks)
-{
+void test_escapes(Checks &checks) {
   checks.throws<InputError>("upwards", "along (0, 1), and no pressure", [&]() {
     solve(pressed("0, -1", "Load/Plate force = top: -1\n", "0"));
   });
   const std::string block = "Boundary/Contact = bottom\nBoundary/Traction = right: T; 0\n"
                             "Load/Body force = 0; -1\n";
-  checks.throws<InputError>("sideways",
-                            "the loads drive the translation along (1, 0) of the body",
+  checks.throws<InputError>("sideways", "the loads drive the translation along (1, 0) of the body",
                             [&]() { solve("Constants/Values = T=-0.01\n" + block); });
   const StudyResult<2> still = solve("Constants/Values = T=0\n" + block);
   const std::vector<std::string> &undetermined = still.levels.back().motions.undetermined;
   checks.that("at rest: sliding is undetermined, and said so",
               undetermined == std::vector<std::string>{"the translation along (1, 0)"} &&
                 still.verdict.outcome == Outcome::certified);
-  checks.throws<InputError>("no load", "no load presses it onto the foundation", [&]() {
-    solve("Boundary/Contact = bottom\n");
-  });
+  checks.throws<InputError>("no load", "no load presses it onto the foundation",
+                            [&]() { solve("Boundary/Contact = bottom\n"); });
 }
 
 /** Lengths times 1e3 and moduli times 1e9: the same answer in other units. */
-void test_units(Checks &checks)
-{
+void test_units(Checks &checks) {
   const auto in_matrix_units = [](const std::string &L, const std::string &E) {
     return solve("subsection Geometry\nset Upper right = " + L + ", " + L + "\nend\n" +
                    entry("Constants", "Values", "L=" + L) +
@@ -171,18 +156,15 @@ void test_units(Checks &checks)
   const LevelRecord b = in_matrix_units("1e3", "1e9").levels.back();
   checks.that("units: iterations", a.dual.iterations == b.dual.iterations);
   checks.near("units: travel",
-              b.motions.plates.at(0).motion.travel / a.motions.plates.at(0).motion.travel,
-              1e3,
+              b.motions.plates.at(0).motion.travel / a.motions.plates.at(0).motion.travel, 1e3,
               1e-6);
   checks.near("units: rotation",
-              b.motions.plates.at(0).motion.rotation / a.motions.plates.at(0).motion.rotation,
-              1.,
+              b.motions.plates.at(0).motion.rotation / a.motions.plates.at(0).motion.rotation, 1.,
               1e-9);
 }
 
 /** Graded meshes approach the same travel. */
-void test_graded(Checks &checks)
-{
+void test_graded(Checks &checks) {
   const std::string text = pressed("0, -1", "Load/Plate force = top: 0.05\n", parabola);
   const StudyResult<2> nested = solve(text, levels(3, 6));
   const StudyResult<2> graded =
@@ -192,15 +174,12 @@ void test_graded(Checks &checks)
   checks.near("graded: travel", a / b, 1., 2e-3);
   const ErrorBound &bound = *nested.levels.back().bound;
   checks.between("graded: energy between the bounds of nested levels",
-                 graded.levels.back().certificate.energy,
-                 *bound.energy_lower,
-                 *bound.energy_upper);
+                 graded.levels.back().certificate.energy, *bound.energy_lower, *bound.energy_upper);
   checks.that("graded: verdict", graded.verdict.outcome == Outcome::accuracy_estimated);
 }
 /** A cantilever whose tip a force presses onto a parabola: the exact energy lies between the bounds
  * of all meshes, small ones, too. */
-void test_bounds(Checks &checks)
-{
+void test_bounds(Checks &checks) {
   const std::string text =
     "subsection Geometry\nset Upper right = 3, 1\nset Cells = 3, 1\nend\n"
     "Boundary/Clamped = left\nBoundary/Contact = bottom\nBoundary/Plates = right: 0, -1 turning\n"
@@ -210,49 +189,41 @@ void test_bounds(Checks &checks)
     solve(text, {"Discretization/Strategy=hp", "Discretization/Target error=1e-5"})
       .levels.back()
       .certificate.energy;
-  for (const unsigned int level : {1, 2, 3, 4})
-  {
+  for (const unsigned int level : {1, 2, 3, 4}) {
     const ErrorBound bound = *solve(text, levels(level, level)).levels.back().bound;
-    checks.between("cantilever, level " + std::to_string(level) + ": energy",
-                   energy,
-                   *bound.energy_lower,
-                   *bound.energy_upper);
+    checks.between("cantilever, level " + std::to_string(level) + ": energy", energy,
+                   *bound.energy_lower, *bound.energy_upper);
   }
 }
 
 /** A disc on a table, held by its weight alone: its force is pi R² w, and it may roll. */
-void test_roller(Checks &checks)
-{
+void test_roller(Checks &checks) {
   const std::string text = "subsection Geometry\nset Shape = disc\nset Centre = 0, 1\nend\n"
                            "Boundary/Contact = arc\n"
                            "Load/Body force = 0; -0.01\n"
                            "Contact/Foundation = plane 0,0 normal 0,1\n";
   const double pi = std::acos(-1.);
-  for (const bool is_graded : {false, true})
-  {
+  for (const bool is_graded : {false, true}) {
     checks.about(is_graded ? "roller, hp" : "roller");
     const StudyResult<2> result =
-      solve(text,
-            is_graded ? std::vector<std::string>{"Discretization/Strategy=hp",
-                                                 "Discretization/Target error=1e-3"}
-                      : levels(3, 5));
+      solve(text, is_graded ? std::vector<std::string>{"Discretization/Strategy=hp",
+                                                       "Discretization/Target error=1e-3"}
+                            : levels(3, 5));
     const LevelRecord &finest = result.levels.back();
     const SideForce &contact = finest.answer.contact_force;
-    checks.near(
-      "force / weight", contact.resultant.force[1] / (0.01 * pi), 1., is_graded ? 1e-6 : 1e-2);
+    checks.near("force / weight", contact.resultant.force[1] / (0.01 * pi), 1.,
+                is_graded ? 1e-6 : 1e-2);
     checks.near("through its axis", (*contact.through)[0], 0., 1e-6);
     checks.near("symmetric zone",
                 finest.answer.zones.at(0).start.place.point[0] +
                   finest.answer.zones.at(0).end.place.point[0],
-                0.,
-                is_graded ? 1e-3 : 1e-7);
+                0., is_graded ? 1e-3 : 1e-7);
   }
 }
 
 /** A ring on a shaft that is larger by delta: Lame's p = delta E'/((b² + a²)/(b² - a²) + nu') for
  * a = 1, b = 2; a shaft beside the centre moves the ring there. */
-void test_interference(Checks &checks)
-{
+void test_interference(Checks &checks) {
   const auto fit = [](const std::string &g) {
     return solve(
       "subsection Geometry\nset Shape = ring\nset Inner radius = 1\nset Radius = 2\nend\n"
@@ -269,30 +240,18 @@ void test_interference(Checks &checks)
   checks.that("interference: verdict", ring.verdict.is_certified());
   const StudyResult<2> moved = fit("-0.001 - 0.0005*x");
   checks.near("interference: beside the centre",
-              relative_distance(moved.pressure.P, ring.pressure.P),
-              0.,
-              1e-8);
-  checks.throws<InputError>(
-    "interference that lifts the body off", "leaves the translation along (0, 1) free", [&]() {
-      solve("Boundary/Contact = bottom\n"
-            "Contact/Gap = -0.001\n");
-    });
+              relative_distance(moved.pressure.P, ring.pressure.P), 0., 1e-8);
+  checks.throws<InputError>("interference that lifts the body off",
+                            "leaves the translation along (0, 1) free", [&]() {
+                              solve("Boundary/Contact = bottom\n"
+                                    "Contact/Gap = -0.001\n");
+                            });
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
-  return run_tests(argc,
-                   argv,
-                   {test_column,
-                    test_force_and_travel,
-                    test_turning,
-                    test_elastic_resistance,
-                    test_moment,
-                    test_escapes,
-                    test_units,
-                    test_graded,
-                    test_bounds,
-                    test_roller,
+int main(int argc, char **argv) {
+  return run_tests(argc, argv,
+                   {test_column, test_force_and_travel, test_turning, test_elastic_resistance,
+                    test_moment, test_escapes, test_units, test_graded, test_bounds, test_roller,
                     test_interference});
 }

@@ -11,14 +11,12 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 constexpr Instructions all[] = {Instructions::basic, Instructions::avx2, Instructions::avx512};
 
 /** One block of n^dim cells. */
 template <int dim>
-std::shared_ptr<const BlockGrid<dim>> one_block(const unsigned int n)
-{
+std::shared_ptr<const BlockGrid<dim>> one_block(const unsigned int n) {
   return std::make_shared<const BlockGrid<dim>>(
     1, n, [n](const std::size_t cell, const unsigned int v) {
       std::size_t node = 0, stride = 1, rest = cell;
@@ -29,8 +27,7 @@ std::shared_ptr<const BlockGrid<dim>> one_block(const unsigned int n)
 }
 
 template <int components, typename Number>
-LevelVector<components, Number> random_values(const unsigned int n_nodes, RandomNumbers &random)
-{
+LevelVector<components, Number> random_values(const unsigned int n_nodes, RandomNumbers &random) {
   LevelVector<components, Number> values(n_nodes);
   for (int c = 0; c < components; ++c)
     for (unsigned int node = 0; node < n_nodes; ++node)
@@ -39,18 +36,15 @@ LevelVector<components, Number> random_values(const unsigned int n_nodes, Random
 }
 
 /** The entry (i, j) of a symmetric matrix by rows of its lower triangle. */
-unsigned int entry(const unsigned int i, const unsigned int j)
-{
+unsigned int entry(const unsigned int i, const unsigned int j) {
   return std::max(i, j) * (std::max(i, j) + 1) / 2 + std::min(i, j);
 }
 
 /** A shared matrix in the first batch, elsewhere one matrix for each cell, or integration over
  * cells whose nodes were moved a little. */
 template <int dim, typename Number>
-CellOperator<dim, Number> random_operator(const unsigned int n,
-                                          const bool integrated,
-                                          RandomNumbers &random)
-{
+CellOperator<dim, Number> random_operator(const unsigned int n, const bool integrated,
+                                          RandomNumbers &random) {
   CellOperator<dim, Number> K(one_block<dim>(n), 2);
   constexpr unsigned int n_dofs = CellOperator<dim, Number>::n_dofs;
   K.shared.resize(n_dofs * n_dofs);
@@ -58,8 +52,7 @@ CellOperator<dim, Number> random_operator(const unsigned int n,
     for (unsigned int j = 0; j <= i; ++j)
       K.shared[i * n_dofs + j] = K.shared[j * n_dofs + i] = static_cast<Number>(random());
   K.storage[0] = 0;
-  if (!integrated)
-  {
+  if (!integrated) {
     K.store_matrices();
     for (Number &value : K.stored)
       value = static_cast<Number>(random());
@@ -75,8 +68,7 @@ CellOperator<dim, Number> random_operator(const unsigned int n,
 }
 
 template <int dim, typename Number>
-void products(Checks &checks, const unsigned int n, const bool integrated, const double tolerance)
-{
+void products(Checks &checks, const unsigned int n, const bool integrated, const double tolerance) {
   RandomNumbers random(dim + n);
   const auto K = random_operator<dim, Number>(n, integrated, random);
   const BlockGrid<dim> &grid = *K.grid;
@@ -84,8 +76,7 @@ void products(Checks &checks, const unsigned int n, const bool integrated, const
   // K x by the entries of the matrices.
   LevelVector<dim, Number> expected(grid.n_nodes()), y(grid.n_nodes());
   std::vector<Number> buffer;
-  for (std::size_t cell = 0; cell < grid.n_cells; ++cell)
-  {
+  for (std::size_t cell = 0; cell < grid.n_cells; ++cell) {
     const Number *const K_cell = K.entries(cell / n_lanes, buffer) + cell % n_lanes;
     const auto nodes = grid.nodes(cell);
     for (unsigned int i = 0; i < K.n_dofs; ++i)
@@ -95,8 +86,7 @@ void products(Checks &checks, const unsigned int n, const bool integrated, const
   }
   double largest = 0.;
   for (const Instructions instructions : all)
-    if (instructions <= instructions_of_this_machine())
-    {
+    if (instructions <= instructions_of_this_machine()) {
       K.multiply(y, x, instructions);
       for (int c = 0; c < dim; ++c)
         for (unsigned int node = 0; node < grid.n_nodes(); ++node)
@@ -105,33 +95,27 @@ void products(Checks &checks, const unsigned int n, const bool integrated, const
   checks.near(std::string(integrated ? "integrated, " : "stored, ") + std::to_string(dim) +
                 "-D, rows of " + std::to_string(n) + ", " + std::to_string(sizeof(Number)) +
                 " bytes",
-              largest,
-              0.,
-              tolerance);
+              largest, 0., tolerance);
 }
 
 /** One step of the smoother, against that with basic instructions, which V-cycles are tested with.
  */
 template <int dim>
-void smoothing(Checks &checks)
-{
+void smoothing(Checks &checks) {
   RandomNumbers random(7);
   constexpr unsigned int n_nodes = 37;
   const auto values = [&]() { return random_values<dim, float>(n_nodes, random); };
   const auto x = values(), b = values(), y = values(), d = values();
   const auto B = random_values<dim *(dim + 1) / 2, float>(n_nodes, random);
-  for (const bool is_first : {false, true})
-  {
+  for (const bool is_first : {false, true}) {
     LevelVector<dim, float> basic_x(x), basic_d(d);
     SmootherStep<dim>{basic_x, basic_d, b, y, B, 0.3F, 0.7F, is_first}.run(Instructions::basic);
     for (const Instructions instructions : all)
-      if (instructions <= instructions_of_this_machine())
-      {
+      if (instructions <= instructions_of_this_machine()) {
         LevelVector<dim, float> new_x(x), new_d(d);
         SmootherStep<dim>{new_x, new_d, b, y, B, 0.3F, 0.7F, is_first}.run(instructions);
         for (unsigned int node = 0; node < n_nodes; ++node)
-          for (int c = 0; c < dim; ++c)
-          {
+          for (int c = 0; c < dim; ++c) {
             checks.near("smoothing: x", new_x[c][node], basic_x[c][node], 1e-6);
             checks.near("smoothing: d", new_d[c][node], basic_d[c][node], 1e-6);
           }
@@ -140,16 +124,13 @@ void smoothing(Checks &checks)
 }
 } // namespace
 
-int main()
-{
+int main() {
   return run_tests({[](Checks &checks) {
     for (const bool integrated : {false, true})
-      for (const unsigned int n : {2U, 8U, 16U, 32U})
-      {
+      for (const unsigned int n : {2U, 8U, 16U, 32U}) {
         products<2, float>(checks, n, integrated, 1e-4);
         products<2, double>(checks, n, integrated, 1e-13);
-        if (n == 2 || n == 16)
-        {
+        if (n == 2 || n == 16) {
           products<3, float>(checks, n, integrated, 1e-4);
           products<3, double>(checks, n, integrated, 1e-13);
         }

@@ -10,12 +10,10 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 /** |A x - y| / |A x| in the maximum norm, with y by the operator. */
 template <int dim>
-double distance_to_matrix(const HeldBody<dim> &body)
-{
+double distance_to_matrix(const HeldBody<dim> &body) {
   const LinearSystem<dim> system = assemble_linear_system(body.space, body.scene, 2);
   const dealii::Vector<double> x = body.random_vector(1);
   DistributedVector x_distributed = body.space.make_vector(), product = x_distributed;
@@ -32,8 +30,7 @@ double distance_to_matrix(const HeldBody<dim> &body)
 }
 
 template <int dim>
-void check_body(Checks &checks, const std::string &name, const HeldBody<dim> &body)
-{
+void check_body(Checks &checks, const std::string &name, const HeldBody<dim> &body) {
   checks.about(name);
   checks.near("A x", distance_to_matrix(body), 0., 1e-12);
   const dealii::Vector<double> a = body.random_vector(2), b = body.random_vector(3);
@@ -63,14 +60,12 @@ const std::string held = "Boundary/Clamped = top\nBoundary/Contact = bottom\n",
                   distorted = held + "Geometry/Distortion = 0.2\n";
 
 /** A body with its coarsest and its finest level. */
-struct Given
-{
+struct Given {
   std::string name, text;
   unsigned int coarsest, level;
 };
 
-void plane(Checks &checks)
-{
+void plane(Checks &checks) {
   std::vector<Given> bodies = {
     {"one level", held, 0, 1},
     {"rows of 8 cells", held, 3, 3},
@@ -80,51 +75,42 @@ void plane(Checks &checks)
     {"prescribed displacements",
      "Boundary/Rollers = left\nBoundary/Contact = bottom\n"
      "Boundary/Displacement = top: 0.1*x; -0.1\n",
-     4,
-     5},
+     4, 5},
     {"distorted", distorted, 2, 5},
     {"distorted last", distorted, 4, 4},
     {"held by contact alone", "Boundary/Contact = bottom\nLoad/Body force = 0; -1\n", 4, 4},
     {"varying modulus", held + "Material/Young's modulus = 1 + x^2 + sin(3*y)^2\n", 4, 4},
     {"modulus with a jump inside cells",
-     held + "Material/Young's modulus = if(x<0.3, 1, 10)\nDiscretization/Kinks at x = 0.3\n",
-     4,
-     4},
+     held + "Material/Young's modulus = if(x<0.3, 1, 10)\nDiscretization/Kinks at x = 0.3\n", 4, 4},
     {"varying and distorted", distorted + "Material/Young's modulus = 1 + x*y\n", 3, 4},
     {"oblique roller", pentagon + "Boundary/Rollers = side1, side3\n", 2, 5},
     {"two oblique rollers that meet", pentagon + "Boundary/Rollers = side1, side2\n", 2, 4},
     {"oblique parallelogram",
-     polygon + "Geometry/Vertices = 0,0; 2,0; 2.5,1; 0.5,1\nBoundary/Rollers = side1, side2\n",
-     0,
+     polygon + "Geometry/Vertices = 0,0; 2,0; 2.5,1; 0.5,1\nBoundary/Rollers = side1, side2\n", 0,
      5},
     {"disc on contact alone",
      "Geometry/Shape = disc\nGeometry/Radius = 1\nBoundary/Contact = arc\n"
      "Contact/Gap = 1 + y\nLoad/Body force = 0; -0.01\n",
-     2,
-     4}};
+     2, 4}};
   for (const std::string name : {"O1", "E1", "E2", "E3", "C4", "B1"})
     bodies.push_back({"scene " + name, named_scene(name), 2, 4});
   for (const Given &given : bodies)
-    check_body<2>(
-      checks, given.name, HeldBody<2>(scene_of(given.text), given.coarsest, given.level));
-  check_body<2>(
-    checks,
-    "B-bar",
-    HeldBody<2>(
-      scene_of(held + "Material/Poisson's ratio = 0.49\n"), 4, 4, StrainOperator::mean_dilatation));
+    check_body<2>(checks, given.name,
+                  HeldBody<2>(scene_of(given.text), given.coarsest, given.level));
+  check_body<2>(checks, "B-bar",
+                HeldBody<2>(scene_of(held + "Material/Poisson's ratio = 0.49\n"), 4, 4,
+                            StrainOperator::mean_dilatation));
 }
 
-Scene<3> box(const std::vector<unsigned int> &cells)
-{
-  Scene<3> scene = make_box_scene(scalar([](const auto &) { return 0.; }),
-                                  field([](const dealii::Point<3> &) { return Vector3(); }),
-                                  {1., 2., 1.});
+Scene<3> box(const std::vector<unsigned int> &cells) {
+  Scene<3> scene =
+    make_box_scene(scalar([](const auto &) { return 0.; }),
+                   field([](const dealii::Point<3> &) { return Vector3(); }), {1., 2., 1.});
   scene.geometry = make_box({0., 0., 0.}, {1., 2., 1.}, cells);
   return scene;
 }
 
-void boxes(Checks &checks)
-{
+void boxes(Checks &checks) {
   check_body<3>(checks, "box", HeldBody<3>(box({1, 1, 1}), 4, 4));
   check_body<3>(checks, "box of 12 blocks", HeldBody<3>(box({2, 3, 2}), 2, 2));
   Scene<3> distorted = box({1, 2, 1});
@@ -141,8 +127,8 @@ void boxes(Checks &checks)
     make_box_mesh(mesh);
     dealii::GridTools::transform(
       [](const dealii::Point<3> &x) {
-        return dealii::Point<3>(
-          x[0] + 0.3 * x[1], x[1] - 0.2 * x[0] + 0.1 * x[2], x[2] + 0.4 * x[0]);
+        return dealii::Point<3>(x[0] + 0.3 * x[1], x[1] - 0.2 * x[0] + 0.1 * x[2],
+                                x[2] + 0.4 * x[0]);
       },
       mesh);
   };
@@ -150,7 +136,6 @@ void boxes(Checks &checks)
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {plane, boxes});
 }

@@ -17,23 +17,18 @@
 
 /** Mesh, space and multigrid of a scene. */
 template <int dim>
-struct HeldBody
-{
-  HeldBody(Signorini::Scene<dim> given_scene,
-           const unsigned int coarsest_level,
+struct HeldBody {
+  HeldBody(Signorini::Scene<dim> given_scene, const unsigned int coarsest_level,
            const unsigned int level,
            const Signorini::StrainOperator strain = Signorini::StrainOperator::symmetric_gradient)
     : scene(std::move(given_scene))
     , mesh(scene.geometry, coarsest_level, level, MPI_COMM_WORLD)
     , space(mesh, scene, strain)
-    , multigrid(space, scene)
-  {
-  }
+    , multigrid(space, scene) {}
   HeldBody(const HeldBody &) = delete;
 
   /** Numbers without pattern at free degrees of freedom. */
-  dealii::Vector<double> random_vector(const unsigned int seed) const
-  {
+  dealii::Vector<double> random_vector(const unsigned int seed) const {
     dealii::Vector<double> values = RandomNumbers(seed).vector(space.dofs().n_dofs());
     space.constraints().set_zero(values);
     return values;
@@ -49,24 +44,18 @@ struct HeldBody
  * what it was; 500 if they fail. */
 inline unsigned int conjugate_gradients(const Signorini::StiffnessOperator &A,
                                         dealii::Vector<double> &x,
-                                        const dealii::Vector<double> &b)
-{
-  struct VCycle
-  {
+                                        const dealii::Vector<double> &b) {
+  struct VCycle {
     const Signorini::StiffnessOperator &A;
-    void vmult(dealii::Vector<double> &z, const dealii::Vector<double> &r) const
-    {
+    void vmult(dealii::Vector<double> &z, const dealii::Vector<double> &r) const {
       A.precondition(z, r);
     }
   };
   dealii::SolverControl control(500, 1e-8 * b.l2_norm());
   x = 0.;
-  try
-  {
+  try {
     dealii::SolverCG<dealii::Vector<double>>(control).solve(A, x, b, VCycle{A});
-  }
-  catch (const dealii::SolverControl::NoConvergence &)
-  {
+  } catch (const dealii::SolverControl::NoConvergence &) {
   }
   return control.last_step();
 }

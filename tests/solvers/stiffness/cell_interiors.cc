@@ -12,13 +12,11 @@
 
 using namespace Signorini;
 
-namespace
-{
+namespace {
 const std::string clamped = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
 
 /** b = A x is solved for x, for several right-hand sides; C does not depend on the solver. */
-void compare(Checks &checks, const std::string &name, const MeshPlan &plan)
-{
+void compare(Checks &checks, const std::string &name, const MeshPlan &plan) {
   checks.about(name);
   const GradedLevel level(clamped, plan);
   const auto A = std::move(assemble_linear_system(level.space(), level.scene, 3).matrix);
@@ -27,8 +25,7 @@ void compare(Checks &checks, const std::string &name, const MeshPlan &plan)
   const auto klu = factorise(A, 1., LinearSolver::amesos_klu);
   std::vector<DistributedVector> exact, b, x;
   double error = 0.;
-  for (const unsigned int seed : {1U, 2U, 3U})
-  {
+  for (const unsigned int seed : {1U, 2U, 3U}) {
     const dealii::Vector<double> values = RandomNumbers(seed).vector(A.m());
     exact.push_back(level.space().make_vector());
     std::copy(values.begin(), values.end(), exact.back().begin());
@@ -38,8 +35,7 @@ void compare(Checks &checks, const std::string &name, const MeshPlan &plan)
     A.vmult(b.back(), exact.back());
   }
   condensed->solve(x, b);
-  for (unsigned int k = 0; k < x.size(); ++k)
-  {
+  for (unsigned int k = 0; k < x.size(); ++k) {
     x[k] -= exact[k];
     error = std::max(error, x[k].linfty_norm());
   }
@@ -53,22 +49,19 @@ void compare(Checks &checks, const std::string &name, const MeshPlan &plan)
   checks.near("C", difference.linfty_norm() / C.linfty_norm(), 0., 1e-11);
 }
 
-void singular(Checks &checks, const unsigned int degree)
-{
+void singular(Checks &checks, const unsigned int degree) {
   GradedLevel level(clamped, uniform_plan(1, degree));
   for (auto &condition : level.scene.boundary)
     condition.role = Role::free;
-  const DisplacementSpace<2> space(
-    level.mesh(), level.scene, StrainOperator::symmetric_gradient, degree);
+  const DisplacementSpace<2> space(level.mesh(), level.scene, StrainOperator::symmetric_gradient,
+                                   degree);
   const auto A = std::move(assemble_linear_system(space, level.scene, 3).matrix);
-  checks.throws<ComputationError>("loose body, degree " + std::to_string(degree),
-                                  "singular",
+  checks.throws<ComputationError>("loose body, degree " + std::to_string(degree), "singular",
                                   [&]() { factorise(A, 1., LinearSolver::condensed); });
 }
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(argc, argv, {[](Checks &checks) {
                      for (const unsigned int degree : {2U, 3U, 4U, 6U, 9U})
                        compare(checks, "degree " + std::to_string(degree), uniform_plan(2, degree));

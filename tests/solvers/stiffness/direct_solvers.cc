@@ -12,34 +12,27 @@
 
 using namespace Signorini;
 
-namespace
-{
-bool one_rank()
-{
+namespace {
+bool one_rank() {
   return dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) == 1;
 }
 
-std::vector<LinearSolver> solvers()
-{
-  std::vector<LinearSolver> all = {
-    LinearSolver::automatic, LinearSolver::amesos_klu, LinearSolver::amesos_mumps};
+std::vector<LinearSolver> solvers() {
+  std::vector<LinearSolver> all = {LinearSolver::automatic, LinearSolver::amesos_klu,
+                                   LinearSolver::amesos_mumps};
   if (one_rank())
     all.push_back(LinearSolver::condensed);
   return all;
 }
 
-struct System
-{
+struct System {
   System(Scene<2> given_scene, const unsigned int level)
     : scene(std::move(given_scene))
     , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
     , space(mesh, scene)
-    , A(std::move(assemble_linear_system(space, scene, 3).matrix))
-  {
-  }
+    , A(std::move(assemble_linear_system(space, scene, 3).matrix)) {}
 
-  DistributedVector random_vector(const unsigned int seed) const
-  {
+  DistributedVector random_vector(const unsigned int seed) const {
     RandomNumbers random(seed);
     return random_rows(space, random);
   }
@@ -53,8 +46,7 @@ struct System
 const std::string clamped = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
 
 /** The same body with nothing that holds it. */
-Scene<2> loose()
-{
+Scene<2> loose() {
   Scene<2> scene = scene_of(clamped);
   for (auto &condition : scene.boundary)
     condition.role = Role::free;
@@ -62,21 +54,18 @@ Scene<2> loose()
 }
 
 /** Held against all motions but one. */
-Scene<2> sliding()
-{
+Scene<2> sliding() {
   Scene<2> scene = loose();
   scene.boundary[scene.geometry.find_side("left")].role = Role::roller;
   return scene;
 }
 
-void known_answers(Checks &checks)
-{
+void known_answers(Checks &checks) {
   const System system(scene_of(clamped), 3);
   const DistributedVector exact = system.random_vector(1);
   DistributedVector b = system.space.make_vector(), x = b;
   system.A.vmult(b, exact);
-  for (const LinearSolver solver : solvers())
-  {
+  for (const LinearSolver solver : solvers()) {
     checks.about(to_text(solver));
     const auto inverse = factorise(system.A, 4., solver);
     checks.that("no solve yet", inverse->n_solves() == 0);
@@ -92,14 +81,12 @@ void known_answers(Checks &checks)
 
 /** Whether two answers agree: bit by bit on one rank; on several ranks MUMPS adds contributions in
  * the order in which they arrive, and last digits differ. */
-bool same(const DistributedVector &a, const DistributedVector &b, const double tolerance)
-{
+bool same(const DistributedVector &a, const DistributedVector &b, const double tolerance) {
   return relative_distance(a, b) <= (one_rank() ? 0. : tolerance);
 }
 
 /** Loads as smooth and as rough as they come, very large and very small ones. */
-std::vector<DistributedVector> different_loads(const System &system)
-{
+std::vector<DistributedVector> different_loads(const System &system) {
   std::vector<DistributedVector> loads;
   for (const unsigned int seed : {11U, 12U, 13U})
     loads.push_back(system.random_vector(seed));
@@ -117,28 +104,21 @@ std::vector<DistributedVector> different_loads(const System &system)
 
 /** What was solved before changes no bit of an answer; several at once are several.
  * @param is_refined whether steps of refinement are needed. */
-void without_history(Checks &checks,
-                     const std::string &body,
-                     const System &system,
-                     const bool is_refined,
-                     const double tolerance)
-{
+void without_history(Checks &checks, const std::string &body, const System &system,
+                     const bool is_refined, const double tolerance) {
   const std::vector<DistributedVector> loads = different_loads(system);
-  for (const LinearSolver solver : solvers())
-  {
+  for (const LinearSolver solver : solvers()) {
     const std::string name = body + ", " + to_text(solver);
     const auto inverse = factorise(system.A, 1., solver);
     std::vector<DistributedVector> first;
-    for (const DistributedVector &b : loads)
-    {
+    for (const DistributedVector &b : loads) {
       first.push_back(inverse->make_vector());
       inverse->solve(first.back(), b);
     }
     checks.that(name + (is_refined ? ": refined" : ": not refined"),
                 (inverse->rounding_error() > 0.) == is_refined);
     bool unchanged = true;
-    for (std::size_t k = loads.size(); k-- > 0;)
-    {
+    for (std::size_t k = loads.size(); k-- > 0;) {
       DistributedVector x = inverse->make_vector();
       x = 1e5;
       inverse->solve(x, loads[k]);
@@ -157,16 +137,14 @@ void without_history(Checks &checks,
 }
 
 /** A singular matrix is refused before any load. */
-void singular(Checks &checks, const std::string &body, const System &system)
-{
+void singular(Checks &checks, const std::string &body, const System &system) {
   for (const LinearSolver solver : solvers())
-    checks.throws<ComputationError>(
-      body + ", " + to_text(solver), "singular", [&]() { factorise(system.A, 1., solver); });
+    checks.throws<ComputationError>(body + ", " + to_text(solver), "singular",
+                                    [&]() { factorise(system.A, 1., solver); });
 }
 
 /** What a value of Linear solver means on these ranks. */
-void choice(Checks &checks)
-{
+void choice(Checks &checks) {
   const System system(scene_of(clamped), 2);
   const auto automatic = factorise(system.A, 1., LinearSolver::automatic);
   checks.that("automatic is condensed on one rank only",
@@ -178,30 +156,25 @@ void choice(Checks &checks)
     "test:7: Solver/Linear solver: found 'condensed' on 2 processes, allowed on several: "
     "automatic, amesos_mumps, amesos_klu.",
     [&]() { solve("\n" + clamped + "Solver/Linear solver = condensed\n"); });
-  checks.throws<dealii::ExceptionBase>("the factorisation knows, too", "on one rank only", [&]() {
-    factorise(system.A, 1., LinearSolver::condensed);
-  });
+  checks.throws<dealii::ExceptionBase>("the factorisation knows, too", "on one rank only",
+                                       [&]() { factorise(system.A, 1., LinearSolver::condensed); });
 }
 
 } // namespace
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   return run_tests(
     argc, argv, {[](Checks &checks) {
       known_answers(checks);
       choice(checks);
       without_history(checks, "square", System(scene_of(clamped), 3), false, 1e-13);
       // Ill-conditioned but regular.
-      without_history(checks,
-                      "slender bar",
+      without_history(checks, "slender bar",
                       System(scene_of("Geometry/Upper right = 30, 1\nGeometry/Cells = 30, "
                                       "1\nBoundary/Clamped = left\nBoundary/Contact = bottom\n"),
                              1),
-                      true,
-                      1e-9);
-      for (const unsigned int level : {0U, 1U, 3U, 5U})
-      {
+                      true, 1e-9);
+      for (const unsigned int level : {0U, 1U, 3U, 5U}) {
         singular(checks, "loose body, level " + std::to_string(level), System(loose(), level));
         singular(checks, "sliding body, level " + std::to_string(level), System(sliding(), level));
       }

@@ -9,8 +9,7 @@
 #include <memory>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * Integrates a(φ_j, φ_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
  *
@@ -20,8 +19,7 @@ namespace Signorini
  * squares it is integrated once per degree.
  */
 template <int dim>
-class CellStiffness
-{
+class CellStiffness {
 public:
   using CellIterator = typename Triangulation<dim>::active_cell_iterator;
 
@@ -33,8 +31,7 @@ public:
   /** Returns the matrix of the cell, to be shared. */
   Matrix share(const CellIterator &cell);
   /** Returns the matrix of the cell, valid until the next call. */
-  const FullMatrix<double> &operator()(const CellIterator &cell)
-  {
+  const FullMatrix<double> &operator()(const CellIterator &cell) {
     last_ = share(cell);
     return *last_;
   }
@@ -42,8 +39,7 @@ public:
 private:
   /** The matrix of a shape: the vertices relative to the first, divided by the cell's size, in 3-D
    * by the body's. */
-  struct Sample
-  {
+  struct Sample {
     unsigned int element_number;
     std::vector<Tensor<1, dim>> shape;
     Matrix matrix;
@@ -71,15 +67,13 @@ private:
  * that neither units nor sizes of numbers matter (force/length per thickness, in 2-D: force/area).
  */
 template <int dim>
-double stiffness_unit(const DisplacementSpace<dim> &space, const Material<dim> &material)
-{
+double stiffness_unit(const DisplacementSpace<dim> &space, const Material<dim> &material) {
   return material.modulus() * std::pow(space.mesh().size(), dim - 2);
 }
 
 /** The nodal forces of the stress of a displacement. */
 template <int dim>
-struct InternalForces
-{
+struct InternalForces {
   /** The forces (a(φ_j, φ_i))_ij U for all i, constrained or not (force per thickness). */
   DistributedVector forces;
   /** The sums |A| |U|, cell by cell. Times the unit roundoff they bound the rounding errors of the
@@ -89,7 +83,6 @@ struct InternalForces
 
 /** Integrates the forces. Collective. */
 template <int dim>
-InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space,
-                                    const Scene<dim> &scene,
+InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                                     const Displacement &U);
 } // namespace Signorini

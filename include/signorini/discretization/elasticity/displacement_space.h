@@ -14,8 +14,7 @@
 #include <deal.II/lac/trilinos_vector.h>
 #include <deal.II/lac/vector.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A vector whose rows are distributed over the ranks like those of A. */
 using DistributedVector = TrilinosWrappers::MPI::Vector;
 
@@ -30,26 +29,20 @@ using DualVector = LinearAlgebra::distributed::Vector<double>;
  * those at all other nodes of the cells that its mesh holds (DisplacementSpace::zero()). What is
  * read cell by cell on these cells is there; nothing else is. Norms and products are collective.
  */
-class Displacement : public LinearAlgebra::distributed::Vector<double>
-{
+class Displacement : public LinearAlgebra::distributed::Vector<double> {
 public:
   using Base = LinearAlgebra::distributed::Vector<double>;
 
   Displacement() = default;
   /** Zero values, all of them on this rank. */
   explicit Displacement(const unsigned int n)
-    : Base(n)
-  {
-  }
+    : Base(n) {}
   /** Zero values with this distribution. */
   explicit Displacement(const std::shared_ptr<const Utilities::MPI::Partitioner> &rows)
-    : Base(rows)
-  {
-  }
+    : Base(rows) {}
   /** Copies ghosts, too (deal.II copies the owned values only), without communication. */
   Displacement(const Displacement &U)
-    : Base(U)
-  {
+    : Base(U) {
     if (!U.has_ghost_elements())
       return;
     const auto n_owned = U.locally_owned_size();
@@ -62,19 +55,16 @@ public:
   Displacement &operator=(Displacement &&) = default;
   using Base::operator=;
   /** Returns the values as a vector of deal.II, whose functions are compiled for these only. */
-  const Base &entries() const
-  {
+  const Base &entries() const {
     return *this;
   }
-  Base &entries()
-  {
+  Base &entries() {
     return *this;
   }
 };
 
 /** The operator by which a(.,.) takes the strain of a function of V^h. */
-enum class StrainOperator
-{
+enum class StrainOperator {
   /** The strain ε(v) = (grad v + grad vᵀ)/2: the conforming element, which locks as Poisson's
    * ratio tends to 1/2. */
   symmetric_gradient,
@@ -86,8 +76,7 @@ enum class StrainOperator
 
 /** Replaces the trace of @p strain by @p dilatation and keeps the deviator. */
 template <int dim>
-void replace_trace(SymmetricTensor<2, dim> &strain, const double dilatation)
-{
+void replace_trace(SymmetricTensor<2, dim> &strain, const double dilatation) {
   const double change = (dilatation - trace(strain)) / dim;
   for (unsigned int d = 0; d < dim; ++d)
     strain[d][d] += change;
@@ -97,107 +86,89 @@ void replace_trace(SymmetricTensor<2, dim> &strain, const double dilatation)
  * roller sides. Cells may have different degrees, and hanging nodes; u_h is continuous all the
  * same. (On an edge between two degrees it has the lower one.) */
 template <int dim>
-class DisplacementSpace
-{
+class DisplacementSpace {
 public:
   /**
    * Makes the space with one element.
    * @param degree of the element per direction; the method of the paper and its orders are those of
    * degree one.
    */
-  DisplacementSpace(const Mesh<dim> &mesh,
-                    const Scene<dim> &scene,
+  DisplacementSpace(const Mesh<dim> &mesh, const Scene<dim> &scene,
                     StrainOperator strain_operator = StrainOperator::symmetric_gradient,
                     unsigned int degree = 1);
   /**
    * Makes the space with several elements.
    * @param degrees of the active cells, in their order; all from 2 to the largest have an element.
    */
-  DisplacementSpace(const Mesh<dim> &mesh,
-                    const Scene<dim> &scene,
+  DisplacementSpace(const Mesh<dim> &mesh, const Scene<dim> &scene,
                     const std::vector<unsigned int> &degrees);
 
-  const Mesh<dim> &mesh() const
-  {
+  const Mesh<dim> &mesh() const {
     return mesh_;
   }
-  StrainOperator strain_operator() const
-  {
+  StrainOperator strain_operator() const {
     return strain_operator_;
   }
   using CellIterator = typename Triangulation<dim>::active_cell_iterator;
 
   /** Returns the elements that cells may have. */
-  const hp::FECollection<dim> &elements() const
-  {
+  const hp::FECollection<dim> &elements() const {
     return dofs_.get_fe_collection();
   }
   /** Returns whether cells have different elements. */
-  bool has_several_elements() const
-  {
+  bool has_several_elements() const {
     return elements().size() > 1;
   }
   /** Returns the number of the element of one of the mesh's cells. */
-  unsigned int element_number(const CellIterator &cell) const
-  {
+  unsigned int element_number(const CellIterator &cell) const {
     return has_several_elements() ? dof_cell(cell)->active_fe_index() : 0;
   }
-  const FiniteElement<dim> &element(const CellIterator &cell) const
-  {
+  const FiniteElement<dim> &element(const CellIterator &cell) const {
     return elements()[element_number(cell)];
   }
   /** Returns the element of all cells. Where cells have different ones, call element(cell). */
-  const FiniteElement<dim> &element() const
-  {
+  const FiniteElement<dim> &element() const {
     Assert(!has_several_elements(), ExcInternalError());
     return elements()[0];
   }
   /** Returns the highest degree of an element. */
-  unsigned int max_element_degree() const
-  {
+  unsigned int max_element_degree() const {
     return elements().max_degree();
   }
-  const DoFHandler<dim> &dofs() const
-  {
+  const DoFHandler<dim> &dofs() const {
     return dofs_;
   }
   /** Returns the constraints of the degrees of freedom: U = T U_free + k. */
-  const AffineConstraints<double> &constraints() const
-  {
+  const AffineConstraints<double> &constraints() const {
     return constraints_;
   }
   /** Returns the degrees of freedom through which clamped, prescribed and roller sides hold the
    * body: the only ones that carry reactions. (Other constraints keep u_h continuous.) */
-  const IndexSet &supports() const
-  {
+  const IndexSet &supports() const {
     return supports_;
   }
   /** A degree of freedom that holds a body, which contact alone stops, while the system is solved.
    */
-  struct Pin
-  {
+  struct Pin {
     types::global_dof_index dof;
     Point<dim> node;
     unsigned int component;
   };
   /** Returns one pin for each rigid motion that supports leave free, where
    * Scene::is_held_by_contact. Pins are no supports: the solution leaves no reaction there. */
-  const std::vector<Pin> &pins() const
-  {
+  const std::vector<Pin> &pins() const {
     return pins_;
   }
   /** Returns the prescribed values of a scene with the same roles: k at constrained degrees of
    * freedom (those on pins are zero), zero at all others. */
   Displacement prescribed(const Scene<dim> &scene) const;
-  const IndexSet &locally_owned() const
-  {
+  const IndexSet &locally_owned() const {
     return dofs_.locally_owned_dofs();
   }
   /** Returns a zero vector with the distribution of the rows of A. */
   DistributedVector make_vector() const;
   /** Returns U = 0 with the ghosts of this rank. */
-  Displacement zero() const
-  {
+  Displacement zero() const {
     Displacement U(rows_);
     U.update_ghost_values();
     return U;
@@ -214,8 +185,7 @@ public:
   /** Sets the same values without pins: the body may move as a whole. */
   void distribute_without_pins(Displacement &w) const;
   /** Returns constraints() without pins. */
-  const AffineConstraints<double> &constraints_without_pins() const
-  {
+  const AffineConstraints<double> &constraints_without_pins() const {
     return pins_.empty() ? constraints_ : constraints_without_pins_;
   }
   /** Returns the functional restricted to V^h: Tᵀ r, where v = T v_free for v in V^h. r_j =

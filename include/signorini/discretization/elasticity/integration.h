@@ -19,20 +19,17 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 template <int dim>
 using Cells = std::vector<typename DoFHandler<dim>::active_cell_iterator>;
 
 /** Returns the cells of this rank, in their order, in chunks that one thread works on at a time. */
 template <int dim>
-std::vector<Cells<dim>> chunks_of_owned_cells(const DisplacementSpace<dim> &space)
-{
+std::vector<Cells<dim>> chunks_of_owned_cells(const DisplacementSpace<dim> &space) {
   constexpr std::size_t chunk_size = 512;
   std::vector<Cells<dim>> chunks;
   for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->is_locally_owned())
-    {
+    if (cell->is_locally_owned()) {
       if (chunks.empty() || chunks.back().size() == chunk_size)
         chunks.emplace_back().reserve(chunk_size);
       chunks.back().push_back(cell);
@@ -46,46 +43,36 @@ std::vector<Cells<dim>> chunks_of_owned_cells(const DisplacementSpace<dim> &spac
 template <typename Result, int dim>
 void integrate_by_chunks(const DisplacementSpace<dim> &space,
                          const std::function<Result(const Cells<dim> &)> &integrate,
-                         const std::function<void(const Result &)> &consume)
-{
+                         const std::function<void(const Result &)> &consume) {
   const std::vector<Cells<dim>> chunks = chunks_of_owned_cells(space);
   produce_in_parallel<Result>(
-    n_available_threads(space.mesh().communicator()),
-    chunks.size(),
-    [&](const std::size_t i) { return integrate(chunks[i]); },
-    consume);
+    n_available_threads(space.mesh().communicator()), chunks.size(),
+    [&](const std::size_t i) { return integrate(chunks[i]); }, consume);
 }
 
 /** The FEValues or FEFaceValues with Gauss' rules, one object for every element of a space. Cells
  * of degree p have p - 1 points per direction more than those of degree one. */
 template <int dim, int rule_dim, typename Values>
-class ValuesByElement
-{
+class ValuesByElement {
 public:
   /**
    * Stores the arguments.
    * @param n_points per direction, for degree one.
    */
-  ValuesByElement(const Mapping<dim> &mapping,
-                  const DisplacementSpace<dim> &space,
-                  const Kinks<dim> &kinks,
-                  const unsigned int n_points,
-                  const UpdateFlags flags)
+  ValuesByElement(const Mapping<dim> &mapping, const DisplacementSpace<dim> &space,
+                  const Kinks<dim> &kinks, const unsigned int n_points, const UpdateFlags flags)
     : kinks_(kinks)
     , mapping_(mapping)
     , space_(space)
     , n_points_(n_points)
     , flags_(flags)
-    , plain_(space.elements().size())
-  {
-  }
+    , plain_(space.elements().size()) {}
 
 protected:
   /** Returns the values with Gauss' rule, or with cut_rule(n_points); those are valid until the
    * next call. */
   template <typename CellIterator, typename CutRule>
-  Values &select(const CellIterator &cell, const bool is_cut, const CutRule &cut_rule)
-  {
+  Values &select(const CellIterator &cell, const bool is_cut, const CutRule &cut_rule) {
     std::unique_ptr<Values> &values = is_cut ? cut_ : plain_[space_.element_number(cell)];
     const FiniteElement<dim> &element = space_.element(cell);
     const unsigned int n = n_points_ + element.degree - 1;
@@ -110,8 +97,7 @@ private:
 /** The shape functions at the Gauss points of a cell; on the pieces of a cell that a kink crosses,
  * at the Gauss points of each piece. */
 template <int dim>
-class CellValues : public ValuesByElement<dim, dim, FEValues<dim>>
-{
+class CellValues : public ValuesByElement<dim, dim, FEValues<dim>> {
 public:
   using ValuesByElement<dim, dim, FEValues<dim>>::ValuesByElement;
 
@@ -120,8 +106,7 @@ public:
    * @param cell of the mesh, or of a DoFHandler where functions are to be evaluated.
    */
   template <typename CellIterator>
-  const FEValues<dim> &reinit(const CellIterator &cell)
-  {
+  const FEValues<dim> &reinit(const CellIterator &cell) {
     // In 3-D planes do not cut cells yet.
     const auto cut_rule = [&](const unsigned int n) -> Quadrature<dim> {
       if constexpr (dim == 2)
@@ -138,14 +123,12 @@ public:
 /** The shape functions at the Gauss points of a face; where a kink cuts the face, at the Gauss
  * points of its parts. */
 template <int dim>
-class FaceValues : public ValuesByElement<dim, dim - 1, FEFaceValues<dim>>
-{
+class FaceValues : public ValuesByElement<dim, dim - 1, FEFaceValues<dim>> {
 public:
   using CellIterator = typename Triangulation<dim>::active_cell_iterator;
   using ValuesByElement<dim, dim - 1, FEFaceValues<dim>>::ValuesByElement;
 
-  const FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no)
-  {
+  const FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no) {
     const auto face = cell->face(face_no);
     // In 3-D planes do not cut faces yet.
     std::vector<double> cuts;
@@ -166,8 +149,7 @@ public:
  * length^{dim-1}), from displacements relative to a corner of each cell: a rigid translation,
  * however large, has no energy. Collective. */
 template <int dim>
-double energy_norm(const DisplacementSpace<dim> &space,
-                   const Scene<dim> &scene,
+double energy_norm(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                    const Displacement &U);
 
 /** Returns, where the body moves as a whole, the energy norm that such a displacement has if it
@@ -177,8 +159,7 @@ double energy_norm(const DisplacementSpace<dim> &space,
  */
 template <int dim>
 std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
-                                           const Scene<dim> &scene,
-                                           const Displacement &U);
+                                           const Scene<dim> &scene, const Displacement &U);
 
 /**
  * Returns the scale of an error in the energy norm: |||u_h|||. Where the body moves rigidly,
@@ -188,17 +169,13 @@ std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
  * @param norm |||u_h|||
  */
 template <int dim>
-double energy_scale(double norm,
-                    double error,
-                    const DisplacementSpace<dim> &space,
-                    const Scene<dim> &scene,
-                    const Displacement &U);
+double energy_scale(double norm, double error, const DisplacementSpace<dim> &space,
+                    const Scene<dim> &scene, const Displacement &U);
 
 /** The shape functions of V^h at points of contact faces. Consecutive faces with the same reference
  * points share one table. */
 template <int dim>
-class TraceValues
-{
+class TraceValues {
 public:
   explicit TraceValues(const DisplacementSpace<dim> &space);
 
@@ -211,13 +188,11 @@ public:
 
   /** Returns u_h at the points of a rule on the face. */
   std::vector<Tensor<1, dim>> displacement(const ContactFace<dim> &face,
-                                           const SurfaceRule<dim> &rule,
-                                           const Displacement &U);
+                                           const SurfaceRule<dim> &rule, const Displacement &U);
 
   /** Returns u_h.n at the points of a rule on the face. */
   std::vector<double> normal_displacement(const ContactFace<dim> &face,
-                                          const SurfaceRule<dim> &rule,
-                                          const Displacement &U);
+                                          const SurfaceRule<dim> &rule, const Displacement &U);
 
 private:
   const DisplacementSpace<dim> &space_;
@@ -228,27 +203,21 @@ private:
 
 /** The positions of the nodes of a cell, in the order of the cell's scalar shape functions. */
 template <int dim>
-class NodePositions
-{
+class NodePositions {
 public:
   explicit NodePositions(const DisplacementSpace<dim> &space)
     : space_(space)
-    , values_(space.elements().size())
-  {
-  }
+    , values_(space.elements().size()) {}
 
   /** Returns the positions, valid until the next call. */
   const std::vector<Point<dim>> &
-  operator()(const typename DisplacementSpace<dim>::CellIterator &cell)
-  {
+  operator()(const typename DisplacementSpace<dim>::CellIterator &cell) {
     const unsigned int number = space_.element_number(cell);
     std::unique_ptr<FEValues<dim>> &values = values_[number];
-    if (values == nullptr)
-    {
+    if (values == nullptr) {
       const FiniteElement<dim> &element = space_.elements()[number];
       values = std::make_unique<FEValues<dim>>(
-        space_.mesh().mapping(),
-        element,
+        space_.mesh().mapping(), element,
         Quadrature<dim>(element.base_element(0).get_unit_support_points()),
         update_quadrature_points);
     }
@@ -271,47 +240,40 @@ template <int dim>
 using Moment = Tensor<1, dim == 2 ? 1 : dim>;
 
 /** Returns the moment x × F; in 2-D x1 F2 - x2 F1. */
-inline Moment<2> moment_of(const Tensor<1, 2> &x, const Tensor<1, 2> &F)
-{
+inline Moment<2> moment_of(const Tensor<1, 2> &x, const Tensor<1, 2> &F) {
   Moment<2> moment;
   moment[0] = x[0] * F[1] - x[1] * F[0];
   return moment;
 }
-inline Moment<3> moment_of(const Tensor<1, 3> &x, const Tensor<1, 3> &F)
-{
+inline Moment<3> moment_of(const Tensor<1, 3> &x, const Tensor<1, 3> &F) {
   return cross_product_3d(x, F);
 }
 
 /** The resultant of surface and body forces: force and moment about the origin. */
 template <int dim>
-struct Resultant
-{
+struct Resultant {
   Tensor<1, dim> force;
   Moment<dim> moment;
 
   /** Adds a force that acts at a point. */
-  void add(const Tensor<1, dim> &F, const Point<dim> &x)
-  {
+  void add(const Tensor<1, dim> &F, const Point<dim> &x) {
     force += F;
     moment += moment_of(x, F);
   }
-  Resultant &operator+=(const Resultant &other)
-  {
+  Resultant &operator+=(const Resultant &other) {
     force += other.force;
     moment += other.moment;
     return *this;
   }
   /** Returns the moment about another point. */
-  Moment<dim> moment_about(const Point<dim> &x) const
-  {
+  Moment<dim> moment_about(const Point<dim> &x) const {
     return moment - moment_of(x, force);
   }
 };
 
 /** Returns the sum over all ranks. Collective. */
 template <int dim>
-Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator)
-{
+Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator) {
   return {Utilities::MPI::sum(part.force, communicator),
           Utilities::MPI::sum(part.moment, communicator)};
 }

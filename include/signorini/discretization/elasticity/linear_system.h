@@ -7,8 +7,7 @@
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Returns a matrix of V^h with the couplings of A, rows distributed, entries zero. Collective. */
 template <int dim>
 TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
@@ -16,18 +15,15 @@ TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
 /** Adds the matrix of a cell to such a matrix, constraints eliminated, and what prescribed
  * displacements contribute to @p reduction. */
 template <int dim>
-void add_cell(const DisplacementSpace<dim> &space,
-              const FullMatrix<double> &cell_matrix,
+void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cell_matrix,
               const std::vector<types::global_dof_index> &indices,
-              TrilinosWrappers::SparseMatrix &matrix,
-              DistributedVector &reduction);
+              TrilinosWrappers::SparseMatrix &matrix, DistributedVector &reduction);
 
 /** The system A U = f. The matrix is that of a body of size one and modulus one, A = unit × matrix,
  * so that neither units nor sizes of numbers matter to a factorisation. All vectors are in the
  * user's units. */
 template <int dim>
-struct LinearSystem
-{
+struct LinearSystem {
   /** The matrix A/unit with the essential conditions eliminated. It is symmetric positive definite;
    * constrained rows hold a diagonal entry only. It is empty where A is not assembled. */
   TrilinosWrappers::SparseMatrix matrix;
@@ -49,12 +45,10 @@ struct LinearSystem
  */
 template <int dim>
 LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
-                                         const Scene<dim> &scene,
-                                         unsigned int n_points);
+                                         const Scene<dim> &scene, unsigned int n_points);
 
 /** Assembles the same system without the matrix. Collective. */
 template <int dim>
 LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
-                                           const Scene<dim> &scene,
-                                           unsigned int n_points);
+                                           const Scene<dim> &scene, unsigned int n_points);
 } // namespace Signorini

@@ -6,19 +6,15 @@
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/problem/parameters/parameters.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The mesh T^h, the spaces V^h and Q^H, Γ_c^H, D and G of one level. */
 template <int dim>
-struct Discretization
-{
+struct Discretization {
   /**
    * Makes a nested level. Parameters and scene must outlive the object.
    * @throws InputError for a partition that makes no sense on this level.
    */
-  Discretization(const Parameters &parameters,
-                 const Scene<dim> &scene,
-                 unsigned int level,
+  Discretization(const Parameters &parameters, const Scene<dim> &scene, unsigned int level,
                  MPI_Comm communicator);
   /**
    * Makes the discretization on a graded mesh: multipliers of degree p - 2 on every contact face of
@@ -57,8 +53,7 @@ private:
 /** Returns whether patches of a single face have multipliers of a degree that is not inf-sup
  * stable. */
 template <int dim>
-bool is_unstable(const Discretization<dim> &discretization)
-{
+bool is_unstable(const Discretization<dim> &discretization) {
   return !discretization.space.has_several_elements() &&
          discretization.space.element().degree == 1 && discretization.surface.has_unstable_patch();
 }

@@ -9,12 +9,10 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A face of the mesh on a contact side. */
 template <int dim>
-struct ContactFace
-{
+struct ContactFace {
   typename Triangulation<dim>::active_cell_iterator cell;
   unsigned int face_no;
   /** The number of the side in the geometry. */
@@ -24,8 +22,7 @@ struct ContactFace
 /** A patch τ, an element of Γ_c^H: an interval of arc length in 2-D, a group of faces in 3-D.
  */
 template <int dim>
-struct Patch
-{
+struct Patch {
   /** The number of the side in the geometry. */
   unsigned int side;
   /** The corners of the smallest box around the patch in the coordinates of the side (length). */
@@ -33,20 +30,17 @@ struct Patch
   /** The measure |τ| (length^{dim-1}). */
   double measure;
 
-  Point<dim - 1> centre() const
-  {
+  Point<dim - 1> centre() const {
     return lower + 0.5 * (upper - lower);
   }
-  double diameter() const
-  {
+  double diameter() const {
     return lower.distance(upper);
   }
 };
 
 /** The patches of one side as a grid: rows and columns in the coordinates of the side. In 2-D there
  * is one row. */
-struct PatchGrid
-{
+struct PatchGrid {
   /** The number of the side in the geometry. */
   unsigned int side = 0;
   /** The beginnings of the patches, sorted, and the end of the last one, in both coordinates of the
@@ -56,20 +50,16 @@ struct PatchGrid
   std::vector<unsigned int> patches;
 
   /** Returns the number of patches along one coordinate. */
-  unsigned int n(const unsigned int d) const
-  {
+  unsigned int n(const unsigned int d) const {
     return ends[d].size() - 1;
   }
-  unsigned int at(const unsigned int i, const unsigned int j) const
-  {
+  unsigned int at(const unsigned int i, const unsigned int j) const {
     return patches[i + n(0) * j];
   }
-  double length(const unsigned int d) const
-  {
+  double length(const unsigned int d) const {
     return ends[d].back() - ends[d].front();
   }
-  double middle(const unsigned int d, const unsigned int i) const
-  {
+  double middle(const unsigned int d, const unsigned int i) const {
     return 0.5 * (ends[d][i] + ends[d][i + 1]);
   }
 };
@@ -83,13 +73,11 @@ std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches);
 
 /** A patch next to another one, and its interval in the coordinate in which it follows; around a
  * closed side as if the side went on. */
-struct Neighbour
-{
+struct Neighbour {
   unsigned int patch;
   double lower, upper;
 
-  double middle() const
-  {
+  double middle() const {
     return 0.5 * (lower + upper);
   }
 };
@@ -101,8 +89,7 @@ using Neighbours = std::array<std::array<std::optional<Neighbour>, 2>, dim - 1>;
 
 /** The points on a piece of Γ_c, with the data for integrals over it. */
 template <int dim>
-struct SurfaceRule
-{
+struct SurfaceRule {
   /** The points in the reference coordinates of the face. */
   std::vector<Point<dim - 1>> on_face;
   /** The points in the coordinates of the side (length). */
@@ -114,16 +101,14 @@ struct SurfaceRule
   /** The quadrature weights times the surface element (length^{dim-1}). */
   std::vector<double> weights;
 
-  std::size_t size() const
-  {
+  std::size_t size() const {
     return points.size();
   }
 };
 
 /** A piece face ∩ τ: traces of V^h are polynomials on it, and so are multipliers. */
 template <int dim>
-struct Piece
-{
+struct Piece {
   /** The numbers of the contact face and of the patch. */
   unsigned int face, patch;
   /** The corners of the box of the piece in the coordinates of the side, and the same points in the
@@ -136,8 +121,7 @@ struct Piece
 };
 
 /** The rule by which Γ_c^H is made. */
-struct Partition
-{
+struct Partition {
   /** The ratio H/h: faces per patch and direction. Where it does not divide the faces of a side,
    * the last patch is the longer one. */
   unsigned int ratio = 2;
@@ -146,8 +130,7 @@ struct Partition
 };
 
 /** The refinement of a rule. */
-enum class Grading
-{
+enum class Grading {
   none,
   /** The rule is refined geometrically towards kinks, for functions that are only continuous there.
    * Pieces near a kink have at least eight points on each part. */
@@ -162,8 +145,7 @@ enum class Grading
  * The order is side after side; in 2-D each side in the order of arc length.
  */
 template <int dim>
-class ContactSurface
-{
+class ContactSurface {
 public:
   /**
    * Divides the contact sides by a partition. Mesh and scene must outlive the object.
@@ -174,40 +156,32 @@ public:
    * Makes every face a patch. For 2-D only.
    * @param n_points on every piece, by the active cell to which it belongs.
    */
-  ContactSurface(const Mesh<dim> &mesh,
-                 const Scene<dim> &scene,
+  ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &scene,
                  const std::vector<unsigned int> &n_points);
 
-  const Scene<dim> &scene() const
-  {
+  const Scene<dim> &scene() const {
     return scene_;
   }
-  const std::vector<ContactFace<dim>> &faces() const
-  {
+  const std::vector<ContactFace<dim>> &faces() const {
     return faces_;
   }
-  const std::vector<Patch<dim>> &patches() const
-  {
+  const std::vector<Patch<dim>> &patches() const {
     return patches_;
   }
-  const std::vector<Piece<dim>> &pieces() const
-  {
+  const std::vector<Piece<dim>> &pieces() const {
     return pieces_;
   }
-  const Side<dim> &side(const Patch<dim> &patch) const
-  {
+  const Side<dim> &side(const Patch<dim> &patch) const {
     return scene_.geometry.sides[patch.side];
   }
   /** Returns the gap and the exact pressure on the side of the piece. */
-  const BoundaryCondition<dim> &condition(const Piece<dim> &piece) const
-  {
+  const BoundaryCondition<dim> &condition(const Piece<dim> &piece) const {
     return scene_.boundary[patches_[piece.patch].side];
   }
 
   /** Returns a rule on the side itself for functions of the position: @p n_points Gauss points per
    * direction on every part into which kinks cut the piece. */
-  SurfaceRule<dim> rule(const Piece<dim> &piece,
-                        unsigned int n_points,
+  SurfaceRule<dim> rule(const Piece<dim> &piece, unsigned int n_points,
                         Grading grading = Grading::none) const;
 
   /** Returns the i-th of n equal parts of a piece, without its points on the mesh. For 2-D only. */

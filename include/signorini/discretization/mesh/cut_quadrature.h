@@ -9,8 +9,7 @@
 
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Returns whether the plain rule is not enough on a cell: a line crosses it or meets a contact
  * side near it. */
 template <int dim>
@@ -23,8 +22,7 @@ bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell
  * quadrilateral of its vertices: the rule is as accurate there for smooth functions, and nearly so
  * for others.
  */
-Quadrature<2> cut_quadrature(const Kinks<2> &kinks,
-                             const Triangulation<2>::cell_iterator &cell,
+Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
                              unsigned int n_points);
 
 /** Returns the rule from the first to the last of the sorted @p cuts that applies @p rule, a rule

@@ -12,8 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * The mesh T^h of one level, quadrilaterals or hexahedra, with T^{2h} as its parents.
  *
@@ -21,17 +20,14 @@ namespace Signorini
  * of A.
  */
 template <int dim>
-class Mesh
-{
+class Mesh {
 public:
   /**
    * Refines the coarse mesh @p level times. A distortion moves the interior vertices of
    * @p coarsest_level, so that finer levels stay nested in it.
    * @throws InputError if it leaves a cell that is not convex.
    */
-  Mesh(const Geometry<dim> &geometry,
-       unsigned int coarsest_level,
-       unsigned int level,
+  Mesh(const Geometry<dim> &geometry, unsigned int coarsest_level, unsigned int level,
        MPI_Comm communicator);
 
   /**
@@ -43,50 +39,40 @@ public:
    */
   using Splits = std::function<bool(const typename Triangulation<dim>::active_cell_iterator &cell,
                                     unsigned int n_splits)>;
-  Mesh(const Geometry<dim> &geometry,
-       unsigned int base_level,
-       const std::array<std::vector<double>, dim> &lines,
-       const Splits &must_split,
+  Mesh(const Geometry<dim> &geometry, unsigned int base_level,
+       const std::array<std::vector<double>, dim> &lines, const Splits &must_split,
        unsigned int mapping_degree);
 
-  const Triangulation<dim> &triangulation() const
-  {
+  const Triangulation<dim> &triangulation() const {
     return triangulation_;
   }
-  const Mapping<dim> &mapping() const
-  {
+  const Mapping<dim> &mapping() const {
     return *mapping_;
   }
   /** Returns the map onto the body of size one, (x - lower)/l with the length l of size(). A
    * stiffness matrix that is integrated with it depends neither on the unit of length nor on the
    * position of the origin, to the last digit. */
-  const Mapping<dim> &unit_mapping() const
-  {
+  const Mapping<dim> &unit_mapping() const {
     return *unit_mapping_;
   }
   /** Returns the point that unit_mapping() maps to @p x. */
-  Point<dim> from_unit_body(const Point<dim> &x) const
-  {
+  Point<dim> from_unit_body(const Point<dim> &x) const {
     return lower_ + size_ * (x - Point<dim>());
   }
   /** Returns the longest edge of the box around the body (length). */
-  double size() const
-  {
+  double size() const {
     return size_;
   }
   /** Returns whether cells are curved: their edges are parabolas, close to the sides to the order
    * h^4. */
-  bool is_curved() const
-  {
+  bool is_curved() const {
     return curved_;
   }
-  MPI_Comm communicator() const
-  {
+  MPI_Comm communicator() const {
     return triangulation_.get_communicator();
   }
   /** Returns the number of refinements of the coarse mesh. */
-  unsigned int level() const
-  {
+  unsigned int level() const {
     return triangulation_.n_global_levels() - 1;
   }
   /** Returns h: the longest edge (length). */
@@ -94,19 +80,16 @@ public:
   /** Returns the shortest edge (length). */
   double shortest_edge() const;
   /** Returns the number of splits of a cell since the mesh was uniform. */
-  unsigned int splits(const typename Triangulation<dim>::cell_iterator &cell) const
-  {
+  unsigned int splits(const typename Triangulation<dim>::cell_iterator &cell) const {
     return cell->level() - uniform_levels_;
   }
   /** Returns the number of levels before this one whose cells are unions of cells of this one: all
    * of them, or those from the level at which vertices were moved. */
-  unsigned int n_nested_ancestors() const
-  {
+  unsigned int n_nested_ancestors() const {
     return n_nested_ancestors_;
   }
   /** Returns whether T^{2h} exists. */
-  bool has_parents() const
-  {
+  bool has_parents() const {
     return n_nested_ancestors_ > 0;
   }
 

@@ -10,14 +10,11 @@
 #include <map>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A place on the boundary next to which u ~ r^λ: a corner, a kink, or an end of contact. An
  * end of contact lies between two points of a side. */
-struct Singularity
-{
-  enum class Kind
-  {
+struct Singularity {
+  enum class Kind {
     corner,
     /** A point where a line of kinks meets a side: a possible end of contact, or the end of an
      * interface. */
@@ -47,8 +44,7 @@ struct Singularity
 const Singularity *nearest(const std::vector<Singularity> &singularities, const Point<2> &x);
 
 /** The demands of the solution on earlier meshes on a cell. */
-struct CellDemand
-{
+struct CellDemand {
   bool split = false;
   /** The lowest degree of the cell, or of its children. */
   unsigned int degree = 0;
@@ -62,8 +58,7 @@ struct CellDemand
  * degree falls linearly with the layers, from 2 + rise away from all singularities to 2 next to
  * one.
  */
-struct MeshPlan
-{
+struct MeshPlan {
   /** The number of refinements of the mesh of the first step. */
   unsigned int base_level = 0;
   std::array<std::vector<double>, 2> lines;
@@ -77,8 +72,7 @@ struct MeshPlan
   unsigned int max_element_degree = 9;
 
   /** Returns whether a cell must be split. */
-  bool must_split(const Scene<2> &scene,
-                  const Triangulation<2>::active_cell_iterator &cell,
+  bool must_split(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell,
                   unsigned int n_splits) const;
 };
 
@@ -89,7 +83,6 @@ Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene);
 std::vector<unsigned int> plan_degrees(const MeshPlan &plan, const Mesh<2> &mesh);
 
 /** Returns the degree that a plan gives to a cell of a mesh, regardless of its neighbours. */
-unsigned int planned_degree(const MeshPlan &plan,
-                            const Mesh<2> &mesh,
+unsigned int planned_degree(const MeshPlan &plan, const Mesh<2> &mesh,
                             const Triangulation<2>::active_cell_iterator &cell);
 } // namespace Signorini

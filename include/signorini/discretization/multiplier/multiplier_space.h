@@ -13,23 +13,17 @@
 #include <map>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** P, the values of p_H at the nodes of its basis (force/length^{dim-1}). Every rank stores all of
  * them: a boundary has few. */
-class Pressure : public dealii::Vector<double>
-{
+class Pressure : public dealii::Vector<double> {
 public:
   Pressure() = default;
   /** Zero values. */
   explicit Pressure(const unsigned int n)
-    : dealii::Vector<double>(n)
-  {
-  }
+    : dealii::Vector<double>(n) {}
   explicit Pressure(const dealii::Vector<double> &values)
-    : dealii::Vector<double>(values)
-  {
-  }
+    : dealii::Vector<double>(values) {}
   using dealii::Vector<double>::operator=;
 };
 
@@ -44,8 +38,7 @@ public:
  * another basis changes only this file.
  */
 template <int dim>
-class MultiplierSpace
-{
+class MultiplierSpace {
 public:
   using Vector = dealii::Vector<double>;
 
@@ -60,37 +53,30 @@ public:
    */
   MultiplierSpace(const ContactSurface<dim> &surface, const std::vector<unsigned int> &n_nodes);
 
-  const ContactSurface<dim> &surface() const
-  {
+  const ContactSurface<dim> &surface() const {
     return surface_;
   }
   /** Returns m, the number of unknowns. */
-  unsigned int n_multipliers() const
-  {
+  unsigned int n_multipliers() const {
     return patch_of_.size();
   }
   /** Returns the set of admissible P: pressures, P ≤ 0. */
-  AdmissibleSet admissible_set() const
-  {
+  AdmissibleSet admissible_set() const {
     return AdmissibleSet::nonpositive(n_multipliers());
   }
   /** Returns the first unknown of a patch, which has first_of(patch), ..., first_of(patch + 1) - 1.
    */
-  unsigned int first_of(const unsigned int patch) const
-  {
+  unsigned int first_of(const unsigned int patch) const {
     return first_[patch];
   }
-  unsigned int n_of(const unsigned int patch) const
-  {
+  unsigned int n_of(const unsigned int patch) const {
     return first_[patch + 1] - first_[patch];
   }
-  unsigned int patch_of(const unsigned int unknown) const
-  {
+  unsigned int patch_of(const unsigned int unknown) const {
     return patch_of_[unknown];
   }
   /** Returns whether every patch has one unknown. */
-  bool is_piecewise_constant() const
-  {
+  bool is_piecewise_constant() const {
     return n_multipliers() == surface_.patches().size();
   }
   /** Returns the Gauss point of the side at which the unknown is the value of p_H. */
@@ -126,11 +112,9 @@ template <int dim, typename Function>
 dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> &space,
                                                      const unsigned int n_points,
                                                      const Grading grading,
-                                                     const Function &values_on)
-{
+                                                     const Function &values_on) {
   dealii::Vector<double> moments(space.n_multipliers());
-  for (const Piece<dim> &piece : space.surface().pieces())
-  {
+  for (const Piece<dim> &piece : space.surface().pieces()) {
     const SurfaceRule<dim> rule =
       space.surface().rule(piece, n_points + space.n_of(piece.patch) - 1, grading);
     const std::vector<double> q = values_on(piece, rule);
@@ -154,31 +138,24 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
 
 /** Returns G for the gap of the surface's own scene. */
 template <int dim>
-dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
-                                    const unsigned int n_points,
-                                    const Grading grading = Grading::towards_kinks)
-{
+dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space, const unsigned int n_points,
+                                    const Grading grading = Grading::towards_kinks) {
   return assemble_gap(space, space.surface().scene().boundary, n_points, grading);
 }
 
 /** The coupling D, n x m: one sparse column per multiplier, nonzero at the degrees of freedom near
  * its patch. It is small, and every rank stores all of it. */
-class Coupling
-{
+class Coupling {
 public:
   using Column = std::map<types::global_dof_index, double>;
 
   explicit Coupling(std::vector<Column> columns = {})
-    : columns_(std::move(columns))
-  {
-  }
+    : columns_(std::move(columns)) {}
 
-  unsigned int n_columns() const
-  {
+  unsigned int n_columns() const {
     return columns_.size();
   }
-  const Column &column(const unsigned int k) const
-  {
+  const Column &column(const unsigned int k) const {
     return columns_[k];
   }
   /** Adds D P to the locally owned rows of @p vector. The caller compresses. */

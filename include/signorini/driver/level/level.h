@@ -5,12 +5,10 @@
 #include <signorini/results/record/level_result.h>
 #include <signorini/solvers/methods/contact_method.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A scene, and the solvers of a level. */
 template <int dim>
-struct LevelProblem
-{
+struct LevelProblem {
   const Parameters &parameters;
   const Scene<dim> &scene;
   SolverChoice solvers;
@@ -22,8 +20,7 @@ struct LevelProblem
  */
 template <int dim>
 LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
-                               const Discretization<dim> &discretization,
-                               const ContactStart &start,
+                               const Discretization<dim> &discretization, const ContactStart &start,
                                const Progress &progress);
 
 /**
@@ -32,9 +29,7 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
  * not wanted.
  */
 template <int dim>
-void add_errors(const Parameters &parameters,
-                const Scene<dim> &scene,
-                const Discretization<dim> &discretization,
-                const ExactPressure<dim> *pressure,
+void add_errors(const Parameters &parameters, const Scene<dim> &scene,
+                const Discretization<dim> &discretization, const ExactPressure<dim> *pressure,
                 LevelSolution<dim> &solution);
 } // namespace Signorini

@@ -12,11 +12,9 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The output for the user: the first rank prints it, the others discard it. */
-class Screen
-{
+class Screen {
 public:
   explicit Screen(MPI_Comm communicator);
 
@@ -34,8 +32,7 @@ private:
 };
 
 /** A parameter file with what the command line adds to it. */
-struct RunInput
-{
+struct RunInput {
   /** The name of the file as given, and as messages show it. */
   std::string file_name, name;
   /** The content of the file. */
@@ -49,8 +46,7 @@ struct RunInput
 };
 
 /** The end of a run. */
-struct RunSummary
-{
+struct RunSummary {
   /** The exit code. 0: certified, 1: wrong input, 2: not certified, 3: results could not be
    * written. */
   int exit_code = 0;
@@ -64,10 +60,8 @@ struct RunSummary
  * Reads a parameter file on the first rank, for all ranks. The screen names the ranks on which the
  * file has another text. Collective. @throws InputError
  */
-RunInput read_input(const std::string &file_name,
-                    const std::vector<std::string> &overrides,
-                    const std::filesystem::path &directory,
-                    MPI_Comm communicator,
+RunInput read_input(const std::string &file_name, const std::vector<std::string> &overrides,
+                    const std::filesystem::path &directory, MPI_Comm communicator,
                     const Screen &screen);
 
 /** Calls run(). An InputError, a ComputationError or a WritingError is printed on the screen, and
@@ -79,8 +73,7 @@ RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &
 RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen);
 
 /** A parameter, and the values that it takes one after the other. */
-struct Sweep
-{
+struct Sweep {
   /** The name of the parameter, "Subsection/Parameter" or "Constants/NAME". */
   std::string parameter;
   std::vector<std::string> values;
@@ -91,8 +84,7 @@ struct Sweep
 Sweep read_sweep(const std::string &argument);
 
 /** One combination of values of several sweeps, with the name of its directory. */
-struct SweepPoint
-{
+struct SweepPoint {
   std::vector<std::string> values;
   std::string folder;
 };
@@ -107,8 +99,6 @@ std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps);
  * before the first run. Collective.
  * @return the largest exit code, with its verdict.
  */
-RunSummary run_sweep(const RunInput &input,
-                     const std::vector<Sweep> &sweeps,
-                     MPI_Comm communicator,
+RunSummary run_sweep(const RunInput &input, const std::vector<Sweep> &sweeps, MPI_Comm communicator,
                      Screen &screen);
 } // namespace Signorini

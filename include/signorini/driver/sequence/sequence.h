@@ -9,12 +9,10 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The data that all levels of a study share. */
 template <int dim>
-struct StudyContext
-{
+struct StudyContext {
   const Parameters &parameters;
   const Scene<dim> &scene;
   MPI_Comm communicator;
@@ -23,8 +21,7 @@ struct StudyContext
 
 /** The meshes of a study, one after the other, each started from the solution on the one before. */
 template <int dim>
-class Sequence
-{
+class Sequence {
 public:
   virtual ~Sequence() = default;
 
@@ -49,8 +46,7 @@ std::unique_ptr<Sequence<2>> make_hp_sequence(const StudyContext<2> &context);
 
 /** Makes the sequence that the parameters choose. */
 template <int dim>
-std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context)
-{
+std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context) {
   if constexpr (dim == 2)
     if (context.parameters.discretization.strategy == Strategy::hp)
       return make_hp_sequence(context);
@@ -66,9 +62,7 @@ using CaseFields =
  * The factors of the level are released. Collective.
  * @param use_fields is called for each case whose fields are wanted, as soon as it is solved.
  */
-std::vector<CaseResult> solve_load_cases(const Parameters &parameters,
-                                         const Scene<2> &scene,
-                                         LevelResult<2> &level,
-                                         const CaseFields &use_fields,
+std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Scene<2> &scene,
+                                         LevelResult<2> &level, const CaseFields &use_fields,
                                          const Progress &progress);
 } // namespace Signorini

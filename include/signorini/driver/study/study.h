@@ -10,11 +10,9 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The destinations of the output of a study. */
-struct StudyReport
-{
+struct StudyReport {
   /** The screen of this rank: on ranks other than the first, a stream that discards everything. */
   std::ostream &screen;
   /** The directory of the files; empty: no files are written. */
@@ -24,8 +22,7 @@ struct StudyReport
 
 /** All levels, and the verdict on them. */
 template <int dim>
-struct StudyResult
-{
+struct StudyResult {
   std::vector<LevelRecord> levels;
   /** The contact pressure of the finest level. */
   PatchPressure<dim> pressure;
@@ -38,8 +35,6 @@ struct StudyResult
  * are written as meshes finish. Collective.
  */
 template <int dim>
-StudyResult<dim> run_study(const Parameters &parameters,
-                           const Scene<dim> &scene,
-                           MPI_Comm communicator,
-                           const StudyReport &report);
+StudyResult<dim> run_study(const Parameters &parameters, const Scene<dim> &scene,
+                           MPI_Comm communicator, const StudyReport &report);
 } // namespace Signorini

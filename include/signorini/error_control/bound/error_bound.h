@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * A guaranteed bound of the error of u_h in the energy norm |||v||| = a(v,v)^{1/2}, from a stress
  * τ in equilibrium (EquilibratedStress) and a lift w of what penetrates (ContactLift):
@@ -26,8 +25,7 @@ namespace Signorini
  *
  * E is Hooke's tensor. Norms are roots of energies (force x length per thickness).
  */
-struct ErrorBound
-{
+struct ErrorBound {
   /** The reason why there is no bound, one sentence; empty if there is a bound. Without a bound,
    * only the penetration is set. */
   std::string missing;
@@ -59,12 +57,7 @@ struct ErrorBound
   double penetration = 0.;
   std::string place_of_penetration;
   /** The parts of the bound; dominant_part() returns the largest one. */
-  enum class Part
-  {
-    mesh,
-    oscillation,
-    contact
-  };
+  enum class Part { mesh, oscillation, contact };
   Part dominant_part() const;
   /** The cell with the largest part and the contact face with the largest part, in words. */
   std::string largest_cell, worst_face;
@@ -78,8 +71,7 @@ struct ErrorBound
  *
  *     Σ_K ((mesh_K + oscillation_K)² + lift_K²) + Σ_F contact_F² = (absolute - |||z|||)².
  */
-struct BoundFields
-{
+struct BoundFields {
   /** The norms ‖σ(u_h) - τ‖_{E⁻¹,K}, osc_K and |||w|||_K by active cell; the last is zero
    * on cells of other ranks. */
   std::vector<double> mesh, oscillation, lift;
@@ -88,8 +80,7 @@ struct BoundFields
 };
 
 /** A bound, and its parts by cell and contact face. */
-struct LocatedBound
-{
+struct LocatedBound {
   ErrorBound bound;
   BoundFields fields;
 };

@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * The lift w = w_h + Σ_F r_F(t) ψ_F n: a function of V^h with homogeneous essential conditions,
  * and for each contact face F what it lacks inside the face.
@@ -27,8 +26,7 @@ namespace Signorini
  * on a strip the energy is at most 1/2 (C_nn ∫ r²/D + C_nt D/3 ∫ r'²) + mixed terms, least
  * for this D. Any δ is right.
  */
-class LiftField
-{
+class LiftField {
 public:
   using CellIterator = DoFHandler<2>::active_cell_iterator;
 
@@ -36,17 +34,13 @@ public:
    * Stores the functions. Data and trace must outlive the object.
    * @param remainders r_F in the order of trace.faces(), zero at 0 and 1; empty: all are zero.
    */
-  LiftField(const BoundData &data,
-            const ContactTrace &trace,
-            Displacement w_h,
+  LiftField(const BoundData &data, const ContactTrace &trace, Displacement w_h,
             std::vector<EdgeFunction> remainders = {});
 
-  const Displacement &w_h() const
-  {
+  const Displacement &w_h() const {
     return w_h_;
   }
-  const std::vector<EdgeFunction> &remainders() const
-  {
+  const std::vector<EdgeFunction> &remainders() const {
     return remainders_;
   }
   /**
@@ -62,8 +56,7 @@ public:
 
 private:
   /** The function r_F ψ_F of a contact face. */
-  struct Column
-  {
+  struct Column {
     unsigned int face, face_no;
     /** The number δ. */
     double depth;
@@ -87,8 +80,7 @@ private:
 double stretch_to_shear(const Scene<2> &scene, const PenetrationFace &face);
 
 /** The contact part of the bound of the energy error, with its summands. */
-struct ContactBound
-{
+struct ContactBound {
   /** The energy |||w|||² (force x length per thickness). */
   double lift_energy = 0.;
   /** The integral ∫_{Γ_c} τ_n (ũ_n - g - w_n). It is not negative, up to rounding. */
@@ -103,8 +95,7 @@ struct ContactBound
   SidePlace dominant_part;
 
   /** Returns c² = |||w|||² + 2 ∫ τ_n (ũ_n - g - w_n). */
-  double square() const
-  {
+  double square() const {
     return lift_energy + 2. * contact_term;
   }
 };
@@ -129,8 +120,7 @@ struct ContactBound
  * or is pushed into the foundation there. A gap that jumps costs energy but does no harm, since w_n
  * ≥ d may be smooth.
  */
-struct ContactLift
-{
+struct ContactLift {
   /**
    * Computes the bound. The data must outlive the object. Collective.
    * @param fields see ContactTrace.

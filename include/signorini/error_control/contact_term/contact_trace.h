@@ -14,11 +14,9 @@
 #include <utility>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A place on the boundary. */
-struct SidePlace
-{
+struct SidePlace {
   /** The number of the side in the geometry. */
   unsigned int side = 0;
   /** The arc length from the start of the side (length). */
@@ -30,8 +28,7 @@ std::string name_of(const SidePlace &place, const Scene<2> &scene);
 
 /** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from vertex 0 to vertex 1 of
  * the face. */
-struct PenetrationFace
-{
+struct PenetrationFace {
   using Dofs = std::array<types::global_dof_index, 2>;
   using Polynomial = Polynomials::Polynomial<double>;
 
@@ -52,8 +49,7 @@ struct PenetrationFace
   std::vector<unsigned int> conditions;
   /** An interval on which p_H is constant, and whether p is below pressing_threshold(). The
    * intervals are sorted. */
-  struct Pressed
-  {
+  struct Pressed {
     double from, to, p;
     bool presses;
   };
@@ -65,14 +61,12 @@ struct PenetrationFace
   /** The upper interpolant of d. */
   EdgeFunction d;
 
-  Point<2> point(const double t) const
-  {
+  Point<2> point(const double t) const {
     return start + t * (end - start) + 4. * t * (1. - t) * bulge;
   }
   /** pressure() returns p_H at t, traction() τ_n. */
   double pressure(double t) const;
-  double traction(const double t) const
-  {
+  double traction(const double t) const {
     return free_traction ? (1. - t) * (*free_traction)[0] + t * (*free_traction)[1] : pressure(t);
   }
   /** Returns whether p_H presses on a part of the face; presses_everywhere() whether on all parts.
@@ -89,8 +83,7 @@ struct PenetrationFace
 
 /** The condition w_n ≥ required at a contact node, for w in V^h with homogeneous essential
  * conditions. */
-struct NodeCondition
-{
+struct NodeCondition {
   Tensor<1, 2> normal;
   Point<2> point;
   SidePlace place;
@@ -104,8 +97,7 @@ struct NodeCondition
    * side holds the node. */
   Coupling::Column column;
 
-  bool held() const
-  {
+  bool held() const {
     return column.empty();
   }
 };
@@ -113,8 +105,7 @@ struct NodeCondition
 /** The penetration d = ũ_n - g on Γ_c, face by face, with ũ = u_h or π^{2h} u_h. It also holds
  * the conditions that a w in V^h with w_n ≥ d at contact nodes satisfies: one per contact node and
  * direction of the normal. A corner of two contact sides has two. */
-class ContactTrace
-{
+class ContactTrace {
 public:
   /**
    * Samples d. The data must outlive the object.
@@ -123,16 +114,13 @@ public:
    */
   explicit ContactTrace(const BoundData &data, const std::vector<FaceField> &fields = {});
 
-  const std::vector<PenetrationFace> &faces() const
-  {
+  const std::vector<PenetrationFace> &faces() const {
     return faces_;
   }
-  const std::vector<NodeCondition> &conditions() const
-  {
+  const std::vector<NodeCondition> &conditions() const {
     return conditions_;
   }
-  const ContactSurface<2> &surface() const
-  {
+  const ContactSurface<2> &surface() const {
     return data_.multipliers.surface();
   }
   /** Returns d itself at t, up to the evaluation of g. */
@@ -141,8 +129,7 @@ public:
   double rounding(const PenetrationFace &face) const;
   /** The integrals of τ_n - p_H, of (τ_n - p_H) n and of (τ_n - p_H)(g - c_n) over Γ_c,
    * with four Gauss points on every part of d. */
-  struct TractionChange
-  {
+  struct TractionChange {
     double normal_force = 0.;
     Tensor<1, 2> force;
     double work_of_gap = 0.;
@@ -155,18 +142,15 @@ public:
   /** Returns ∫ τ_n d over Γ_c, by the same points. */
   double work_of_penetration() const;
   /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */
-  double max_penetration() const
-  {
+  double max_penetration() const {
     return max_;
   }
-  const SidePlace &place_of_largest() const
-  {
+  const SidePlace &place_of_largest() const {
     return place_of_largest_;
   }
   /** Returns a place where u_n - g > 0 and another side holds the body: no w of finite energy
    * removes that. */
-  const std::optional<SidePlace> &obstacle() const
-  {
+  const std::optional<SidePlace> &obstacle() const {
     return obstacle_;
   }
 

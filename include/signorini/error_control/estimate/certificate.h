@@ -9,11 +9,9 @@
 #include <signorini/problem/scene/material.h>
 #include <signorini/solvers/methods/contact_method.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The residuals of (5) for (U, P), relative to the scene's own scales. */
-struct Certificate
-{
+struct Certificate {
   /** The residual |A U - D P - f|₂ on free degrees of freedom, relative to its largest term. */
   double stationarity = 0.;
   /** The largest mean penetration max (W_k)₊ / ∫ψ_k, relative to displacement and gap. */
@@ -59,8 +57,7 @@ struct Certificate
 /** The object of a certificate: contact as a method has found it, and the equations that it solves.
  */
 template <int dim>
-struct SolvedContact
-{
+struct SolvedContact {
   const ContactState<dim> &contact;
   const Coupling &D;
   const dealii::Vector<double> &G;
@@ -73,10 +70,8 @@ struct SolvedContact
  * Collective.
  */
 template <int dim>
-Certificate certify(const DisplacementSpace<dim> &space,
-                    const Scene<dim> &scene,
-                    const MultiplierSpace<dim> &multipliers,
-                    const SolvedContact<dim> &solved);
+Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                    const MultiplierSpace<dim> &multipliers, const SolvedContact<dim> &solved);
 
 /**
  * Returns the locking number K/μ (h/l)² with the largest ratio of bulk to shear modulus K =

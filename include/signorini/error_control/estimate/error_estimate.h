@@ -10,11 +10,9 @@
 #include <functional>
 #include <optional>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The correction z_h in V^h of u_h for p_H being constant on patches, and its energy norm. */
-struct PressureCorrection
-{
+struct PressureCorrection {
   /** The nodal values of z_h, zero where displacements are prescribed; if there are none, z_h = 0.
    */
   Displacement z;
@@ -24,16 +22,13 @@ struct PressureCorrection
 
 /** Returns P of the dual problem with C = Dᵀ A⁻¹ D, for a D, its condensed form, F and a start;
  * nothing where the solver fails. */
-using DualProblem =
-  std::function<std::optional<dealii::Vector<double>>(const Coupling &D,
-                                                      const Coupling &condensed_D,
-                                                      const dealii::Vector<double> &F,
-                                                      const dealii::Vector<double> &start)>;
+using DualProblem = std::function<std::optional<dealii::Vector<double>>(
+  const Coupling &D, const Coupling &condensed_D, const dealii::Vector<double> &F,
+  const dealii::Vector<double> &start)>;
 
 /** The data that a correction is computed from. Everything must outlive the call. */
 template <int dim>
-struct PressureData
-{
+struct PressureData {
   const DisplacementSpace<dim> &space;
   const Scene<dim> &scene;
   const MultiplierSpace<dim> &multipliers;
@@ -53,8 +48,7 @@ struct PressureData
  * p is the recovered pressure of @p P, shifted to the means of @p P and cut off at zero. */
 template <int dim>
 Coupling recovered_load(const DisplacementSpace<dim> &space,
-                        const MultiplierSpace<dim> &multipliers,
-                        const Pressure &P);
+                        const MultiplierSpace<dim> &multipliers, const Pressure &P);
 
 /**
  * Returns z_h = A⁻¹(b - D P) with b_j = ∫ p v_n: with p = σ_n(u), u_h + z_h would be the
@@ -72,8 +66,7 @@ template <int dim>
 PressureCorrection correct_pressure(const PressureData<dim> &data);
 
 /** The parts of an error that neither π^{2h} nor a recovered pressure shows (energy norms). */
-struct OtherErrors
-{
+struct OtherErrors {
   /** The error that the contact solver leaves, see algebraic_error(). */
   double algebra = 0.;
   /** The error where u_h misses contact, see energy_of_missed_contact(). */
@@ -91,8 +84,7 @@ struct OtherErrors
  * this mesh, and what no recovered pressure shows, comes on top (OtherErrors). Energy norms are
  * roots of force x length^{dim-1}. An estimate that comes from elsewhere has no parts.
  */
-struct ErrorEstimate
-{
+struct ErrorEstimate {
   /** The distance ‖π^{2h} u_h - u_h‖_{1,Ω}, which estimates ‖u - u_h‖_1. It is asymptotically
    * exact where π^{2h} u_h superconverges and |||z_h||| is small. */
   std::optional<double> h1;
@@ -114,10 +106,8 @@ struct ErrorEstimate
  * Mesh::has_parents(). Runs on all threads given, and the sums do not depend on their number.
  * Collective. */
 template <int dim>
-ErrorEstimate estimate_error(const DisplacementSpace<dim> &space,
-                             const Scene<dim> &scene,
-                             const Displacement &U,
-                             const PressureCorrection &correction = {},
+ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                             const Displacement &U, const PressureCorrection &correction = {},
                              const OtherErrors &others = {});
 
 /** Returns the number of generations with which PatchInterpolation comes closest to u: 2 (degree
@@ -139,8 +129,6 @@ unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Displ
  * @throws InputError where g has no value. Collective.
  */
 double energy_of_missed_contact(const DisplacementSpace<3> &space,
-                                const MultiplierSpace<3> &multipliers,
-                                const Scene<3> &scene,
-                                const Displacement &U,
-                                const Pressure &P);
+                                const MultiplierSpace<3> &multipliers, const Scene<3> &scene,
+                                const Displacement &U, const Pressure &P);
 } // namespace Signorini

@@ -7,8 +7,7 @@
 
 #include <optional>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * Splits cells of a first plan until rules of 4 x 4 Gauss points resolve the data in them.
  *
@@ -28,8 +27,6 @@ std::optional<Point<2>> resolve_hidden_data(const Scene<2> &scene, MeshPlan &pla
  * moduli, and u_h, whose strain does not jump, as the arithmetic mean E_a. Under the same stress
  * the energy of the cell is wrong by (E_a/E_h - 1) times that of u_h, which counts as error,
  * whatever the direction of the layers. */
-void add_jump_misfit(const DisplacementSpace<2> &space,
-                     const Scene<2> &scene,
-                     const Displacement &U,
-                     std::vector<CellIndicator> &indicators);
+void add_jump_misfit(const DisplacementSpace<2> &space, const Scene<2> &scene,
+                     const Displacement &U, std::vector<CellIndicator> &indicators);
 } // namespace Signorini

@@ -9,31 +9,26 @@
 
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Tabulates Lagrange's polynomials at the nodes of an edge of the element FE_Q, those of Gauss and
  * Lobatto, at points between 0 and 1. */
 LineTable make_line_table(unsigned int degree, const std::vector<double> &points);
 
 /** The solution u_h on one cell as products of polynomials in the two reference coordinates. */
-class CellField
-{
+class CellField {
 public:
   CellField(const DoFHandler<2>::active_cell_iterator &cell, const Displacement &U);
 
-  unsigned int degree() const
-  {
+  unsigned int degree() const {
     return degree_;
   }
   /** Returns component c at node (i, j): node i along the first coordinate, j along the second. */
-  double operator()(const unsigned int c, const unsigned int i, const unsigned int j) const
-  {
+  double operator()(const unsigned int c, const unsigned int i, const unsigned int j) const {
     return values_[i + (degree_ + 1) * j][c];
   }
   /** Returns the derivatives with respect to the reference coordinates of the cell at the points
    * (x_i, y_j), point i + n_x j; [c][d] is that of component c with respect to coordinate d. */
-  std::vector<Tensor<2, 2>> gradients(const LineTable &x, const LineTable &y) const
-  {
+  std::vector<Tensor<2, 2>> gradients(const LineTable &x, const LineTable &y) const {
     return evaluate_products<2>(values_, {&x, &y}).gradients;
   }
 
@@ -44,8 +39,7 @@ private:
 };
 
 /** The error and the smoothness of u_h on a cell, from its coefficients. */
-struct CellIndicator
-{
+struct CellIndicator {
   /** An approximation of the energy norm of the error on the cell, (force length)^{1/2}. */
   double error = 0.;
   /** The factor by which the error falls when the degree grows by one: near 0 where u is analytic,
@@ -63,8 +57,7 @@ struct CellIndicator
  * not a bound. (Decay of Legendre coefficients as a measure of smoothness: C. Mavriplis, Comput.
  * Methods Appl. Mech. Eng. 116 (1994) 77-86; P. Houston, E. Suli, ibid. 194 (2005) 229-243.)
  */
-std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space,
-                                    const Scene<2> &scene,
+std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space, const Scene<2> &scene,
                                     const Displacement &U);
 
 /** Returns a modulus for the energy of all strains but those that incompressible bodies avoid
@@ -83,11 +76,8 @@ double total(const std::vector<CellIndicator> &indicators);
  *
  * that of a half-space with waves of the number π p/h. @throws InputError where g has no value.
  */
-void add_contact_misfit(const DisplacementSpace<2> &space,
-                        const MultiplierSpace<2> &multipliers,
-                        const Scene<2> &scene,
-                        const Displacement &U,
-                        const Pressure &P,
+void add_contact_misfit(const DisplacementSpace<2> &space, const MultiplierSpace<2> &multipliers,
+                        const Scene<2> &scene, const Displacement &U, const Pressure &P,
                         std::vector<CellIndicator> &indicators);
 
 /** Returns the active cells with a contact face on which the body penetrates the foundation
@@ -96,12 +86,10 @@ void add_contact_misfit(const DisplacementSpace<2> &space,
  * than a thousandth of the largest |u_n - g|. @throws InputError where g has no value. */
 std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
-                                               const Displacement &U,
-                                               const Pressure &P);
+                                               const Displacement &U, const Pressure &P);
 
 /** Returns the values of p_H at the nodes of other multipliers on the same sides, cut off at zero,
  * as a start for an active set. */
-Pressure transfer_pressure(const MultiplierSpace<2> &from,
-                           const Pressure &P,
+Pressure transfer_pressure(const MultiplierSpace<2> &from, const Pressure &P,
                            const MultiplierSpace<2> &to);
 } // namespace Signorini

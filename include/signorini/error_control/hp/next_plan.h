@@ -5,11 +5,9 @@
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The results of a step that determine the next one. */
-struct StepFindings
-{
+struct StepFindings {
   /** The indicators, by active cell. */
   std::vector<CellIndicator> indicators;
   std::vector<ContactBracket> brackets;
@@ -23,16 +21,14 @@ struct StepFindings
   double scale = 0.;
 
   /** Without it the next mesh will see another problem. */
-  bool has_estimate() const
-  {
+  bool has_estimate() const {
     return missed_contact_cells.empty();
   }
 };
 
 /** Returns the plan of the first step: a uniform mesh of degree 2, and the places that are singular
  * by the data. */
-MeshPlan first_plan(const Scene<2> &scene,
-                    unsigned int base_level,
+MeshPlan first_plan(const Scene<2> &scene, unsigned int base_level,
                     unsigned int max_element_degree);
 
 /** Returns the plan of the next step. Its error should be smaller by a factor of about twelve, or
@@ -40,9 +36,6 @@ MeshPlan first_plan(const Scene<2> &scene,
  * layers. Corners and kinks get as many as their exponents need for the same effect, if they
  * matter. The degree rises. A cell whose error would still be too large is split where the
  * coefficients of u_h fall slowly; its degree rises further where they fall fast. */
-MeshPlan next_plan(const MeshPlan &plan,
-                   const Scene<2> &scene,
-                   const Mesh<2> &mesh,
-                   const std::vector<unsigned int> &degrees,
-                   const StepFindings &findings);
+MeshPlan next_plan(const MeshPlan &plan, const Scene<2> &scene, const Mesh<2> &mesh,
+                   const std::vector<unsigned int> &degrees, const StepFindings &findings);
 } // namespace Signorini

@@ -9,8 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * The estimated errors of the steps, one after the other, (force length)^{1/2}.
  *
@@ -23,8 +22,7 @@ namespace Signorini
  *
  * It is reliable as long as the error falls in step k as the indicator says, or as planned.
  */
-class ErrorHistory
-{
+class ErrorHistory {
 public:
   /**
    * Adds step k.
@@ -35,8 +33,7 @@ public:
    */
   double add(double indicator, const std::optional<double> &difference, double planned);
 
-  std::size_t n_steps() const
-  {
+  std::size_t n_steps() const {
     return estimates_.size();
   }
   /** Returns whether the estimates of the last steps do not fall: the solution has no finite
@@ -50,8 +47,7 @@ private:
 };
 
 /** A solution u_h and its space. */
-struct StepField
-{
+struct StepField {
   const DisplacementSpace<2> &space;
   const Displacement &U;
 };
@@ -62,8 +58,7 @@ struct StepField
 double energy_distance(const StepField &u, const StepField &v, const Scene<2> &scene);
 
 /** Contact as it was found on one mesh of a graded sequence. */
-struct SolvedStep
-{
+struct SolvedStep {
   const DisplacementSpace<2> &space;
   const MultiplierSpace<2> &multipliers;
   const Displacement &U;
@@ -73,8 +68,7 @@ struct SolvedStep
 };
 
 /** Examines the steps of a graded sequence one after the other. */
-class StepExamination
-{
+class StepExamination {
 public:
   /**
    * @param scene must outlive the object.
@@ -88,18 +82,15 @@ public:
    * @param planned the factor by which the mesh was planned to reduce the error.
    * @throws InputError where g has no value.
    */
-  StepFindings examine(const SolvedStep &step,
-                       const std::optional<StepField> &before,
+  StepFindings examine(const SolvedStep &step, const std::optional<StepField> &before,
                        double planned);
 
   /** Returns whether the estimates do not fall any more, see ErrorHistory. */
-  bool stagnates() const
-  {
+  bool stagnates() const {
     return history_.stagnates();
   }
   /** Returns whether a second mesh confirms the error. Bodies that nothing deforms need none. */
-  bool is_checked(const StepFindings &findings) const
-  {
+  bool is_checked(const StepFindings &findings) const {
     return history_.n_steps() > 1 || findings.error == 0.;
   }
 

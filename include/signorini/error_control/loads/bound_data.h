@@ -6,11 +6,9 @@
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The data of the bound: a level, its solution, and A⁻¹. Everything must outlive it. */
-struct BoundData
-{
+struct BoundData {
   const DisplacementSpace<2> &space;
   const Scene<2> &scene;
   const MultiplierSpace<2> &multipliers;

@@ -10,8 +10,7 @@
 #include <cmath>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * The constants for loads r on a cell K and r_e on its edges that have neither force nor moment.
  * There is, with Hooke's tensor E, a stress τ_r on K with div τ_r + r = 0 and the tractions r_e
@@ -44,8 +43,7 @@ namespace Signorini
  * ‖F‖² ≤ L⁴/500.56 ‖r_e‖² and by Wirtinger ‖F'‖ ≤ L/(2 π) ‖r_e‖, so that its square is at most
  * (13/35 d + 12/(5 d) L²/(4 π²) + 12/d³ L⁴/500.56) ‖r_e‖². The best d is close to 0.73 L.
  */
-struct OscillationConstants
-{
+struct OscillationConstants {
   explicit OscillationConstants(const CellShape &shape);
 
   double korn;
@@ -62,8 +60,7 @@ struct OscillationConstants
 double turning_constant(double L, double d);
 
 /** The body force of a cell: its nodal forces, and the part f_h that stresses balance exactly. */
-struct CellLoad
-{
+struct CellLoad {
   /** The nodal forces ∫ f φ_i at the four corners, with the quadrature of the system. */
   std::array<Tensor<1, 2>, 4> nodal;
   /** The loads d_k, the part of f_h that is constant on triangle k. */
@@ -103,16 +100,11 @@ std::vector<CellLoad> make_loads(const BoundData &data, const EdgeMesh &mesh);
  * @param measure the length or area on which they act.
  */
 template <std::size_t n>
-bool agree(const std::array<Tensor<1, 2>, n> &forces,
-           const std::array<Tensor<1, 2>, n> &finer,
-           const double rest,
-           const double finer_rest,
-           const double measure)
-{
+bool agree(const std::array<Tensor<1, 2>, n> &forces, const std::array<Tensor<1, 2>, n> &finer,
+           const double rest, const double finer_rest, const double measure) {
   constexpr double tolerance = 1e-4;
   double difference = 0., size = 0.;
-  for (std::size_t i = 0; i < n; ++i)
-  {
+  for (std::size_t i = 0; i < n; ++i) {
     difference = std::max(difference, (forces[i] - finer[i]).norm());
     size = std::max(size, forces[i].norm());
   }

@@ -8,26 +8,22 @@
 
 #include <array>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A 2-D stress (s11, s22, s12) or strain (e11, e22, 2 e12): s * e is their scalar product. */
 using Components = Tensor<1, 3>;
 using Triangle = std::array<Point<2>, 3>;
 
 /** Returns a1 b2 - a2 b1. */
-inline double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b)
-{
+inline double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
   return a[0] * b[1] - a[1] * b[0];
 }
 
-inline double twice_area(const Triangle &x)
-{
+inline double twice_area(const Triangle &x) {
   return cross(x[1] - x[0], x[2] - x[0]);
 }
 
 /** Returns the barycentric coordinates of a point. */
-inline std::array<double, 3> barycentric(const Triangle &x, const Point<2> &point)
-{
+inline std::array<double, 3> barycentric(const Triangle &x, const Point<2> &point) {
   std::array<double, 3> lambda;
   for (unsigned int v = 0; v < 3; ++v)
     lambda[v] = twice_area({{point, x[(v + 1) % 3], x[(v + 2) % 3]}}) / twice_area(x);
@@ -40,8 +36,7 @@ inline std::array<double, 3> barycentric(const Triangle &x, const Point<2> &poin
  * it and the depth d behind it; and the bubble of the cell. Corners and edges are in the order of
  * EdgeCell.
  */
-struct CellFunctions
-{
+struct CellFunctions {
   explicit CellFunctions(const Point<2> &at);
 
   static constexpr unsigned int n_corners = 4, n_functions = 9;
@@ -50,13 +45,10 @@ struct CellFunctions
 };
 
 /** The corners and diagonals of a convex quadrilateral, and its maps from [0,1]². */
-struct CellShape
-{
+struct CellShape {
   explicit CellShape(const std::array<Point<2>, 4> &corners, const Bulges &bulges = {});
   explicit CellShape(const EdgeCell &cell)
-    : CellShape(cell.corners, cell.bulges)
-  {
-  }
+    : CellShape(cell.corners, cell.bulges) {}
 
   std::array<Point<2>, 4> corners;
   Bulges bulges;
@@ -67,20 +59,17 @@ struct CellShape
   /** The areas of the four triangles. */
   std::array<double, 4> areas;
 
-  double area() const
-  {
+  double area() const {
     return areas[0] + areas[1] + areas[2] + areas[3];
   }
   /** Returns the longest diagonal or edge. */
   double diameter() const;
   /** Returns the triangle (x_k, x_{k+1}, z) with the crossing z. */
-  Triangle triangle(const unsigned int k) const
-  {
+  Triangle triangle(const unsigned int k) const {
     return {{corners[k], corners[(k + 1) % 4], crossing}};
   }
   /** Returns the centre of mass of triangle k. */
-  Point<2> centre(const unsigned int k) const
-  {
+  Point<2> centre(const unsigned int k) const {
     return crossing + ((corners[k] - crossing) + (corners[(k + 1) % 4] - crossing)) / 3.;
   }
   /** Returns the centre of mass of the cell. */
@@ -99,12 +88,10 @@ struct CellShape
 /** Returns the strain of Σ_i u_i φ_i from the gradients of φ_i. */
 template <std::size_t n_values, std::size_t n_gradients>
 Components strain_of(const std::array<Tensor<1, 2>, n_gradients> &gradients,
-                     const std::array<Tensor<1, 2>, n_values> &u)
-{
+                     const std::array<Tensor<1, 2>, n_values> &u) {
   Components e;
   for (std::size_t i = 0; i < n_values; ++i)
-    e += Components({gradients[i][0] * u[i][0],
-                     gradients[i][1] * u[i][1],
+    e += Components({gradients[i][0] * u[i][0], gradients[i][1] * u[i][1],
                      gradients[i][1] * u[i][0] + gradients[i][0] * u[i][1]});
   return e;
 }
@@ -122,8 +109,7 @@ Components strain_of(const std::array<Tensor<1, 2>, n_gradients> &gradients,
  * corners 0 and 1 are the unit points. With F the matrix of the map and τ = F τ' Fᵀ, moments
  * are det(F) F b' and loads F d'. So thin cells are as good as squares.
  */
-class CompositeCell
-{
+class CompositeCell {
 public:
   /** The degree of stresses and of tractions on edges. */
   static constexpr unsigned int degree = 1;
@@ -136,8 +122,7 @@ public:
 
   /** Returns the entry of a stress by the number of the moment or load that is one. Only sums of
    * columns whose moments and loads are in balance have a meaning. */
-  double operator()(const unsigned int entry, const unsigned int data) const
-  {
+  double operator()(const unsigned int entry, const unsigned int data) const {
     return matrix_[entry][data];
   }
 

@@ -6,19 +6,16 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * A continuous function of t in [0,1], the position on a straight edge, that is a polynomial of
  * degree two between consecutive breaks.
  */
-class EdgeFunction
-{
+class EdgeFunction {
 public:
   /** A part on [start, end]. With τ = (t - start)/(end - start) the function is (1 - τ) first +
    * τ last + 4 bulge τ (1 - τ). */
-  struct Part
-  {
+  struct Part {
     double start, end;
     double first, last;
     double bulge;
@@ -35,12 +32,9 @@ public:
    * @param parts sorted; they cover [0,1].
    */
   explicit EdgeFunction(std::vector<Part> parts)
-    : parts_(std::move(parts))
-  {
-  }
+    : parts_(std::move(parts)) {}
 
-  const std::vector<Part> &parts() const
-  {
+  const std::vector<Part> &parts() const {
     return parts_;
   }
   double value(double t) const;
@@ -60,16 +54,14 @@ private:
 };
 
 /** A function q ≥ f on an edge, with the largest sampled value of f and its position. */
-struct UpperInterpolant
-{
+struct UpperInterpolant {
   EdgeFunction function;
   double largest;
   double at;
 };
 
 /** The ends of the edge at which q equals f. */
-struct Pinned
-{
+struct Pinned {
   bool start = false;
   bool end = false;
 };
@@ -94,14 +86,11 @@ struct Pinned
  * and integrals with them are taken part by part.
  */
 UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
-                                        const std::vector<double> &breaks,
-                                        double rounding,
-                                        const Pinned &pinned = {},
-                                        unsigned int n_scanned = 0);
+                                        const std::vector<double> &breaks, double rounding,
+                                        const Pinned &pinned = {}, unsigned int n_scanned = 0);
 
 /** The fields ũ and τ on a contact face, as far as they differ from u_h and p_H. */
-struct FaceField
-{
+struct FaceField {
   /** The coefficient in ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
   double bubble = 0.;
   /** The traction τ_n at vertex 0 and vertex 1, linear between them. If it is empty, τ_n = p_H.

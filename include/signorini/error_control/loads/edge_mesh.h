@@ -11,11 +11,9 @@
 #include <array>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The tractions that an edge may carry. */
-enum class EdgeFreedom
-{
+enum class EdgeFreedom {
   /** The edge carries any traction: inside the body, and where displacements are prescribed. */
   any,
   /** The edge carries normal tractions: rollers, and contact edges that press once their traction
@@ -26,8 +24,7 @@ enum class EdgeFreedom
 };
 
 /** An edge of the mesh. The chord replaces a curved edge. */
-struct Edge
-{
+struct Edge {
   /** The numbers of its end points in the mesh. */
   std::array<unsigned int, 2> vertices;
   EdgeFreedom freedom = EdgeFreedom::any;
@@ -39,18 +36,15 @@ struct Edge
 
   static constexpr unsigned int no_side = static_cast<unsigned int>(-1);
 
-  bool is_boundary() const
-  {
+  bool is_boundary() const {
     return side != no_side;
   }
   /** Returns whether displacements are prescribed on the edge. */
-  bool is_held() const
-  {
+  bool is_held() const {
     return is_boundary() && freedom == EdgeFreedom::any;
   }
   /** Returns the projection onto the tractions that the edge may carry. */
-  Tensor<2, 2> projection() const
-  {
+  Tensor<2, 2> projection() const {
     Tensor<2, 2> P;
     if (freedom == EdgeFreedom::any)
       P = unit_symmetric_tensor<2>();
@@ -66,8 +60,7 @@ using Bulges = std::array<Tensor<1, 2>, 5>;
 
 /** A quadrilateral with its corners and edges counter-clockwise; edge k runs from corner k to
  * corner k + 1. */
-struct EdgeCell
-{
+struct EdgeCell {
   std::array<Point<2>, 4> corners;
   std::array<unsigned int, 4> vertices;
   std::array<unsigned int, 4> edges;
@@ -80,22 +73,19 @@ struct EdgeCell
   bool is_curved = false;
 
   /** Returns the vector along edge k. */
-  Tensor<1, 2> edge_vector(const unsigned int k) const
-  {
+  Tensor<1, 2> edge_vector(const unsigned int k) const {
     return corners[(k + 1) % 4] - corners[k];
   }
 };
 
 /** A corner of a cell. */
-struct CellCorner
-{
+struct CellCorner {
   unsigned int cell;
   unsigned int number;
 };
 
 /** An edge in the star of one of its end points, the centre. */
-struct Spoke
-{
+struct Spoke {
   unsigned int edge;
   /** The end of the edge that is the centre. */
   unsigned int end;
@@ -108,19 +98,16 @@ struct Spoke
  * The cells around a vertex, counter-clockwise. Spoke j is to the right of cell j and spoke j + 1
  * to its left; inside the body the spokes close, at the boundary there is one more than cells.
  */
-struct Star
-{
+struct Star {
   // Most vertices have four cells: no allocations for them.
   boost::container::small_vector<CellCorner, 5> cells;
   boost::container::small_vector<Spoke, 5> spokes;
 
-  bool is_closed() const
-  {
+  bool is_closed() const {
     return spokes.size() == cells.size();
   }
   /** Returns the spoke to the left of cell j. */
-  unsigned int left_of(const unsigned int j) const
-  {
+  unsigned int left_of(const unsigned int j) const {
     return (j + 1) % spokes.size();
   }
 };
@@ -134,50 +121,40 @@ struct Star
  * components each: entries 4 e + 2 end + component of a vector of moments. Every rank stores all of
  * them.
  */
-class EdgeMesh
-{
+class EdgeMesh {
 public:
   EdgeMesh(const DisplacementSpace<2> &space, const Scene<2> &scene);
 
-  const std::vector<EdgeCell> &cells() const
-  {
+  const std::vector<EdgeCell> &cells() const {
     return cells_;
   }
-  const std::vector<Edge> &edges() const
-  {
+  const std::vector<Edge> &edges() const {
     return edges_;
   }
-  void set_freedom(const unsigned int edge, const EdgeFreedom freedom)
-  {
+  void set_freedom(const unsigned int edge, const EdgeFreedom freedom) {
     edges_[edge].freedom = freedom;
   }
   /** Returns the stars of all vertices. */
-  const std::vector<Star> &stars() const
-  {
+  const std::vector<Star> &stars() const {
     return stars_;
   }
   /** Returns the degrees of freedom of both components at each vertex. */
-  const std::vector<std::array<types::global_dof_index, 2>> &dofs() const
-  {
+  const std::vector<std::array<types::global_dof_index, 2>> &dofs() const {
     return dofs_;
   }
   /** Returns the number of the edge that is a line of the triangulation. */
-  unsigned int edge_of_line(const unsigned int line) const
-  {
+  unsigned int edge_of_line(const unsigned int line) const {
     return edge_of_line_[line];
   }
-  bool is_curved() const
-  {
+  bool is_curved() const {
     return is_curved_;
   }
-  std::size_t n_moments() const
-  {
+  std::size_t n_moments() const {
     return 4 * edges_.size();
   }
   /** Returns the position in a vector of moments of the first component that edge k of a cell has
    * at its corner k (@p end 0) or k + 1 (1). */
-  static unsigned int position(const EdgeCell &cell, const unsigned int k, const unsigned int end)
-  {
+  static unsigned int position(const EdgeCell &cell, const unsigned int k, const unsigned int end) {
     return 4 * cell.edges[k] + (cell.reversed[k] == (end == 1) ? 0 : 2);
   }
 
@@ -198,8 +175,7 @@ private:
 
 /** Returns at position s in [0,1], times the length of the edge, the linear traction with the
  * moments moments[0] and moments[1] (components) at s = 0, and the two others at s = 1. */
-inline Tensor<1, 2> linear_traction(const double *const moments, const double s)
-{
+inline Tensor<1, 2> linear_traction(const double *const moments, const double s) {
   const double first = 4. - 6. * s, second = 6. * s - 2.;
   return Tensor<1, 2>(
     {first * moments[0] + second * moments[2], first * moments[1] + second * moments[3]});

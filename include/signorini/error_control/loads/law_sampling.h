@@ -8,11 +8,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A part of one of the triangles of a cell. */
-struct TrianglePart
-{
+struct TrianglePart {
   Triangle corners;
   /** Whether data is smooth on it. */
   bool resolved = true;
@@ -28,13 +26,11 @@ struct TrianglePart
  *
  * Layers and inclusions that are wider than 1/m of the cell are seen; narrower ones may be missed.
  */
-class LawSampling
-{
+class LawSampling {
 public:
   /** A point with the features of the tensor that are compared: the norms of the tensor and of its
    * inverse, and the shares of its entries in the norm. */
-  struct Sample
-  {
+  struct Sample {
     Point<2> x;
     std::array<double, 8> features;
   };
@@ -43,8 +39,7 @@ public:
   LawSampling(const Material<2> &material, std::size_t n_cells);
 
   /** Returns m: about 500000 points for a mesh, between 6 and 96 per direction of a cell. */
-  unsigned int intervals() const
-  {
+  unsigned int intervals() const {
     return intervals_;
   }
   Samples scan(const std::array<Point<2>, 4> &corners) const;
@@ -55,9 +50,7 @@ public:
    * @param samples points in the triangle and outside of it.
    * @param least the length below which edges are not divided.
    */
-  void divide(const Triangle &whole,
-              const Samples &samples,
-              double least,
+  void divide(const Triangle &whole, const Samples &samples, double least,
               std::vector<TrianglePart> &parts) const;
 
 private:

@@ -8,8 +8,7 @@
 #include <map>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * The function z with u_h + z = u_D on sides with prescribed displacements that are not linear
  * along edges. On the cell behind such an edge, z = r(s) (1 - depth) in bilinear coordinates, where
@@ -19,20 +18,17 @@ namespace Signorini
  * r is interpolated at nine points on each of 1, 2, 4, ... or 32 equal pieces of an edge: as many
  * as bring it within a thousandth of its size at up to 256 further points per edge (20000 on all).
  */
-class PrescribedLift
-{
+class PrescribedLift {
 public:
   PrescribedLift(const BoundData &data, const EdgeMesh &mesh);
 
   /** Returns for every cell whether z is not zero on it. */
-  const std::vector<bool> &cells() const
-  {
+  const std::vector<bool> &cells() const {
     return cells_;
   }
   /** Returns the largest difference between r and its interpolation, relative to the largest |r| on
    * the edge. */
-  double max_misfit() const
-  {
+  double max_misfit() const {
     return max_misfit_;
   }
   /** Returns the lines through the ends of the pieces of edges: z is smooth between them. */
@@ -46,8 +42,7 @@ public:
 private:
   /** The values of r at the points of interpolation on the equal pieces of edge k, from corner k
    * on. */
-  struct EdgeRest
-  {
+  struct EdgeRest {
     /** Returns r(s), or its derivative. */
     Tensor<1, 2> evaluate(double s, bool derivative) const;
 

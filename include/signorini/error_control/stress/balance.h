@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * Brings cells into exact balance. Around a cell, @p moments balance R_K^i - rest(i) (EdgeMoments),
  * where rest is the residual of the linear solver in the Galerkin rows. The edges that hold the
@@ -18,8 +17,7 @@ namespace Signorini
  *
  * @return whether the body is held; if not, moments are not changed.
  */
-bool balance_cells(const EdgeMesh &mesh,
-                   const std::vector<Tensor<1, 2>> &rest,
+bool balance_cells(const EdgeMesh &mesh, const std::vector<Tensor<1, 2>> &rest,
                    std::vector<double> &moments);
 
 /**
@@ -35,7 +33,6 @@ bool balance_cells(const EdgeMesh &mesh,
  *
  * Returns nothing if the factorisation fails, or leaves more than rounding.
  */
-std::vector<double> optimal_change(const EdgeMesh &mesh,
-                                   const CellEnergies &energies,
+std::vector<double> optimal_change(const EdgeMesh &mesh, const CellEnergies &energies,
                                    const std::vector<double> &r);
 } // namespace Signorini

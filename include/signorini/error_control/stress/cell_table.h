@@ -12,12 +12,10 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Hooke's law C = G Gᵀ at a point: with strains e and stresses s, |Gᵀ e|² = e:C:e and |G⁻¹ s|² is
  * the complementary energy. */
-struct Law
-{
+struct Law {
   explicit Law(const SymmetricTensor<4, 2> &hooke);
 
   Tensor<2, 3> stiffness, root, inverse_root;
@@ -30,8 +28,7 @@ struct Law
  * the bubbles b (CellFunctions), the factor 1 of z (PrescribedLift), and for τ the moments of
  * tractions, the constant loads and the slope of CellLoad.
  */
-struct CellColumns
-{
+struct CellColumns {
   static constexpr unsigned int bubbles = 2 * CellFunctions::n_corners,
                                 lift = 2 * CellFunctions::n_functions, moments = lift + 1,
                                 loads = moments + CompositeCell::n_moments,
@@ -44,25 +41,21 @@ using CellEnergy =
   std::array<std::array<double, CompositeCell::n_moments>, CompositeCell::n_moments>;
 
 /** Strains of displacements, and minus stresses, at the quadrature points of a cell. */
-struct CellBasis
-{
+struct CellBasis {
   /**
    * Computes the basis.
    * @param rule a rule on the unit simplex, for every part of a triangle.
    * @param parts the parts of triangle k.
    * @param lift is not null if the cell, number @p cell, has one.
    */
-  CellBasis(const CellShape &shape,
-            const Quadrature<2> &rule,
+  CellBasis(const CellShape &shape, const Quadrature<2> &rule,
             const std::array<std::vector<TrianglePart>, 4> &parts,
-            const PrescribedLift *lift = nullptr,
-            unsigned int cell = 0);
+            const PrescribedLift *lift = nullptr, unsigned int cell = 0);
   /** Computes the basis on whole triangles. */
   CellBasis(const CellShape &shape, const Quadrature<2> &rule);
 
   /** A point; on curved cells, its image. */
-  struct PointOfCell
-  {
+  struct PointOfCell {
     /** The vector from corner 0. */
     Tensor<1, 2> offset;
     double weight;
@@ -70,23 +63,18 @@ struct CellBasis
   };
   std::vector<PointOfCell> points;
   /** Points [begin, end) of a part in which the law is not resolved. */
-  struct Range
-  {
+  struct Range {
     std::size_t begin, end;
   };
   std::vector<Range> unresolved;
 
 private:
-  void add_point(const CellShape &shape,
-                 const CompositeCell &composite,
-                 unsigned int triangle,
-                 const Tensor<1, 2> &offset,
-                 double weight);
+  void add_point(const CellShape &shape, const CompositeCell &composite, unsigned int triangle,
+                 const Tensor<1, 2> &offset, double weight);
 };
 
 /** A matrix A with ‖σ(u_h + b + z) - τ‖² = |A v|² for the v of CellColumns. */
-class CellMatrix
-{
+class CellMatrix {
 public:
   using Values = std::vector<double>;
 
@@ -98,8 +86,7 @@ public:
   void compress();
   /** Adds columns [begin, end) times @p v to @p y. */
   void add(const CellVector &v, unsigned int begin, unsigned int end, Values &y) const;
-  Values zero() const
-  {
+  Values zero() const {
     return Values(rows_.size(), 0.);
   }
   /** Returns the products of the columns of the moments with y. */
@@ -108,13 +95,11 @@ public:
   /** Returns |y|². With @p from_above, where the law is not resolved, the largest value in a part
    * counts for all of the part. */
   double square(const Values &y, bool from_above) const;
-  bool is_resolved() const
-  {
+  bool is_resolved() const {
     return unresolved_.empty();
   }
   /** Returns the smallest Law::min_eigenvalue of all points. */
-  double min_eigenvalue() const
-  {
+  double min_eigenvalue() const {
     return min_eigenvalue_;
   }
 
@@ -126,12 +111,10 @@ private:
 };
 
 /** The matrices of cells; one for congruent cells, as long as there are few shapes. */
-class CellTable
-{
+class CellTable {
 public:
   /** What congruent cells share. */
-  struct Shape
-  {
+  struct Shape {
     std::array<Tensor<1, 2>, 3> edges;
     CellBasis basis;
     OscillationConstants constants;
@@ -143,23 +126,19 @@ public:
 
   /** Returns the matrix of a cell, which @p own may hold. */
   const CellMatrix &matrix(unsigned int cell, std::optional<CellMatrix> &own) const;
-  Law law(const Point<2> &x) const
-  {
+  Law law(const Point<2> &x) const {
     return constant_law_ ? *constant_law_ : Law(material_.hooke(x));
   }
   /** Returns whether a cell shares its matrix, the given number of those that are shared. */
-  std::optional<unsigned int> shared(const unsigned int cell) const
-  {
+  std::optional<unsigned int> shared(const unsigned int cell) const {
     if (constant_law_ && shape_of_[cell] < shapes_.size())
       return shape_of_[cell];
     return {};
   }
-  const std::vector<Shape> &shapes() const
-  {
+  const std::vector<Shape> &shapes() const {
     return shapes_;
   }
-  OscillationConstants constants(const unsigned int cell) const
-  {
+  OscillationConstants constants(const unsigned int cell) const {
     return shape_of_[cell] < shapes_.size() ? shapes_[shape_of_[cell]].constants
                                             : OscillationConstants(CellShape(mesh_.cells()[cell]));
   }
@@ -186,26 +165,21 @@ private:
 };
 
 /** The matrices S of all cells. */
-class CellEnergies
-{
+class CellEnergies {
 public:
   CellEnergies(const CellTable &table, std::size_t n_cells);
-  CellEnergy &operator()(const unsigned int cell)
-  {
+  CellEnergy &operator()(const unsigned int cell) {
     return matrices_[index_[cell]];
   }
-  const CellEnergy &operator()(const unsigned int cell) const
-  {
+  const CellEnergy &operator()(const unsigned int cell) const {
     return matrices_[index_[cell]];
   }
   /** Returns the number of a cell's matrix. */
-  unsigned int number(const unsigned int cell) const
-  {
+  unsigned int number(const unsigned int cell) const {
     return index_[cell];
   }
   /** Returns whether other cells may have the same matrix; it is known from the beginning. */
-  bool is_shared(const unsigned int cell) const
-  {
+  bool is_shared(const unsigned int cell) const {
     return index_[cell] < n_shared_;
   }
 

@@ -7,11 +7,9 @@
 
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The given tractions on boundary edges. */
-struct GivenTractions
-{
+struct GivenTractions {
   /** The moments of the tractions on edges of EdgeFreedom::none, zero on others (see EdgeMesh). */
   std::vector<double> moments;
   /** The norms in L2(e) of the normal component and of the shear of t - t_h for every edge; t_h is
@@ -29,8 +27,7 @@ GivenTractions given_tractions(const BoundData &data, const EdgeMesh &mesh);
 using CornerForces = std::array<Tensor<1, 2>, 4>;
 
 /** Moments of tractions around all vertices. */
-struct EdgeMoments
-{
+struct EdgeMoments {
   /** The moments, see EdgeMesh. */
   std::vector<double> moments;
   /** The rest at every vertex, per cell: the moments around a cell balance R_K^i - rest(i). */
@@ -46,16 +43,12 @@ struct EdgeMoments
  * The equations can be solved if Σ_K R_K^i is balanced by given tractions: the Galerkin rows. The
  * rest that rounding or an iterative solver leaves is divided among the cells of the vertex.
  */
-EdgeMoments solve_stars(const EdgeMesh &mesh,
-                        const std::vector<CornerForces> &R,
-                        const std::vector<double> &given,
-                        const std::vector<double> &guess);
+EdgeMoments solve_stars(const EdgeMesh &mesh, const std::vector<CornerForces> &R,
+                        const std::vector<double> &given, const std::vector<double> &guess);
 
 /** Adds EdgeMoments::rest at the vertices of contact edges to their given tractions. On curved
  * contact sides this rest is the difference between p_H n on arcs and on chords: the moments are
  * then those of the system. */
-void give_to_contact(const EdgeMesh &mesh,
-                     const Scene<2> &scene,
-                     const std::vector<Tensor<1, 2>> &rest,
-                     GivenTractions &given);
+void give_to_contact(const EdgeMesh &mesh, const Scene<2> &scene,
+                     const std::vector<Tensor<1, 2>> &rest, GivenTractions &given);
 } // namespace Signorini

@@ -18,11 +18,9 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Two numbers between which a quantity lies. */
-struct Bracket
-{
+struct Bracket {
   double lower;
   double upper;
 };
@@ -39,11 +37,8 @@ struct Bracket
  * @param lift_norm |||w|||
  * @param contact_term ∫_{Γ_c} τ_n (ũ_n - g - w_n)
  */
-inline Bracket energy_bracket(const Bracket &dual_energy,
-                              const double eta,
-                              const double lift_norm,
-                              const double contact_term)
-{
+inline Bracket energy_bracket(const Bracket &dual_energy, const double eta, const double lift_norm,
+                              const double contact_term) {
   const double gap = 0.5 * (eta + lift_norm) * (eta + lift_norm) + contact_term;
   return {-dual_energy.upper, -dual_energy.lower + gap};
 }
@@ -56,10 +51,8 @@ inline Bracket energy_bracket(const Bracket &dual_energy,
  *
  * so s ≤ |||w||| + (|||w|||² + η² + 2 T)^{1/2}.
  */
-inline double stress_error_bound(const double eta,
-                                 const double lift_norm,
-                                 const double contact_term)
-{
+inline double stress_error_bound(const double eta, const double lift_norm,
+                                 const double contact_term) {
   return lift_norm + std::sqrt(std::max(0., lift_norm * lift_norm + eta * eta + 2. * contact_term));
 }
 
@@ -73,15 +66,13 @@ inline double stress_error_bound(const double eta,
  * difference is also a(u - u_h, z).
  * @param lift_norm |||z|||, see norm_of_unit_lift().
  */
-inline double contact_force_bound(const double error_bound, const double lift_norm)
-{
+inline double contact_force_bound(const double error_bound, const double lift_norm) {
   return error_bound * lift_norm;
 }
 
 /** The bound of the error of a displacement by a stress in equilibrium. All values are energies
  * (force x length per thickness) or roots of energies. */
-struct StressBound
-{
+struct StressBound {
   /** The misfit ‖σ(u_h + z) - τ‖_{E⁻¹,K} of every cell, in the order of active cells. E is
    * Hooke's tensor. */
   std::vector<double> misfit;
@@ -100,8 +91,7 @@ struct StressBound
    * by |||z|||. */
   double lift = 0.;
   /** The same sums for π^{2h} u_h. */
-  struct Interpolated
-  {
+  struct Interpolated {
     /** The sum over K of (‖σ(π^{2h} u_h + z') - τ‖_{E⁻¹,K} + osc_K)², and |||z'|||; z'
      * makes up for u_D - π^{2h} u_h. */
     double square, lift;
@@ -141,8 +131,7 @@ struct StressBound
  * Hooke's tensor is sampled at quadrature points, and so are loads. All ranks compute the same
  * stress.
  */
-class EquilibratedStress
-{
+class EquilibratedStress {
 public:
   /** Returns the reason why there is no such stress, one sentence; empty if there is one. */
   static std::string objection(const BoundData &data);
@@ -152,13 +141,11 @@ public:
   StressBound bound() const;
 
   /** Returns whether the bound is guaranteed: the body is a polygon. */
-  bool is_guaranteed() const
-  {
+  bool is_guaranteed() const {
     return !mesh_.is_curved();
   }
   /** Returns |||u_h|||. */
-  double energy_norm() const
-  {
+  double energy_norm() const {
     return std::sqrt(std::max(0., energy_));
   }
   /** Returns what ũ, which is π^{2h} u_h if @p interpolated, and τ are on the faces of the contact
@@ -186,15 +173,13 @@ private:
   CellVector data_of(unsigned int cell) const;
   /** The square of a norm, and half of its gradient g with respect to the moments: after a change b
    * it is value + 2 g.b + bᵀ S b. */
-  struct Square
-  {
+  struct Square {
     double value = 0.;
     CellMoments gradient{};
   };
   /** The integrals over a cell: the squares of the misfits of u_h + z and of π^{2h} u_h + z', and
    * of the norm of τ, and the energies of z and z'. */
-  struct CellIntegrals
-  {
+  struct CellIntegrals {
     Square misfit, interpolated_part, stress;
     double lift = 0., interpolated_lift = 0., min_eigenvalue = 0.;
     /** Whether the law is resolved. If it is not, squares are taken from above at the end. */
@@ -227,8 +212,7 @@ private:
    */
   std::vector<double> improve(const CellEnergies &energies);
   /** The residual of the improvement: minus the gradient of half the square of the misfit. */
-  struct Residual
-  {
+  struct Residual {
     std::vector<double> r;
     /** The squares of the misfits of u_h and of π^{2h} u_h; the last one is infinite where there
      * is none. */
@@ -238,8 +222,7 @@ private:
   };
   Residual residual() const;
   /** The end of the steps of the improvement. */
-  struct Steps
-  {
+  struct Steps {
     /** The edges that pull; if there are any, the moments must not be used. */
     std::vector<unsigned int> pulling;
     /** Whether the last step took less than the least share. */
@@ -249,13 +232,11 @@ private:
    * Runs conjugate gradients, and on small meshes computes the best stress.
    * @return the edges among @p free that pull.
    */
-  std::vector<unsigned int> iterate(Residual left,
-                                    const StarSolver &solver,
+  std::vector<unsigned int> iterate(Residual left, const StarSolver &solver,
                                     const CellEnergies &energies,
                                     const std::vector<unsigned int> &free);
   /** Takes steps of conjugate gradients; keeps @p left up to date. */
-  Steps improve_step_by_step(Residual &left,
-                             const StarSolver &solver,
+  Steps improve_step_by_step(Residual &left, const StarSolver &solver,
                              const std::vector<unsigned int> &free);
 
   BoundData data_;
@@ -269,8 +250,7 @@ private:
   /** The coefficients of π^{2h} u_h - u_h, see CellFunctions, for edges and cells; empty where
    * there is no π^{2h} u_h. On held edges π^{2h} u_h is not u_D, either, and PrescribedLift makes
    * up for u_D - u_h: there they are held back. */
-  struct Bubbles
-  {
+  struct Bubbles {
     std::vector<Tensor<1, 2>> edges, cells;
   };
   std::optional<Bubbles> bubbles_;

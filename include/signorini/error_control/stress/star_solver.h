@@ -8,8 +8,7 @@
 
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Returns the forces and the moment of a cell (rows) by its 16 moments of tractions. The moment is
  * that about @p centre, divided by the size of the cell. */
 std::array<CellMoments, 3> balance_of(const EdgeCell &cell, const Point<2> &centre);
@@ -20,8 +19,7 @@ std::array<CellMoments, 3> balance_of(const EdgeCell &cell, const Point<2> &cent
  * 1/2 bᵀ S b - rᵀ b. It is a symmetric operator whose values disturb no balance: a preconditioner
  * of S on the stresses without loads.
  */
-class StarSolver
-{
+class StarSolver {
 public:
   StarSolver(const EdgeMesh &mesh, const CellEnergies &energies, unsigned int n_threads = 1);
 

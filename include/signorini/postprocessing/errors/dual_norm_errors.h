@@ -12,12 +12,10 @@
 #include <optional>
 #include <type_traits>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The errors of the contact pressure in |||.|||_{-1/2,Γ_c}, the root of the sum of squares
  * over the contact sides. */
-struct DualNormErrors
-{
+struct DualNormErrors {
   /** The error |||p - p_H||| in the cosine norm and in the paper's (Sobolev-Slobodeckij) norm. */
   double spectral;
   std::optional<double> slobodeckij;
@@ -30,8 +28,7 @@ struct DualNormErrors
 
 /** The exact pressure on the contact sides, prepared for the norms of all levels. */
 template <int dim>
-class ExactPressure
-{
+class ExactPressure {
 public:
   /** Computes 8192 cosine coefficients per side; in 3-D 256 in each direction. Needs
    * Scene::has_exact_pressure(). */
@@ -53,8 +50,7 @@ private:
 };
 
 /** The left-hand sides of the paper's lemmas and auxiliary bounds for one level. */
-struct LemmaNumbers
-{
+struct LemmaNumbers {
   /** The norms of Lemma 2, ‖p - R^H p‖_{0,Γ_c} and |||p - R^H p|||_{-1/2} in the cosine norm.
    */
   double projection_l2;
@@ -83,12 +79,8 @@ struct LemmaNumbers
  * @param loads f_j = ∫ f.φ_j + ∫ t.φ_j, not condensed.
  * @param n_points number of Gauss points per direction for integrals of the exact solution.
  */
-LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space,
-                                   const Scene<2> &scene,
-                                   const MultiplierSpace<2> &multipliers,
-                                   const Coupling &D,
-                                   const ExactPressure<2> &pressure,
-                                   const DistributedVector &loads,
-                                   LinearSolver linear_solver,
-                                   unsigned int n_points);
+LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space, const Scene<2> &scene,
+                                   const MultiplierSpace<2> &multipliers, const Coupling &D,
+                                   const ExactPressure<2> &pressure, const DistributedVector &loads,
+                                   LinearSolver linear_solver, unsigned int n_points);
 } // namespace Signorini

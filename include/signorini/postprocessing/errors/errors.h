@@ -7,11 +7,9 @@
 
 #include <optional>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The distances of the discrete from the exact displacement; h1 is the full norm ‖.‖_{1,Ω}. */
-struct DisplacementErrors
-{
+struct DisplacementErrors {
   /** The error ‖u - u_h‖_{1,Ω}. */
   double h1;
   /** The error ‖u - u_h‖_{0,Ω}. */
@@ -38,13 +36,11 @@ struct DisplacementErrors
  */
 template <int dim>
 DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &space,
-                                               const Scene<dim> &scene,
-                                               const Displacement &U,
+                                               const Scene<dim> &scene, const Displacement &U,
                                                unsigned int n_points);
 
 /** The distances of the discrete from the exact contact pressure. */
-struct PressureErrors
-{
+struct PressureErrors {
   /** The error ‖p - p_H‖_{0,Γ_c}. */
   double l2;
   /** The error of the continuous pressure recovered from p_H. */
@@ -59,8 +55,7 @@ struct PressureErrors
  * @throws InputError where p has no value.
  */
 template <int dim>
-PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
-                                       const Pressure &P,
+PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space, const Pressure &P,
                                        unsigned int n_points);
 
 /**
@@ -70,7 +65,6 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space,
  * Exact ends are searched at the kinks: p vanishes on one side of them only. The result is empty if
  * there are none, or if a side has ends of one kind only. Needs Scene::has_exact_pressure().
  */
-std::optional<double> contact_end_error(const MultiplierSpace<2> &space,
-                                        const Scene<2> &scene,
+std::optional<double> contact_end_error(const MultiplierSpace<2> &space, const Scene<2> &scene,
                                         const Pressure &P);
 } // namespace Signorini

@@ -13,13 +13,10 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A part of a side that is pressed, according to the nodes of the multipliers. */
-struct PressedInterval
-{
-  struct End
-  {
+struct PressedInterval {
+  struct End {
     /** The arc length; around a closed side the end of an interval may exceed the length (length).
      */
     double s = 0.;
@@ -30,8 +27,7 @@ struct PressedInterval
   unsigned int side = 0;
   End start, end;
 
-  double length() const
-  {
+  double length() const {
     return end.s - start.s;
   }
 };
@@ -55,8 +51,7 @@ std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipl
 double pressing_threshold(const Pressure &P);
 
 /** A summary of the contact pressure. */
-struct ContactSummary
-{
+struct ContactSummary {
   /** The number of multipliers that press, P_k < pressing_threshold(P); with constants that of
    * patches. */
   unsigned int active = 0;
@@ -83,8 +78,7 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressu
  * continued to its edges. Where patches have polynomials, it is p_H itself, cut off at zero.
  */
 template <int dim>
-class RecoveredPressure
-{
+class RecoveredPressure {
 public:
   RecoveredPressure(const MultiplierSpace<dim> &space, const Pressure &P);
 
@@ -106,8 +100,7 @@ private:
 
 /** A pressure with the patches that it belongs to, as a start for another partition. */
 template <int dim>
-struct PatchPressure
-{
+struct PatchPressure {
   std::vector<Patch<dim>> patches;
   Pressure P;
 };
@@ -119,16 +112,14 @@ template <int dim>
 Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Patch<dim>> &to);
 
 /** A node of a multiplier on its side. */
-struct SideNode
-{
+struct SideNode {
   /** The arc length (length). */
   double s;
   bool presses;
 };
 
 /** The nodes of one side in the order of arc length. */
-struct SideNodes
-{
+struct SideNodes {
   /** The number of the side in the geometry. */
   unsigned int number = 0;
   double length = 0.;
@@ -147,8 +138,7 @@ std::vector<std::vector<SideNode>> alternations(const SideNodes &side);
 
 /** The forces at all degrees of freedom j (force per thickness); every rank stores all of them.
  * They are integrals over cells; the assembled and factorised A is not used. */
-struct NodalForces
-{
+struct NodalForces {
   /** The internal forces a(u_h, φ_j). */
   DualVector internal;
   /** The loads ∫ f.φ_j + ∫_{Γ_F} t.φ_j. */
@@ -168,13 +158,11 @@ struct NodalForces
   double largest() const;
   /** Returns the scale of residuals: the largest of the forces, or, where the body moves rigidly,
    * the size of the terms that cancel. */
-  double scale() const
-  {
+  double scale() const {
     return rigid ? std::max(magnitude, largest()) : largest();
   }
   /** Returns the smallest scale of energies: zero where the body is strained. */
-  double rigid_energy() const
-  {
+  double rigid_energy() const {
     return rigid.value_or(0.) * rigid.value_or(0.);
   }
 };
@@ -184,40 +172,31 @@ struct NodalForces
  * @param loads LinearSystem::loads.
  */
 template <int dim>
-NodalForces nodal_forces(const DisplacementSpace<dim> &space,
-                         const Scene<dim> &scene,
-                         const DistributedVector &loads,
-                         const Coupling &D,
-                         const Displacement &U,
+NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                         const DistributedVector &loads, const Coupling &D, const Displacement &U,
                          const Pressure &P);
 
 /** Returns ∫ p_H n and ∫ p_H x × n over a piece of Γ_c. */
 template <int dim>
-Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
-                                 const Pressure &P,
+Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers, const Pressure &P,
                                  const Piece<dim> &piece);
 
 /** Returns u_{h,n} - g at the points of a rule on a piece, positive where the body penetrates.
  * @throws InputError where g has no value. */
 template <int dim>
-std::vector<double> penetration(const ContactSurface<dim> &surface,
-                                const Piece<dim> &piece,
-                                const SurfaceRule<dim> &rule,
-                                const Displacement &U,
+std::vector<double> penetration(const ContactSurface<dim> &surface, const Piece<dim> &piece,
+                                const SurfaceRule<dim> &rule, const Displacement &U,
                                 TraceValues<dim> &traces);
 
 /** Returns ∫_{Γ_c} q φ_j.n for all j, as the column of a coupling: @p values_on (piece, rule) is q
  * at the points of @p rule_on (piece). */
 template <int dim, typename RuleOn, typename ValuesOn>
 Coupling::Column contact_load(const DisplacementSpace<dim> &space,
-                              const ContactSurface<dim> &surface,
-                              const RuleOn &rule_on,
-                              const ValuesOn &values_on)
-{
+                              const ContactSurface<dim> &surface, const RuleOn &rule_on,
+                              const ValuesOn &values_on) {
   TraceValues<dim> traces(space);
   Coupling::Column load;
-  for (const Piece<dim> &piece : surface.pieces())
-  {
+  for (const Piece<dim> &piece : surface.pieces()) {
     const ContactFace<dim> &face = surface.faces()[piece.face];
     const SurfaceRule<dim> &rule = rule_on(piece);
     const std::vector<double> q = values_on(piece, rule);
@@ -232,8 +211,7 @@ Coupling::Column contact_load(const DisplacementSpace<dim> &space,
 }
 
 /** The force and the moment that act on the body through a plate (per thickness). */
-struct PlateForce
-{
+struct PlateForce {
   /** The force along the plate's direction. */
   double force = 0.;
   /** The moment about the plate's centre, counter-clockwise. */
@@ -243,7 +221,6 @@ struct PlateForce
 /** Returns the force and the moment of every plate of the scene: the work of NodalForces::residual
  * on its motions. A node at the end of the plate belongs to the plate. */
 template <int dim>
-std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space,
-                                     const Scene<dim> &scene,
+std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                                      const NodalForces &forces);
 } // namespace Signorini

@@ -13,12 +13,10 @@
 #include <array>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The values and gradients of a vector field at the quadrature points of a cell. */
 template <int dim>
-struct FieldValues
-{
+struct FieldValues {
   std::vector<Tensor<1, dim>> values;
   std::vector<Tensor<2, dim>> gradients;
 };
@@ -26,8 +24,7 @@ struct FieldValues
 /** The values and derivatives of one-dimensional polynomials at points, matrices points ×
  * polynomials.
  */
-struct LineTable
-{
+struct LineTable {
   FullMatrix<double> values, derivatives;
 };
 
@@ -57,8 +54,7 @@ FieldValues<dim> evaluate_products(std::vector<Tensor<1, dim>> nodal_values,
  * Needs Mesh::n_nested_ancestors() ≥ k. Copies share nothing: every thread has its own.
  */
 template <int dim>
-class PatchInterpolation
-{
+class PatchInterpolation {
 public:
   using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
   using AncestorIterator = typename DoFHandler<dim>::cell_iterator;
@@ -73,8 +69,7 @@ public:
 
   /** Returns the interpolation of the nodal values @p U at the points of @p fe_values, which is at
    * @p cell and provides its inverse Jacobians. */
-  const FieldValues<dim> &evaluate(const Displacement &U,
-                                   const CellIterator &cell,
+  const FieldValues<dim> &evaluate(const Displacement &U, const CellIterator &cell,
                                    const FEValues<dim> &fe_values);
   /** Returns the values alone, at the points of the usual rule. */
   const std::vector<Tensor<1, dim>> &values(const Displacement &U, const CellIterator &cell);
@@ -84,8 +79,7 @@ private:
   using Place = std::array<unsigned int, dim>;
 
   /** The shape functions of the ancestor at the quadrature points of a descendant. */
-  struct ShapeTable
-  {
+  struct ShapeTable {
     /** The values point by point, n_nodes each. */
     std::vector<double> values;
     /** The gradients with respect to the reference coordinates of the descendant. */
@@ -94,8 +88,7 @@ private:
 
   ShapeTable make_table(const std::vector<Point<dim>> &points, const Place &place) const;
   /** Fills result_ with values, and gradients in reference coordinates. */
-  void interpolate(const Displacement &U,
-                   const CellIterator &cell,
+  void interpolate(const Displacement &U, const CellIterator &cell,
                    const std::vector<Point<dim>> &points);
   /**
    * Fills nodal_values_ for the ancestor of a cell.
@@ -132,7 +125,6 @@ private:
  * which is refined everywhere: a start for V-cycles. Elements of degree one. Empty if @p fine is
  * not that level. */
 template <int dim>
-Displacement carry_over(const DisplacementSpace<dim> &coarse,
-                        const Displacement &U,
+Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement &U,
                         const DisplacementSpace<dim> &fine);
 } // namespace Signorini

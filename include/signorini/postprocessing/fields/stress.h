@@ -11,8 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Returns the mean of tr ε(u_h) over the parent of each active cell (over the cell itself where
  * there is no T^{2h}), in the order of active cells. With StrainOperator::mean_dilatation, means
  * over cells may alternate between neighbours, as the pressure of Q1-P0 does. */
@@ -29,8 +28,7 @@ using Stress3D = SymmetricTensor<2, 3>;
  * @throws InputError where the material's data has no value.
  */
 template <int dim>
-Stress3D stress_in_3d(const Material<dim> &material,
-                      const Point<dim> &x,
+Stress3D stress_in_3d(const Material<dim> &material, const Point<dim> &x,
                       const SymmetricTensor<2, dim> &strain);
 
 /** Returns the von Mises stress sqrt(3/2 s:s), s = σ - tr σ/3 I. */

@@ -13,11 +13,9 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The state of contact in one load case. */
-struct CaseResult
-{
+struct CaseResult {
   LoadCase load_case;
   /** The reason why there is no solution ("it tips over"); empty if there is one. Only then the
    * other members are set. */
@@ -39,8 +37,7 @@ struct CaseResult
 };
 
 /** A solved level that cases are computed on; all members must outlive the solver. */
-struct CaseData
-{
+struct CaseData {
   const DisplacementSpace<2> &space;
   const Scene<2> &scene;
   const MultiplierSpace<2> &multipliers;
@@ -64,8 +61,7 @@ struct CaseData
  * the same C, B and K as all others, and one dual problem, which starts from the pressure of the
  * case before: O(m²) operations.
  */
-class CaseSolver
-{
+class CaseSolver {
 public:
   /** Solves once for each kind of load that the scene has. Collective. */
   explicit CaseSolver(CaseData data);
@@ -76,8 +72,7 @@ public:
   CaseResult solve(const LoadCase &load_case);
 
   /** Returns P of the last case. */
-  const Pressure &pressure() const
-  {
+  const Pressure &pressure() const {
     return P_;
   }
   /** Returns U of the last case by one more solve. Collective. */
@@ -85,8 +80,7 @@ public:
 
 private:
   /** The response to one kind of load. */
-  struct LoadResponse
-  {
+  struct LoadResponse {
     LoadKind kind;
     Displacement U;
     /** The closing Dᵀ U. */

@@ -9,8 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * The dual of the interpolation norm between L2 and H1 on a rectangle with the edges L_1 and L_2:
  *
@@ -23,8 +22,7 @@ namespace Signorini
  * each direction one by one and the rest as an integral, for a relative error below 1e-5
  * (measured).
  */
-class RectangleNorm
-{
+class RectangleNorm {
 public:
   using Matrix = FullMatrix<double>;
   using Counts = std::array<unsigned int, 2>;

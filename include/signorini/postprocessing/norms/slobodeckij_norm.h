@@ -10,8 +10,7 @@
 
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * Returns the Gram matrix of the basis of Q^H in the cosine norm. It is block diagonal: the square
  * of the norm is the sum over the sides.
@@ -43,8 +42,7 @@ FullMatrix<double> seminorm_matrix(unsigned int n_cells);
  * ∫ q φ_j,  G the Gram matrix of ‖.‖_{1/2}. This is a lower bound that grows with the grid. It
  * costs n_cells³/3 operations.
  */
-class SlobodeckijNorm
-{
+class SlobodeckijNorm {
 public:
   SlobodeckijNorm(double length, unsigned int n_cells);
 
@@ -52,8 +50,7 @@ public:
   double dual_norm(const std::vector<double> &arc_lengths,
                    const std::vector<double> &weighted_values) const;
 
-  unsigned int n_cells() const
-  {
+  unsigned int n_cells() const {
     return n_cells_;
   }
 

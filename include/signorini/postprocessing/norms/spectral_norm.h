@@ -14,8 +14,7 @@
 #include <complex>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Assembles (A_1)_ij = (φ_j, φ_i)_{1,Ω} = ∫ φ_j.φ_i + grad φ_j : grad φ_i,
  * condensed like A. Collective. */
 template <int dim>
@@ -33,8 +32,7 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
  * last modes, (2/L) ω^{-3} mean(S_k²)/(2 K²), where ω k is the frequency of mode k and S_k
  * the sum of jumps times sin(k ω s_i) (and of jumps times cos).
  */
-class SpectralNorm
-{
+class SpectralNorm {
 public:
   using Vector = dealii::Vector<double>;
   /** The coefficients q_k; on a closed side those of the cosine and of the sine of mode k. */
@@ -82,8 +80,7 @@ private:
 };
 
 /** Returns the norm on a side. */
-inline SpectralNorm spectral_norm_on(const Side<2> &side)
-{
+inline SpectralNorm spectral_norm_on(const Side<2> &side) {
   return SpectralNorm(side.length(), side.is_closed());
 }
 
@@ -101,8 +98,6 @@ FullMatrix<double> dual_gram_matrix(const ContactSurface<dim> &surface);
  * |||.|||_{-1/2}. It takes one factorisation of its own and m solves. Collective.
  */
 template <int dim>
-double measure_inf_sup(const DisplacementSpace<dim> &space,
-                       const MultiplierSpace<dim> &multipliers,
-                       const Coupling &condensed_D,
-                       LinearSolver linear_solver);
+double measure_inf_sup(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
+                       const Coupling &condensed_D, LinearSolver linear_solver);
 } // namespace Signorini

@@ -10,18 +10,15 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The largest u_{h,n} - g, positive where the body penetrates (length). */
-struct Penetration
-{
+struct Penetration {
   double value = 0.;
   BoundaryPlace place;
 };
 
 /** The engineering results of one level. Pressures are positive in compression. */
-struct Answer
-{
+struct Answer {
   /** The dimension of the body: 2 or 3. */
   unsigned int dimension = 2;
   /** The size of the body (length): smaller coordinates may be rounding. */
@@ -52,10 +49,7 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
 
 /** Computes the answer. Collective. */
 template <int dim>
-Answer compute_answer(const DisplacementSpace<dim> &space,
-                      const Scene<dim> &scene,
-                      const MultiplierSpace<dim> &multipliers,
-                      const NodalForces &forces,
-                      const Displacement &U,
-                      const Pressure &P);
+Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                      const MultiplierSpace<dim> &multipliers, const NodalForces &forces,
+                      const Displacement &U, const Pressure &P);
 } // namespace Signorini

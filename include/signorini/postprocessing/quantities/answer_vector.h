@@ -14,29 +14,22 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The components of a point, a force or a moment: records hold answers of 2-D and 3-D bodies. */
-struct AnswerVector : std::vector<double>
-{
+struct AnswerVector : std::vector<double> {
   using std::vector<double>::vector;
   template <int dim>
   AnswerVector(const Tensor<1, dim> &x)
-    : std::vector<double>(x.begin_raw(), x.end_raw())
-  {
-  }
+    : std::vector<double>(x.begin_raw(), x.end_raw()) {}
 
   /** Returns the Euclidean norm. */
-  double norm() const
-  {
+  double norm() const {
     return std::sqrt(std::inner_product(begin(), end(), begin(), 0.));
   }
-  double distance(const AnswerVector &other) const
-  {
+  double distance(const AnswerVector &other) const {
     return (*this - other).norm();
   }
-  friend AnswerVector operator-(AnswerVector a, const AnswerVector &b)
-  {
+  friend AnswerVector operator-(AnswerVector a, const AnswerVector &b) {
     AssertDimension(a.size(), b.size());
     std::transform(a.begin(), a.end(), b.begin(), a.begin(), std::minus<>());
     return a;
@@ -45,8 +38,7 @@ struct AnswerVector : std::vector<double>
 
 /** The cell or patch of a graded mesh on which a value was found: it shows whether a later mesh is
  * finer there. Nested meshes are finer everywhere, and leave it zero. */
-struct MeshAt
-{
+struct MeshAt {
   /** The diameter of the cell, or the length of the patch (length). */
   double size = 0.;
   /** The degree of the polynomials. */
@@ -54,8 +46,7 @@ struct MeshAt
 };
 
 /** A point of a body's boundary. */
-struct BoundaryPlace
-{
+struct BoundaryPlace {
   std::string side;
   /** The arc length from the start of the side (length); for 2-D only. */
   double arc_length = 0.;
@@ -63,10 +54,8 @@ struct BoundaryPlace
 };
 
 /** The trend of a number from level to level. */
-struct Trend
-{
-  enum class Kind
-  {
+struct Trend {
+  enum class Kind {
     /** There is no level before. */
     unknown,
     settled,

@@ -6,11 +6,9 @@
 
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A part of a side in which contact ends: between a node that presses and one that does not. */
-struct ContactBracket
-{
+struct ContactBracket {
   unsigned int side;
   /** The arc lengths; around a closed side the second may exceed its length (length). */
   double from, to;
@@ -21,8 +19,7 @@ std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multiplie
                                              const Pressure &P);
 
 /** One end of a contact zone. */
-struct ZoneEnd
-{
+struct ZoneEnd {
   BoundaryPlace place;
   /** The distance of the exact end, in order of magnitude: the length of the patch in which it
    * lies, or with polynomials half of the distance between the nodes around it. It is zero where
@@ -31,8 +28,7 @@ struct ZoneEnd
 };
 
 /** A part of a side that is pressed: a run of pressing patches, or with polynomials of nodes. */
-struct ContactZone
-{
+struct ContactZone {
   ZoneEnd start, end;
   /** The length from start to end along the side. */
   double length = 0.;

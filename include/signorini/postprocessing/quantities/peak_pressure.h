@@ -7,11 +7,9 @@
 
 #include <optional>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A largest contact pressure, positive in compression (force/area). */
-struct PressureMaximum
-{
+struct PressureMaximum {
   double value = 0.;
   BoundaryPlace place;
   /** The mean of -p_H over the patch on which the peak lies. */
@@ -21,8 +19,7 @@ struct PressureMaximum
 };
 
 /** The largest contact pressure. */
-struct PeakPressure : PressureMaximum
-{
+struct PeakPressure : PressureMaximum {
   /** The place where the exact value is infinite, if there is one: the value then depends only on
    * how fine the mesh is. */
   std::optional<GrowthPlace> grows_at;
@@ -44,7 +41,6 @@ struct PeakPressure : PressureMaximum
  */
 template <int dim>
 std::optional<PressureMaximum>
-peak_pressure(const MultiplierSpace<dim> &multipliers,
-              const Pressure &P,
+peak_pressure(const MultiplierSpace<dim> &multipliers, const Pressure &P,
               const std::vector<SingularPlace<dim>> &outside_of = {});
 } // namespace Signorini

@@ -9,14 +9,11 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The force that acts on the body through one side (force, in 2-D per thickness). */
-struct SideForce
-{
+struct SideForce {
   /** The force, and its moment about the origin: one number in 2-D, three in 3-D. */
-  struct Total
-  {
+  struct Total {
     AnswerVector force, moment;
   };
   std::string side;
@@ -30,17 +27,14 @@ struct SideForce
  * (in 3-D, where the moment is parallel to the force); there is none where the force is rounding
  * compared with @p scale. */
 template <int dim>
-SideForce side_force(const std::string &name,
-                     const Resultant<dim> &resultant,
-                     const Point<dim> &centre,
-                     double scale);
+SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
+                     const Point<dim> &centre, double scale);
 
 /** Returns ∫ p_H n over contact sides, with the name of a single one. The line of action is given
  * by its point nearest to the centre of pressure, which lies on a straight side. */
 template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,
-                        const std::vector<unsigned int> &sides,
-                        const Pressure &P);
+                        const std::vector<unsigned int> &sides, const Pressure &P);
 
 /**
  * Returns the reaction of every clamped, prescribed and roller side: the sum of
@@ -53,7 +47,6 @@ SideForce contact_force(const MultiplierSpace<dim> &multipliers,
  * action is given by its point nearest to the middle of the side.
  */
 template <int dim>
-std::vector<SideForce> reactions(const DisplacementSpace<dim> &space,
-                                 const Scene<dim> &scene,
+std::vector<SideForce> reactions(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                                  const NodalForces &forces);
 } // namespace Signorini

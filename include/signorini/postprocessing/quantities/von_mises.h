@@ -11,11 +11,9 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A place where stresses grow without limit, for records. */
-struct GrowthPlace
-{
+struct GrowthPlace {
   /** The ends of an edge of a 3-D body; equal for a corner of a 2-D body. */
   std::array<AnswerVector, 2> ends;
   /** The distance from which on largest values elsewhere are taken (length). */
@@ -25,8 +23,7 @@ struct GrowthPlace
 /** A corner of a 2-D body, or an edge of a box, at which stresses behave like r^{λ - 1} with
  * λ < 1 (corner_exponent()) in at least one state of contact. */
 template <int dim>
-struct SingularPlace
-{
+struct SingularPlace {
   /** The ends of the edge; equal in 2-D. */
   std::array<Point<dim>, 2> ends;
   std::array<unsigned int, 2> sides;
@@ -38,8 +35,7 @@ struct SingularPlace
 
   /** Returns the point of the place that is nearest to @p x. */
   Point<dim> nearest(const Point<dim> &x) const;
-  bool contains(const Point<dim> &x) const
-  {
+  bool contains(const Point<dim> &x) const {
     return nearest(x).distance(x) < radius;
   }
 };
@@ -61,12 +57,10 @@ bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim
 template <int dim>
 std::optional<GrowthPlace> growth_at(const Point<dim> &x,
                                      const std::vector<SingularPlace<dim>> &places,
-                                     const MultiplierSpace<dim> &multipliers,
-                                     const Pressure &P);
+                                     const MultiplierSpace<dim> &multipliers, const Pressure &P);
 
 /** A largest von Mises stress (force/area), and where it is. */
-struct StressMaximum
-{
+struct StressMaximum {
   double value = 0.;
   AnswerVector point;
   /** The cell on which the value was found. */
@@ -74,8 +68,7 @@ struct StressMaximum
 };
 
 /** The largest von Mises stress. */
-struct VonMises : StressMaximum
-{
+struct VonMises : StressMaximum {
   /** The place where the exact value is infinite, if there is one: the value then depends only on
    * how fine the mesh is. */
   std::optional<GrowthPlace> grows_at;
@@ -96,8 +89,7 @@ constexpr double large_strain = 0.1;
  * @param places away is taken outside of them.
  */
 template <int dim>
-VonMises largest_von_mises(const DisplacementSpace<dim> &space,
-                           const Scene<dim> &scene,
+VonMises largest_von_mises(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                            const Displacement &U,
                            const std::vector<SingularPlace<dim>> &places = {});
 } // namespace Signorini

@@ -7,12 +7,10 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A scene with a name in the program. */
 template <int dim>
-struct CatalogueEntry
-{
+struct CatalogueEntry {
   std::string name;
   std::string title;
   /** Body, material, boundary, loads, gap and exact solution in lines of text; the results alone do

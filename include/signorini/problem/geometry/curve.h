@@ -13,22 +13,16 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The position of the body relative to a circle. */
-enum class Body
-{
-  inside,
-  outside
-};
+enum class Body { inside, outside };
 
 /**
  * A segment, a circular arc or a chain of them on the boundary of a 2-D body. Its coordinate is the
  * arc length s from its start, 0 <= s <= length(). The cost of lookups in a chain grows like the
  * logarithm of the number of its pieces.
  */
-class Curve
-{
+class Curve {
 public:
   /** Makes a segment with the outward unit @p normal. */
   Curve(const Point<2> &start, const Point<2> &end, const Tensor<1, 2> &normal);
@@ -43,9 +37,7 @@ public:
 
   /** Returns the arc between two points, which are equally far from the centre, with the body on
    * its left; a whole circle where they are the same. */
-  static Curve arc_between(const Point<2> &start,
-                           const Point<2> &end,
-                           const Point<2> &centre,
+  static Curve arc_between(const Point<2> &start, const Point<2> &end, const Point<2> &centre,
                            bool counter_clockwise);
 
   /**
@@ -58,22 +50,18 @@ public:
    * less are parts of a smooth side, which a polygon may approximate. */
   static constexpr double min_corner_turn = 0.1;
 
-  const Point<2> &start() const
-  {
+  const Point<2> &start() const {
     return start_;
   }
   /** Returns the end, which is the start on a closed curve. */
-  const Point<2> &end() const
-  {
+  const Point<2> &end() const {
     return end_;
   }
-  double length() const
-  {
+  double length() const {
     return length_;
   }
   /** Returns whether the normal is the same everywhere. */
-  bool is_flat() const
-  {
+  bool is_flat() const {
     return !circle_ && !chain_;
   }
   /** Returns whether this is a whole circle, or a chain that returns to its start: s and s +
@@ -81,13 +69,11 @@ public:
   bool is_closed() const;
 
   /** Returns the radius of an arc; 0 for segments and chains. */
-  double radius() const
-  {
+  double radius() const {
     return circle_ ? circle_->radius : 0.;
   }
   /** Returns the centre of the circle of an arc. */
-  const Point<2> &centre_of_circle() const
-  {
+  const Point<2> &centre_of_circle() const {
     return circle_->centre;
   }
 
@@ -121,20 +107,16 @@ public:
   /** Returns x'(s), on the piece that lies in the direction of @p towards. */
   Tensor<1, 2> tangent(double s, double towards) const;
   /** Returns x(s) for s as a point of the real line. */
-  Point<2> point(const Point<1> &s) const
-  {
+  Point<2> point(const Point<1> &s) const {
     return point(s[0]);
   }
-  Tensor<1, 2> normal(const Point<1> &s) const
-  {
+  Tensor<1, 2> normal(const Point<1> &s) const {
     return normal(s[0]);
   }
-  Point<1> coordinates(const Point<2> &x) const
-  {
+  Point<1> coordinates(const Point<2> &x) const {
     return Point<1>(arc_length(x));
   }
-  Point<2> centre() const
-  {
+  Point<2> centre() const {
     return point(0.5 * length_);
   }
   /** Returns s of a point on the curve; on a closed one from 0 (included) to its length. */
@@ -142,12 +124,11 @@ public:
 
   /** Returns all s in [from, to], sorted, at which the curve, continued beyond its ends, meets the
    * line m.x = position with the unit normal @p m; none for a line along a segment. */
-  std::vector<double>
-  crossings(const Tensor<1, 2> &m, double position, double from, double to) const;
+  std::vector<double> crossings(const Tensor<1, 2> &m, double position, double from,
+                                double to) const;
 
 private:
-  struct Circle
-  {
+  struct Circle {
     Point<2> centre;
     double radius;
     /** The angle at s = 0. */
@@ -162,8 +143,7 @@ private:
   };
   struct Chain;
   /** A piece and an arc length on it. */
-  struct Place
-  {
+  struct Place {
     const Curve &piece;
     double s;
   };
@@ -189,8 +169,7 @@ private:
  * bilinear map of the corners. deal.II's TransfiniteInterpolationManifold looks through all coarse
  * cells for every point, which takes too long on meshes of many cells.
  */
-class ArcCell : public ChartManifold<2, 2, 2>
-{
+class ArcCell : public ChartManifold<2, 2, 2> {
 public:
   /** Stores corners counter-clockwise; edge i leads from corner i to the next one. @param centres
    * of the circles of edges that are arcs. */

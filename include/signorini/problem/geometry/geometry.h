@@ -16,52 +16,40 @@
 #include <utility>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * A plane rectangle on the boundary of a 3-D body. Its coordinates are the distances from a corner
  * along the two edges that begin there.
  */
-class Rectangle
-{
+class Rectangle {
 public:
   /** @param first, second the edges from @p corner, at right angles. @param normal the outward unit
    * normal. */
-  Rectangle(const Point<3> &corner,
-            const Tensor<1, 3> &first,
-            const Tensor<1, 3> &second,
+  Rectangle(const Point<3> &corner, const Tensor<1, 3> &first, const Tensor<1, 3> &second,
             const Tensor<1, 3> &normal)
     : corner_(corner)
     , edges_{first, second}
-    , normal_(normal)
-  {
-  }
+    , normal_(normal) {}
 
-  bool is_flat() const
-  {
+  bool is_flat() const {
     return true;
   }
   /** Returns x(s), also beyond the edges. */
-  Point<3> point(const Point<2> &s) const
-  {
+  Point<3> point(const Point<2> &s) const {
     return corner_ + s[0] * edges_[0] / edges_[0].norm() + s[1] * edges_[1] / edges_[1].norm();
   }
-  Tensor<1, 3> normal(const Point<2> & /*s*/) const
-  {
+  Tensor<1, 3> normal(const Point<2> & /*s*/) const {
     return normal_;
   }
-  Point<2> coordinates(const Point<3> &x) const
-  {
+  Point<2> coordinates(const Point<3> &x) const {
     return {(x - corner_) * edges_[0] / edges_[0].norm(),
             (x - corner_) * edges_[1] / edges_[1].norm()};
   }
   /** Returns the lengths of the edges. */
-  std::array<double, 2> lengths() const
-  {
+  std::array<double, 2> lengths() const {
     return {{edges_[0].norm(), edges_[1].norm()}};
   }
-  Point<3> centre() const
-  {
+  Point<3> centre() const {
     return corner_ + 0.5 * (edges_[0] + edges_[1]);
   }
 
@@ -78,17 +66,13 @@ using SideManifold = std::conditional_t<dim == 2, Curve, Rectangle>;
 
 /** A named piece of the boundary: a name and the manifold that the piece is. */
 template <int dim>
-class Side : public SideManifold<dim>
-{
+class Side : public SideManifold<dim> {
 public:
   Side(std::string name, SideManifold<dim> manifold)
     : SideManifold<dim>(std::move(manifold))
-    , name_(std::move(name))
-  {
-  }
+    , name_(std::move(name)) {}
 
-  const std::string &name() const
-  {
+  const std::string &name() const {
     return name_;
   }
 
@@ -98,8 +82,7 @@ private:
 
 /** The body before it is meshed. */
 template <int dim>
-struct Geometry
-{
+struct Geometry {
   /** The boundary; the faces of sides[i] carry i as their boundary id in the coarse mesh. */
   std::vector<Side<dim>> sides;
   /** The number of cells on level 0. */
@@ -111,8 +94,7 @@ struct Geometry
    * the lines x_d = lines[d][k] are lines of the mesh: the nearest one moves there, or one is
    * added. Empty for other bodies.
    */
-  std::function<void(Triangulation<dim> &,
-                     unsigned int level,
+  std::function<void(Triangulation<dim> &, unsigned int level,
                      const std::array<std::vector<double>, dim> &lines)>
     make_mesh_with_lines;
   /** Whether cells are curved. */
@@ -138,8 +120,7 @@ struct Geometry
   /** The beginning of a message about the distortion. */
   std::string where_distortion = "the distortion of the mesh";
 
-  double diameter() const
-  {
+  double diameter() const {
     return lower.distance(upper);
   }
   /** Returns a point inside of the body: the given one, or the mean of the centres of the sides,
@@ -169,14 +150,12 @@ void number_boundary(const std::vector<Side<2>> &sides, Triangulation<2> &triang
 Geometry<2> bounded_by(std::vector<Side<2>> sides);
 
 /** Returns a rectangle with @p cells coarse cells per direction; sides left, right, bottom, top. */
-Geometry<2> make_rectangle(const Point<2> &lower_left,
-                           const Point<2> &upper_right,
+Geometry<2> make_rectangle(const Point<2> &lower_left, const Point<2> &upper_right,
                            const std::vector<unsigned int> &cells);
 
 /** Returns a box with @p cells coarse cells per direction; sides left and right (x), front and back
  * (y), bottom and top (z). */
-Geometry<3> make_box(const Point<3> &lower,
-                     const Point<3> &upper,
+Geometry<3> make_box(const Point<3> &lower, const Point<3> &upper,
                      const std::vector<unsigned int> &cells);
 
 /**
@@ -205,14 +184,12 @@ Geometry<2> make_disc(double radius, const Point<2> &centre = {});
 
 /** The line (in 3-D, the plane) normal.x = position, |normal| = 1. */
 template <int dim>
-struct KinkLine
-{
+struct KinkLine {
   Tensor<1, dim> normal;
   double position;
 
   /** Returns normal.x - position. */
-  double signed_distance(const Point<dim> &x) const
-  {
+  double signed_distance(const Point<dim> &x) const {
     return normal * (x - Point<dim>()) - position;
   }
 };
@@ -226,8 +203,7 @@ std::vector<KinkLine<dim>> lines_at(const std::array<std::vector<double>, dim> &
  * end at such a point, and derivatives of the solution may be unbounded there.
  */
 template <int dim>
-class Kinks
-{
+class Kinks {
 public:
   /** The share of an edge within which a line touches an end and cuts nothing. */
   static constexpr double tolerance = 1e-10;
@@ -239,18 +215,15 @@ public:
 
   /** Returns the same lines without their ends. Meshes that are graded to the ends of contact need
    * no quadrature rules that are graded there. */
-  Kinks without_ends() const
-  {
+  Kinks without_ends() const {
     return Kinks(lines_);
   }
 
-  const std::vector<KinkLine<dim>> &lines() const
-  {
+  const std::vector<KinkLine<dim>> &lines() const {
     return lines_;
   }
   /** Returns the possible ends of contact zones. */
-  const std::vector<Point<dim>> &ends() const
-  {
+  const std::vector<Point<dim>> &ends() const {
     return ends_;
   }
 

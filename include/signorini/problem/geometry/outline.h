@@ -7,14 +7,11 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A coarse mesh between sides, of cells whose corners are counter-clockwise. */
-struct CoarseMesh
-{
+struct CoarseMesh {
   /** An edge of the boundary; the body lies on its left. */
-  struct Edge
-  {
+  struct Edge {
     unsigned int start, end;
     unsigned int side;
     /** The segment or the arc on which the edge lies, a piece of the side. */
@@ -51,7 +48,6 @@ constexpr unsigned int max_coarse_cells = 300000;
  * @throws InputError if sides cross or touch, or a hole lies outside of the body, or if no mesh of
  * at most max_coarse_cells cells was found.
  */
-Geometry<2> make_outlined_body(const std::vector<Side<2>> &sides,
-                               double mesh_size,
+Geometry<2> make_outlined_body(const std::vector<Side<2>> &sides, double mesh_size,
                                const std::string &where);
 } // namespace Signorini

@@ -4,8 +4,7 @@
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/scene.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Returns the dimension, 2 or 3, that the parameters give or that a scene of the catalogue has. */
 unsigned int dimension_of(const Parameters &parameters);
 

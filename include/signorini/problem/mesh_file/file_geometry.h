@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * Returns the body of a mesh, whose coarse mesh is that of the file; triangles are split into three
  * quadrilaterals each, and quadrilaterals beside triangles into four.
@@ -23,8 +22,7 @@ namespace Signorini
  * @throws InputError if check_and_sort() does, if an arc is none, an unknown side is named, or an
  * arc turns a cell inside out.
  */
-Geometry<2> make_geometry(FileMesh mesh,
-                          const std::vector<std::string> &arcs,
+Geometry<2> make_geometry(FileMesh mesh, const std::vector<std::string> &arcs,
                           const std::string &where);
 
 /** Returns whether Gmsh can read files with this ending: "step". */
@@ -38,8 +36,6 @@ bool is_gmsh_ending(const std::string &ending);
  * @param where the beginning of messages.
  * @return the text of a file that read_gmsh() reads. @throws InputError
  */
-std::string convert_with_gmsh(const std::string &content,
-                              const std::string &ending,
-                              double mesh_size,
-                              const std::string &where);
+std::string convert_with_gmsh(const std::string &content, const std::string &ending,
+                              double mesh_size, const std::string &where);
 } // namespace Signorini

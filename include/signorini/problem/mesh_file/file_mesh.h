@@ -12,13 +12,10 @@
 #include <utility>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The content of a mesh file of Gmsh for a 2-D body. */
-struct FileMesh
-{
-  struct Node
-  {
+struct FileMesh {
+  struct Node {
     /** The number of the node in the file, and the line of the file, for messages. */
     std::size_t tag, line;
     Point<2> x;
@@ -26,8 +23,7 @@ struct FileMesh
   };
 
   /** A line, a triangle or a quadrilateral. */
-  struct Element
-  {
+  struct Element {
     std::size_t tag, line;
     /** The number of the curve or the surface, and of its physical group; 0 if it has none. */
     int entity, group;
@@ -40,8 +36,7 @@ struct FileMesh
   };
 
   /** An edge of the boundary; the body lies on its left. */
-  struct Edge
-  {
+  struct Edge {
     unsigned int start, end;
     /** The node in the middle of an edge of second order, or the start. */
     unsigned int middle;
@@ -61,8 +56,7 @@ struct FileMesh
   std::vector<std::vector<Edge>> loops;
 
   /** Returns "name:line: ". */
-  std::string place(const std::size_t line) const
-  {
+  std::string place(const std::size_t line) const {
     return name + ":" + std::to_string(line) + ": ";
   }
   /** Returns the physical name of an element of this dimension. A group without a name is called by

@@ -4,13 +4,11 @@
 #include <signorini/base/message.h>
 #include <signorini/problem/parameters/parameters.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Returns the error "scene.prm:12: Solver/Tolerance: ..." of an entry, which goes on with the
  * parts. */
 template <typename... Parts>
-InputError error_at(const Entry &entry, const Parts &...parts)
-{
+InputError error_at(const Entry &entry, const Parts &...parts) {
   return InputError(concatenate(entry.where(), ": ", parts...));
 }
 } // namespace Signorini

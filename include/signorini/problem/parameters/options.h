@@ -5,18 +5,12 @@
 #include <typeindex>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The state in the direction normal to a 2-D body. */
-enum class PlaneState
-{
-  strain,
-  stress
-};
+enum class PlaneState { strain, stress };
 
 /** The method for the dual problem. */
-enum class ContactSolver
-{
+enum class ContactSolver {
   /** Chooses multigrid on levels with many unknowns where it may be used, else active_set. */
   automatic,
   /** Projected SOR. */
@@ -30,8 +24,7 @@ enum class ContactSolver
 };
 
 /** The point at which V-cycles for contact end. */
-enum class StopAt
-{
+enum class StopAt {
   /** They end at the tolerance. */
   tolerance,
   /** They end at a tenth of the discretisation error that the level before predicts. */
@@ -39,8 +32,7 @@ enum class StopAt
 };
 
 /** The solver of systems with the stiffness matrix. */
-enum class LinearSolver
-{
+enum class LinearSolver {
   /** Chooses condensed in serial, amesos_mumps on several ranks. */
   automatic,
   /** CHOLMOD, which eliminates the contact unknowns last; serial. */
@@ -54,8 +46,7 @@ enum class LinearSolver
 };
 
 /** The shape of the body. */
-enum class Shape
-{
+enum class Shape {
   rectangle,
   /** A box in 3-D. */
   box,
@@ -68,16 +59,10 @@ enum class Shape
 };
 
 /** Hooke's law. */
-enum class MaterialLaw
-{
-  isotropic,
-  orthotropic,
-  general
-};
+enum class MaterialLaw { isotropic, orthotropic, general };
 
 /** The way in which the meshes of a study follow one another. */
-enum class Strategy
-{
+enum class Strategy {
   /** Each mesh is the one before with every cell split, as in the paper. */
   nested,
   /** Each mesh is graded to what is singular in the solution on the one before, with degrees that
@@ -86,8 +71,7 @@ enum class Strategy
 };
 
 /** The displacement element. */
-enum class Element
-{
+enum class Element {
   q1,
   /** Q1 with the dilatation averaged over each cell (B-bar). */
   q1_b_bar,
@@ -96,28 +80,17 @@ enum class Element
 };
 
 /** The levels for which VTU files are written. */
-enum class VtuLevels
-{
-  none,
-  finest,
-  all
-};
+enum class VtuLevels { none, finest, all };
 
 /** A setting that is on, off, or chosen by the program. */
-enum class Choice
-{
-  yes,
-  no,
-  automatic
-};
+enum class Choice { yes, no, automatic };
 
 /** Returns the names of an enumeration's values in a parameter file, in their order. */
 const std::vector<std::string> &option_names(const std::type_index &option);
 
 /** Returns the name of a value in a parameter file. */
 template <typename Option>
-std::string to_text(const Option value)
-{
+std::string to_text(const Option value) {
   return option_names(typeid(Option)).at(static_cast<std::size_t>(value));
 }
 } // namespace Signorini

@@ -5,14 +5,12 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * One `set Name = value` of a parameter file or one `--set` of the command line, with the place it
  * was read from.
  */
-struct Assignment
-{
+struct Assignment {
   /** The subsections and the name, joined by '/': "Solver/Tolerance". */
   std::string path;
   /** The value without comment and surrounding blanks. */
@@ -31,8 +29,7 @@ struct Assignment
  * set twice, a subsection inside of another, and one without entries that is not among @p
  * known_sections (wrong names of others show in their entries).
  */
-std::vector<Assignment> scan_parameter_text(const std::string &text,
-                                            const std::string &file_name,
+std::vector<Assignment> scan_parameter_text(const std::string &text, const std::string &file_name,
                                             const std::set<std::string> &known_sections = {});
 
 /** Splits `Subsection/Parameter=value` of the option `--set`; throws InputError without '='. */
@@ -41,10 +38,8 @@ Assignment scan_override(const std::string &argument);
 /** Reads a whole file. @throws InputError if it cannot be read, is not a file (devices and pipes
  * may never end) or has more than @p max_size bytes. Messages begin with @p where and call the
  * file a @p kind. */
-std::string read_whole_file(const std::string &file_name,
-                            const std::string &where,
-                            const std::string &kind,
-                            std::size_t max_size);
+std::string read_whole_file(const std::string &file_name, const std::string &where,
+                            const std::string &kind, std::size_t max_size);
 
 /** Reads a parameter file of at most a million bytes; throws InputError if it contains characters
  * 0. */

@@ -7,11 +7,9 @@
 #include <utility>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The name and the place of an entry of the parameter file, for messages. */
-struct Entry
-{
+struct Entry {
   /** The subsection and the name: "Solver/Tolerance". */
   std::string name;
   /** The place, "scene.prm:12" or "--set"; for a default the file alone. */
@@ -20,45 +18,37 @@ struct Entry
   bool changed = false;
 
   /** Returns "scene.prm:12: Solver/Tolerance", the beginning of every message about the entry. */
-  std::string where() const
-  {
+  std::string where() const {
     return place + ": " + name;
   }
 };
 
 /** The value of an entry, with the place where it was given. It converts to the value. */
 template <typename T>
-struct Given : Entry
-{
+struct Given : Entry {
   T value = T();
 
   Given() = default;
   /** Stores a default. */
   explicit Given(T default_value)
-    : value(std::move(default_value))
-  {
-  }
-  operator const T &() const
-  {
+    : value(std::move(default_value)) {}
+  operator const T &() const {
     return value;
   }
 };
 
 /** The scene that is solved: `described` by expressions, or one of the catalogue. */
-struct SceneParameters
-{
+struct SceneParameters {
   Given<std::string> name{"described"};
 };
 
 /** Subsection Constants: names that expressions may use. */
-struct ConstantsParameters
-{
+struct ConstantsParameters {
   Given<std::string> values;
 };
 
 /** Subsection Geometry: the body before it is meshed (lengths). */
-struct GeometryParameters
-{
+struct GeometryParameters {
   Given<Shape> shape{Shape::rectangle};
   Given<std::string> lower_left{"0, 0"};
   Given<std::string> upper_right{"1, 1"};
@@ -80,8 +70,7 @@ struct GeometryParameters
 };
 
 /** Subsection Material: Hooke's tensor. */
-struct MaterialParameters
-{
+struct MaterialParameters {
   Given<MaterialLaw> law{MaterialLaw::isotropic};
   Given<std::string> youngs_modulus{"1"};
   Given<std::string> poissons_ratio{"0.3"};
@@ -93,8 +82,7 @@ struct MaterialParameters
 };
 
 /** Subsection Boundary: one role per side. */
-struct BoundaryParameters
-{
+struct BoundaryParameters {
   /** The beginning of messages about the whole subsection: "scene.prm: Boundary". */
   std::string where;
   Given<std::string> clamped;
@@ -106,8 +94,7 @@ struct BoundaryParameters
 };
 
 /** Subsection Load. */
-struct LoadParameters
-{
+struct LoadParameters {
   Given<std::string> body_force{"0; 0"};
   Given<std::string> plate_force;
   Given<std::string> plate_moment;
@@ -115,8 +102,7 @@ struct LoadParameters
 };
 
 /** Subsection Contact. */
-struct ContactParameters
-{
+struct ContactParameters {
   Given<std::string> gap{"0"};
   /** The rigid obstacles in place of the gap. */
   Given<std::string> foundation;
@@ -124,23 +110,20 @@ struct ContactParameters
 };
 
 /** Subsection Load cases. */
-struct LoadCasesParameters
-{
+struct LoadCasesParameters {
   Given<std::string> cases;
   Given<std::string> fields;
 };
 
 /** Subsection Exact solution: turns the error columns on. */
-struct ExactSolutionParameters
-{
+struct ExactSolutionParameters {
   Given<std::string> displacement;
   Given<std::string> displacement_gradient;
   Given<std::string> pressure;
 };
 
 /** Subsection Discretization. */
-struct DiscretizationParameters
-{
+struct DiscretizationParameters {
   Given<Strategy> strategy{Strategy::nested};
   Given<unsigned int> coarsest_level{2};
   Given<unsigned int> finest_level{6};
@@ -157,8 +140,7 @@ struct DiscretizationParameters
 };
 
 /** Subsection Solver. */
-struct SolverParameters
-{
+struct SolverParameters {
   Given<ContactSolver> contact_solver{ContactSolver::automatic};
   Given<double> relaxation{1.1};
   Given<double> tolerance{1e-10};
@@ -171,8 +153,7 @@ struct SolverParameters
 };
 
 /** Subsection Output. */
-struct OutputParameters
-{
+struct OutputParameters {
   Given<VtuLevels> vtu{VtuLevels::finest};
   Given<Choice> inf_sup_constant{Choice::automatic};
   Given<bool> compliance{false};
@@ -186,8 +167,7 @@ struct OutputParameters
  * (names of sides and expressions are checked when the scene is made). Every value stores the place
  * where it was given.
  */
-struct Parameters
-{
+struct Parameters {
   Given<unsigned int> dimension{2};
   SceneParameters scene;
   ConstantsParameters constants;
@@ -224,8 +204,7 @@ Parameters read_parameters(const std::string &file_name,
  * looked for in @p folder, then in the working folder; their names become absolute, so that the
  * echo works everywhere.
  */
-Parameters parse_parameters(const std::string &text,
-                            const std::string &file_name,
+Parameters parse_parameters(const std::string &text, const std::string &file_name,
                             const std::vector<std::string> &overrides = {},
                             const std::string &folder = "");
 

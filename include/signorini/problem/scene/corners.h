@@ -10,11 +10,9 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The support of an edge of the body next to a corner. */
-enum class EdgeSupport
-{
+enum class EdgeSupport {
   /** The traction is given. */
   free,
   /** Both components of u are given. */
@@ -56,8 +54,7 @@ double kolosov_constant(const SymmetricTensor<4, 2> &hooke);
 
 /** A point where two sides of a 2-D body meet, also at a straight angle, or where one side has a
  * corner (Curve::corners()). */
-struct Corner
-{
+struct Corner {
   Point<2> position;
   /** The angle between the tangents inside the body, 0 < angle <= 2 pi (radians). */
   double angle;

@@ -15,8 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Named numbers that expressions may use. */
 using Constants = std::map<std::string, double>;
 
@@ -29,8 +28,7 @@ using Constants = std::map<std::string, double>;
  * a parser of its own.
  */
 template <int dim>
-class Expression
-{
+class Expression {
 public:
   /** Parses the text. @throws InputError beginning with @p where if the text cannot be parsed. */
   Expression(const std::string &text, const Constants &constants, const std::string &where);
@@ -42,18 +40,15 @@ public:
   void evaluate(const std::vector<Point<dim>> &points, std::vector<double> &values) const;
 
   /** Returns whether the formula uses none of the coordinates. */
-  bool is_constant() const
-  {
+  bool is_constant() const {
     return constant_.has_value();
   }
 
-  const std::string &text() const
-  {
+  const std::string &text() const {
     return text_;
   }
   /** Returns the place that the formula was read from, for messages about its values. */
-  const std::string &where() const
-  {
+  const std::string &where() const {
     return where_;
   }
 
@@ -74,11 +69,8 @@ private:
 
 /** Throws InputError with "WHERE: found FOUND at (X), allowed: ALLOWED." */
 template <int dim>
-[[noreturn]] void refuse_value(const std::string &where,
-                               const std::string &found,
-                               const Point<dim> &x,
-                               const std::string &allowed)
-{
+[[noreturn]] void refuse_value(const std::string &where, const std::string &found,
+                               const Point<dim> &x, const std::string &allowed) {
   std::ostringstream message;
   message << where << ": found " << found << " at (" << x << "), allowed: " << allowed << ".";
   throw InputError(message.str());

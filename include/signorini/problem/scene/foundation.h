@@ -13,11 +13,9 @@
 #include <variant>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A rigid obstacle in 2-D: the set of points that a body cannot enter. */
-class Obstacle
-{
+class Obstacle {
 public:
   /** Returns the half-plane (x - point).normal <= 0; @p normal (not zero, of any length) points out
    * of it, towards the body. */
@@ -57,14 +55,12 @@ public:
 
 private:
   /** A parabola, or a plane, which has the curvature 0. */
-  struct Parabola
-  {
+  struct Parabola {
     Point<2> point;
     Tensor<1, 2> normal;
     double curvature;
   };
-  struct Circle
-  {
+  struct Circle {
     Point<2> centre;
     double radius;
     Body body;
@@ -80,8 +76,7 @@ private:
 };
 
 /** The rigid obstacles that a side of a body may touch. */
-class Foundation
-{
+class Foundation {
 public:
   /** Stores the obstacles. @param max_gap the gap (length) where the normal meets no obstacle,
    * or one that is farther away. */
@@ -91,12 +86,10 @@ public:
    */
   double gap(const Point<2> &x, const Tensor<1, 2> &n) const;
 
-  double max_gap() const
-  {
+  double max_gap() const {
     return max_gap_;
   }
-  const std::vector<Obstacle> &things() const
-  {
+  const std::vector<Obstacle> &things() const {
     return obstacles_;
   }
 
@@ -111,7 +104,6 @@ private:
  * with the same arc length. Thread-safe.
  */
 std::shared_ptr<const Function<2>>
-foundation_gap(const Side<2> &side,
-               const std::shared_ptr<const Foundation> &foundation,
+foundation_gap(const Side<2> &side, const std::shared_ptr<const Foundation> &foundation,
                const Tensor<1, 2> &position);
 } // namespace Signorini

@@ -9,12 +9,10 @@
 #include <functional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A vector field as a deal.II function. */
 template <int dim>
-class FieldFunction final : public Function<dim>
-{
+class FieldFunction final : public Function<dim> {
 public:
   using Field = std::function<Tensor<1, dim>(const Point<dim> &)>;
   using Gradient = std::function<Tensor<2, dim>(const Point<dim> &)>;
@@ -23,24 +21,18 @@ public:
   explicit FieldFunction(Field field, Gradient gradient = {})
     : Function<dim>(dim)
     , field_(std::move(field))
-    , gradient_(std::move(gradient))
-  {
-  }
+    , gradient_(std::move(gradient)) {}
 
-  double value(const Point<dim> &x, const unsigned int component = 0) const override
-  {
+  double value(const Point<dim> &x, const unsigned int component = 0) const override {
     return field_(x)[component];
   }
-  void vector_value(const Point<dim> &x, dealii::Vector<double> &values) const override
-  {
+  void vector_value(const Point<dim> &x, dealii::Vector<double> &values) const override {
     field_(x).unroll(values.begin(), values.end());
   }
-  Tensor<1, dim> gradient(const Point<dim> &x, const unsigned int component = 0) const override
-  {
+  Tensor<1, dim> gradient(const Point<dim> &x, const unsigned int component = 0) const override {
     return gradient_(x)[component];
   }
-  void vector_gradient(const Point<dim> &x, std::vector<Tensor<1, dim>> &gradients) const override
-  {
+  void vector_gradient(const Point<dim> &x, std::vector<Tensor<1, dim>> &gradients) const override {
     const Tensor<2, dim> gradient = gradient_(x);
     for (unsigned int c = 0; c < dim; ++c)
       gradients[c] = gradient[c];
@@ -59,14 +51,12 @@ private:
  * (scene.h), or InputError is thrown.
  */
 template <int dim>
-class ExpressionFunction : public Function<dim>
-{
+class ExpressionFunction : public Function<dim> {
 public:
   using Points = std::vector<Point<dim>>;
   using Gradients = std::vector<Tensor<1, dim>>;
 
-  ExpressionFunction(std::vector<Expression<dim>> values,
-                     std::vector<Expression<dim>> gradients,
+  ExpressionFunction(std::vector<Expression<dim>> values, std::vector<Expression<dim>> gradients,
                      double h);
   /** Makes data of the problem, with checked values and without derivatives. */
   explicit ExpressionFunction(std::vector<Expression<dim>> values);
@@ -75,14 +65,12 @@ public:
   bool is_constant() const;
 
   double value(const Point<dim> &x, unsigned int component = 0) const override;
-  void value_list(const Points &points,
-                  std::vector<double> &values,
+  void value_list(const Points &points, std::vector<double> &values,
                   unsigned int component = 0) const override;
   void vector_value_list(const Points &points,
                          std::vector<dealii::Vector<double>> &values) const override;
   Tensor<1, dim> gradient(const Point<dim> &x, unsigned int component = 0) const override;
-  void gradient_list(const Points &points,
-                     Gradients &gradients,
+  void gradient_list(const Points &points, Gradients &gradients,
                      unsigned int component = 0) const override;
   void vector_gradient_list(const Points &points, std::vector<Gradients> &gradients) const override;
 
@@ -92,9 +80,7 @@ private:
   void check(double value, unsigned int component, const Point<dim> &x) const;
 
   /** Computes du_c/dx_d at all points. */
-  void derivative_list(const Points &points,
-                       unsigned int component,
-                       unsigned int d,
+  void derivative_list(const Points &points, unsigned int component, unsigned int d,
                        std::vector<double> &derivatives) const;
 
   std::vector<Expression<dim>> values_;
@@ -105,9 +91,7 @@ private:
 
 /** Refuses a value that is not finite or beyond max_magnitude. @throws InputError */
 template <int dim>
-void check_magnitude(double value,
-                     unsigned int component,
-                     const Point<dim> &x,
+void check_magnitude(double value, unsigned int component, const Point<dim> &x,
                      const std::string &where);
 
 /** Returns whether a function is known to be the same everywhere. */

@@ -11,30 +11,24 @@
 #include <memory>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Hooke's tensor E_ijkl(x) of (1) (force/area). */
 template <int dim>
-class Material
-{
+class Material {
 public:
   /** @param modulus E_0, a modulus of this material (force/area). */
   explicit Material(const double modulus)
-    : modulus_(modulus)
-  {
-  }
+    : modulus_(modulus) {}
   virtual ~Material() = default;
 
   /** Returns E_0, the unit of stress in which systems of equations are solved (force/area). */
-  double modulus() const
-  {
+  double modulus() const {
     return modulus_;
   }
   /** Returns E_ijkl / E_0 at a point. @throws InputError where the data there is no material. */
   virtual SymmetricTensor<4, dim> relative_hooke(const Point<dim> &x) const = 0;
   /** Returns E_ijkl at a point. @throws InputError like relative_hooke(). */
-  SymmetricTensor<4, dim> hooke(const Point<dim> &x) const
-  {
+  SymmetricTensor<4, dim> hooke(const Point<dim> &x) const {
     return modulus_ * relative_hooke(x);
   }
 
@@ -62,10 +56,9 @@ std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &young
 /** Returns the material that is one of several at every point: that of the index @p index_at. E_0
  * is that of the material at the point @p reference. */
 template <int dim>
-std::shared_ptr<const Material<dim>>
-make_piecewise(const std::vector<std::shared_ptr<const Material<dim>>> &materials,
-               const std::function<unsigned int(const Point<dim> &)> &index_at,
-               const Point<dim> &reference);
+std::shared_ptr<const Material<dim>> make_piecewise(
+  const std::vector<std::shared_ptr<const Material<dim>>> &materials,
+  const std::function<unsigned int(const Point<dim> &)> &index_at, const Point<dim> &reference);
 
 /** Returns the material (s11, s22, s12) = C (e11, e22, 2 e12), in 3-D (s11, s22, s33, s23, s13,
  * s12) = C (e11, e22, e33, 2 e23, 2 e13, 2 e12), with the upper triangle of C, row by row: C11,

@@ -8,11 +8,9 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A rigid velocity field t + omega (-(y - y0), x - x0) in 2-D, of size one on the body. */
-struct RigidMotion
-{
+struct RigidMotion {
   /** The translation t. */
   Tensor<1, 2> translation;
   /** The rotation as omega L. */
@@ -36,11 +34,7 @@ RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<d
 
 /** The state of plates that a force or a moment drives: they are held, or move as the force lets
  * them. */
-enum class Plates
-{
-  held,
-  released
-};
+enum class Plates { held, released };
 
 /**
  * Returns the rigid motions that clamped, prescribed and roller sides leave free; A is singular
@@ -56,8 +50,7 @@ std::vector<std::string> free_rigid_motions(const Scene<3> &scene);
  * A motion that nothing prescribes: of plates that a force or a moment drives, of a body that
  * contact alone holds, or of both at once. Its displacement has the size one somewhere.
  */
-struct FreeMotion
-{
+struct FreeMotion {
   /** The motion of every plate of the scene. */
   std::vector<PlateMotion> plates;
   /** The rigid motion of the whole body; empty if the motion strains the body. */
@@ -68,8 +61,7 @@ struct FreeMotion
 };
 
 /** All free motions of a scene; most scenes have none. */
-struct FreeMotionBasis
-{
+struct FreeMotionBasis {
   /** The motions that change the gap or strain the body: first the rigid ones, then motions of
    * plates that strain the body. */
   std::vector<FreeMotion> seen;
@@ -86,6 +78,5 @@ FreeMotionBasis free_motions(const Scene<2> &scene);
 
 /** Returns the sum of q_j times the motion of each plate. */
 std::vector<PlateMotion> combine_plates(const std::vector<FreeMotion> &motions,
-                                        const std::vector<double> &q,
-                                        std::size_t n_plates);
+                                        const std::vector<double> &q, std::size_t n_plates);
 } // namespace Signorini

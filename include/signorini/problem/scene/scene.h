@@ -13,8 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * The bounds of lengths and moduli of a described scene; loads and displacements lie below the
  * upper one. They are far enough from the ends of double precision for products such as an energy
@@ -31,8 +30,7 @@ constexpr double max_slenderness = 1e6;
 
 /** A change of a scene's loads and of its foundation; the body and its supports stay the same, and
  * so does its stiffness. */
-struct LoadCase
-{
+struct LoadCase {
   /** Factor of tractions and of the forces and moments on plates. */
   double force = 1.;
   /** Factor of the body force. */
@@ -48,8 +46,7 @@ struct LoadCase
 };
 
 /** The motion of a plate. */
-struct PlateMotion
-{
+struct PlateMotion {
   /** The travel delta along the plate's direction (length). */
   double travel = 0.;
   /** The rotation theta, counter-clockwise about the plate's centre (radians, small). */
@@ -60,8 +57,7 @@ struct PlateMotion
  * A side to which a rigid plate is bonded: u = delta d + theta (-(y - c2), x - c1) on it. Each of
  * the two motions is given, or the force or the moment that drives it is.
  */
-struct Plate
-{
+struct Plate {
   /** The number of the side in the geometry. */
   unsigned int side = 0;
   /** The direction d, a unit vector. */
@@ -84,8 +80,7 @@ struct Plate
   Tensor<1, 2> displacement(const PlateMotion &motion, const Point<2> &x) const;
   /** Returns the work that the force and the moment that drive the plate do in a motion (force x
    * length per thickness). */
-  double work(const PlateMotion &motion) const
-  {
+  double work(const PlateMotion &motion) const {
     return force * motion.travel + moment * motion.rotation;
   }
 };
@@ -95,8 +90,7 @@ std::shared_ptr<const Function<2>> plate_displacement(const Plate &plate,
                                                       const PlateMotion &motion);
 
 /** The condition on a side of the body; every side has exactly one role. */
-enum class Role
-{
+enum class Role {
   /** sigma n = 0. */
   free,
   /** u = 0. */
@@ -116,8 +110,7 @@ using FunctionPointer = std::shared_ptr<const Function<dim>>;
 
 /** The role of one side and the data that belongs to it. */
 template <int dim>
-struct BoundaryCondition
-{
+struct BoundaryCondition {
   Role role = Role::free;
   /** The prescribed displacement or traction (dim components), or the gap (one component); else
    * empty. */
@@ -131,8 +124,7 @@ struct BoundaryCondition
 
 /** Problem (1): a body, its material, its supports, its loads and its foundation. */
 template <int dim>
-struct Scene
-{
+struct Scene {
   std::string name;
   /** One line that describes the scene. */
   std::string title;
@@ -182,12 +174,7 @@ Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case);
 std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &load_case);
 
 /** The kinds of load of a scene. */
-enum class LoadKind
-{
-  force,
-  weight,
-  travel
-};
+enum class LoadKind { force, weight, travel };
 
 /** Returns the scene with one kind of load; all others are zero, and forces do not act on plates.
  */

@@ -7,16 +7,13 @@
 #include <ostream>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Prints the answer of the finest level, which ends a run on the screen, in lines of at most 80
  * columns. @param directory where the results are; empty: nowhere. */
-void print_answer(std::ostream &stream,
-                  const std::vector<LevelRecord> &levels,
+void print_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
                   const std::filesystem::path &directory);
 
 /** Writes answer.json: the answer with all digits. */
-void write_answer(std::ostream &stream,
-                  const std::vector<LevelRecord> &levels,
+void write_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
                   const StudyVerdict &verdict);
 } // namespace Signorini

@@ -10,13 +10,11 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The fields at one point of the contact boundary. Pressures are those of the formulas, sigma_n:
  * negative in compression. */
 template <int dim>
-struct ContactPoint
-{
+struct ContactPoint {
   /** The coordinates on the side; in 2-D the arc length. */
   Point<dim - 1> s;
   Point<dim> x;
@@ -30,8 +28,7 @@ struct ContactPoint
 
 /** A piece face ∩ patch with some of its points. */
 template <int dim>
-struct ContactPiece
-{
+struct ContactPiece {
   std::string side;
   /** The numbers of the side in the geometry, of the contact face and of the patch. */
   unsigned int side_number, face, patch;
@@ -56,8 +53,7 @@ template <int dim>
 TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                                  const MultiplierSpace<dim> &multipliers,
                                  const std::vector<BoundaryCondition<dim>> &boundary,
-                                 const Displacement &U,
-                                 const Pressure &P);
+                                 const Displacement &U, const Pressure &P);
 
 /** Writes contact-LL.csv. */
 template <int dim>
@@ -69,7 +65,6 @@ void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact);
  * @param bound of every contact face; empty if there is none.
  */
 template <int dim>
-void write_contact_vtu(std::ostream &stream,
-                       const TracedContact<dim> &contact,
+void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
                        const std::vector<double> &bound);
 } // namespace Signorini

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 using NameTest = std::function<bool(const std::string &name)>;
 
 /** Returns whether a run writes files of this name. */
@@ -17,8 +16,7 @@ constexpr const char *parameters_name = "parameters.prm";
 constexpr const char *certificate_name = "certificate.json";
 
 /** A directory for results, which belongs to this run alone as long as the object lives. */
-class ResultsDirectory
-{
+class ResultsDirectory {
 public:
   /**
    * Makes the directory with those above it, tries to write into it, and keeps other runs out of it

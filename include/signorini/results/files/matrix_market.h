@@ -11,12 +11,10 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Writes a dense matrix, or the lower triangle of a symmetric one, in Matrix Market's array format
  * (columns one after another). */
-void write_matrix_market(std::ostream &stream,
-                         const FullMatrix<double> &matrix,
+void write_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix,
                          bool symmetric = false);
 
 /** Returns the lower triangle of factor × matrix, symmetric and sparse: lines "i j value" for the
@@ -28,9 +26,7 @@ std::string entries_of(const Coupling &D);
 
 /** Writes a matrix in coordinate format from its entries, or the lower triangle of a @p symmetric
  * one. @param parts lines "i j value", from every rank. */
-void write_matrix_market(std::ostream &stream,
-                         types::global_dof_index n_rows,
-                         types::global_dof_index n_columns,
-                         const std::vector<std::string> &parts,
+void write_matrix_market(std::ostream &stream, types::global_dof_index n_rows,
+                         types::global_dof_index n_columns, const std::vector<std::string> &parts,
                          bool symmetric = false);
 } // namespace Signorini

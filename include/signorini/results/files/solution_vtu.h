@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The fields at a point of a VTU file, numbers with their names. Three or nine numbers with the
  * same name are the components of a vector or of a tensor. */
 using VtuFields = std::vector<std::pair<const char *, double>>;
@@ -22,11 +21,8 @@ using VtuFields = std::vector<std::pair<const char *, double>>;
 /** The cells of a VTU file, all with the same fields. All files are three-dimensional: in 2-D, too,
  * deal.II writes tensors with all their components then. */
 template <int dim>
-struct VtuCells
-{
-  using Range = std::tuple<unsigned int,
-                           unsigned int,
-                           std::string,
+struct VtuCells {
+  using Range = std::tuple<unsigned int, unsigned int, std::string,
                            DataComponentInterpretation::DataComponentInterpretation>;
 
   std::vector<DataOutBase::Patch<dim, 3>> cells;
@@ -35,10 +31,8 @@ struct VtuCells
 
   /** Adds a cell that is divided into n^dim, with its points and the fields there. */
   template <int spacedim>
-  void add(const unsigned int n,
-           const std::vector<Point<spacedim>> &points,
-           const std::vector<VtuFields> &fields)
-  {
+  void add(const unsigned int n, const std::vector<Point<spacedim>> &points,
+           const std::vector<VtuFields> &fields) {
     if (names.empty())
       for (const auto &[name, value] : fields[0])
         names.emplace_back(name);
@@ -49,8 +43,7 @@ struct VtuCells
     // The last three rows are the points.
     cell.points_are_available = true;
     cell.data.reinit(names.size() + 3, points.size());
-    for (std::size_t v = 0; v < points.size(); ++v)
-    {
+    for (std::size_t v = 0; v < points.size(); ++v) {
       for (std::size_t i = 0; i < names.size(); ++i)
         cell.data(i, v) = fields[v][i].second;
       for (unsigned int d = 0; d < spacedim; ++d)
@@ -58,16 +51,12 @@ struct VtuCells
     }
   }
   /** Returns which numbers are the components of a vector or tensor. */
-  std::vector<Range> ranges() const
-  {
+  std::vector<Range> ranges() const {
     std::vector<Range> ranges;
-    for (auto first = names.begin(), end = first; first != names.end(); first = end)
-    {
+    for (auto first = names.begin(), end = first; first != names.end(); first = end) {
       end = std::find_if(first, names.end(), [&](const auto &name) { return name != *first; });
       if (end - first > 1)
-        ranges.emplace_back(first - names.begin(),
-                            end - names.begin() - 1,
-                            *first,
+        ranges.emplace_back(first - names.begin(), end - names.begin() - 1, *first,
                             end - first == 3
                               ? DataComponentInterpretation::component_is_part_of_vector
                               : DataComponentInterpretation::component_is_part_of_tensor);
@@ -85,11 +74,8 @@ struct VtuCells
  * u_h. Collective.
  */
 template <int dim>
-void write_solution_vtu(const std::filesystem::path &path,
-                        const DisplacementSpace<dim> &space,
-                        const Scene<dim> &scene,
-                        const Displacement &U,
-                        const BoundFields &bound,
+void write_solution_vtu(const std::filesystem::path &path, const DisplacementSpace<dim> &space,
+                        const Scene<dim> &scene, const Displacement &U, const BoundFields &bound,
                         unsigned int number);
 
 /** Writes a .pvd that lists one file per level; the level takes the place of time. */

@@ -11,12 +11,10 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Returns the names of the columns, separated by commas. */
 template <typename Row>
-std::string csv_header(const Columns<Row> &columns)
-{
+std::string csv_header(const Columns<Row> &columns) {
   std::string line;
   for (const Column<Row> &column : columns)
     line += (line.empty() ? "" : ",") + column.name;
@@ -25,13 +23,11 @@ std::string csv_header(const Columns<Row> &columns)
 
 /** Returns the values of a row with all digits, separated by commas; unknown ones are empty. */
 template <typename Row>
-std::string csv_row(const Columns<Row> &columns, const Row &row)
-{
+std::string csv_row(const Columns<Row> &columns, const Row &row) {
   std::ostringstream line;
   line << std::setprecision(16);
   const char *separator = "";
-  for (const Column<Row> &column : columns)
-  {
+  for (const Column<Row> &column : columns) {
     line << separator;
     separator = ",";
     if (const std::optional<double> value = column.value(row))
@@ -62,10 +58,8 @@ std::string error_table(const std::vector<LevelRecord> &levels);
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
 /** Writes certificate.json, all levels. */
-void write_certificate(std::ostream &stream,
-                       const std::vector<LevelRecord> &levels,
-                       const Judge &judge,
-                       const StudyVerdict &verdict);
+void write_certificate(std::ostream &stream, const std::vector<LevelRecord> &levels,
+                       const Judge &judge, const StudyVerdict &verdict);
 
 /** Writes cases.csv: one row per load case; numbers of a case without a solution are empty. */
 void write_cases_csv(std::ostream &stream, const std::vector<CaseResult> &cases);

@@ -4,8 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Draws the results in a directory by the script signorini-plot beside the program. @return one
  * sentence with what prevented it and how to draw later; empty if the pictures are there. */
 std::string draw_pictures(const std::filesystem::path &directory);

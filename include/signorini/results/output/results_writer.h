@@ -14,11 +14,9 @@
 #include <utility>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Decides which results of a study become files, and writes them; without a directory, none. */
-class ResultsWriter
-{
+class ResultsWriter {
 public:
   /**
    * Prepares the files. The directory does not change before the first level is solved. Then
@@ -26,10 +24,8 @@ public:
    * description as comments, and a certificate with the outcome "unfinished" are written.
    * Collective, like all members but abandon().
    */
-  ResultsWriter(const Parameters &parameters,
-                const Judge &judge,
-                const std::string &scene_description,
-                std::filesystem::path directory,
+  ResultsWriter(const Parameters &parameters, const Judge &judge,
+                const std::string &scene_description, std::filesystem::path directory,
                 MPI_Comm communicator);
 
   /** Writes contact-LL.csv, and if wanted the VTU files and the dual problem. */
@@ -38,11 +34,8 @@ public:
 
   /** Writes solution-case-NNNNNN.vtu and contact-case-NNNNNN.csv of a load case.
    * @param scene the scene of the case. */
-  void write_case_fields(const Discretization<2> &discretization,
-                         const Scene<2> &scene,
-                         const Displacement &U,
-                         const Pressure &P,
-                         unsigned int number);
+  void write_case_fields(const Discretization<2> &discretization, const Scene<2> &scene,
+                         const Displacement &U, const Pressure &P, unsigned int number);
   /** Writes cases.csv. */
   void write_cases(const std::vector<CaseResult> &cases);
 

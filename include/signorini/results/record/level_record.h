@@ -18,11 +18,9 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The sizes of the problem of one level. */
-struct LevelSizes
-{
+struct LevelSizes {
   unsigned int level = 0;
   unsigned long long cells = 0;
   unsigned long long dofs = 0;
@@ -43,13 +41,11 @@ struct LevelSizes
 
   /** Returns whether the mesh is a step of a sequence of graded meshes. There h alone does not show
    * how fine a mesh is, and errors have no orders in h. */
-  bool is_graded() const
-  {
+  bool is_graded() const {
     return strategy == Strategy::hp;
   }
   /** Returns the word for the mesh on the screen. */
-  const char *word() const
-  {
+  const char *word() const {
     return is_graded() ? "step" : "level";
   }
 
@@ -57,8 +53,7 @@ struct LevelSizes
 };
 
 /** The position of a plate, and the forces that hold it there. */
-struct PlateRecord
-{
+struct PlateRecord {
   std::string side;
   Plate plate;
   PlateMotion motion;
@@ -69,8 +64,7 @@ struct PlateRecord
 };
 
 /** The free motions, and how far they have moved. */
-struct MotionRecord
-{
+struct MotionRecord {
   std::vector<PlateRecord> plates;
   /** Rigid motions that neither loads nor contact determine; they are zero. */
   std::vector<std::string> undetermined;
@@ -80,8 +74,7 @@ struct MotionRecord
 };
 
 /** The summary of the load cases of a level. */
-struct CaseSummary
-{
+struct CaseSummary {
   unsigned int n_cases = 0;
   /** The number of cases in which nothing stops the body. */
   unsigned int n_escapes = 0;
@@ -97,8 +90,7 @@ CaseSummary summarise(const std::vector<CaseResult> &cases, double seconds);
 
 /** The results of a level: one row of convergence.csv. Results that the scene does not have, or
  * that the user does not want, are empty. */
-struct LevelRecord
-{
+struct LevelRecord {
   LevelSizes sizes;
   LinearSolves linear;
   DualSolve dual;

@@ -6,12 +6,10 @@
 
 #include <memory>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The solution of one level: contact as it was found, and its record. */
 template <int dim>
-struct LevelSolution : ContactState<dim>
-{
+struct LevelSolution : ContactState<dim> {
   LevelRecord record;
   /** The parts of the bound; empty if record.bound is empty. */
   BoundFields bound_fields;
@@ -22,15 +20,13 @@ struct LevelSolution : ContactState<dim>
 /** The result of a sequence for one of its meshes. The driver writes it, and releases it before the
  * next mesh. */
 template <int dim>
-struct LevelResult
-{
+struct LevelResult {
   std::shared_ptr<const Discretization<dim>> discretization;
   LevelSolution<dim> solution;
   /** Whether the mesh is the finest of the sequence. */
   bool is_last = false;
 
-  PatchPressure<dim> pressure() const
-  {
+  PatchPressure<dim> pressure() const {
     return {discretization->surface.patches(), solution.P};
   }
 };

@@ -7,21 +7,14 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A residual of the certificate that must vanish. */
-struct Residual
-{
+struct Residual {
   double value = 0.;
   /** The name in certificate.json. */
   const char *name = "";
   /** The cause of a large residual. */
-  enum class Origin
-  {
-    equilibrium,
-    contact,
-    supports
-  };
+  enum class Origin { equilibrium, contact, supports };
   Origin origin = Origin::equilibrium;
 };
 
@@ -49,8 +42,7 @@ std::optional<double> relative_error(const LevelRecord &level);
  * there is no bound and whether the estimate was checked. */
 std::string describe_accuracy(const std::vector<LevelRecord> &levels);
 
-enum class Outcome
-{
+enum class Outcome {
   /** More levels follow. */
   unfinished,
   /** The equations are solved, and the guaranteed bound of the error is tolerated. */
@@ -70,8 +62,7 @@ enum class Outcome
 const char *word_for(Outcome outcome);
 
 /** The verdict on a study: whether its answer can be trusted. */
-struct StudyVerdict
-{
+struct StudyVerdict {
   Outcome outcome = Outcome::unfinished;
   /** The reason why the study is not certified, and the remedy; otherwise empty. */
   std::string reason;
@@ -81,21 +72,18 @@ struct StudyVerdict
   double residual_bound = 0.;
 
   /** Returns whether the equations are solved, however far the mesh is from the solution. */
-  bool equations_hold() const
-  {
+  bool equations_hold() const {
     return is_certified() || outcome == Outcome::not_resolved;
   }
   /** Returns whether the program ends with the exit code 0. */
-  bool is_certified() const
-  {
+  bool is_certified() const {
     return outcome == Outcome::certified || outcome == Outcome::equations_certified ||
            outcome == Outcome::accuracy_estimated;
   }
 };
 
 /** The demands of the user on an answer. */
-struct Demands
-{
+struct Demands {
   /** The tolerance of the KKT residual of the dual problem. */
   double tolerance = 1e-10;
   /** The tolerated relative error in the energy norm: its bound, or else its estimate. */
@@ -111,12 +99,9 @@ struct Demands
 };
 
 /** Decides whether single levels and a study can be trusted. */
-struct Judge
-{
+struct Judge {
   explicit Judge(const Demands &demands)
-    : demands(demands)
-  {
-  }
+    : demands(demands) {}
 
   const Demands demands;
 
@@ -129,8 +114,7 @@ struct Judge
    * equations; empty if it does. */
   std::string doubt(const LevelRecord &level) const;
   /** Returns whether there is no doubt() about a level. */
-  bool accepts(const LevelRecord &level) const
-  {
+  bool accepts(const LevelRecord &level) const {
     return doubt(level).empty();
   }
 

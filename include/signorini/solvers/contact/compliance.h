@@ -11,8 +11,7 @@
 #include <memory>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** A callback that gets the number of columns of C that are finished. */
 using ColumnProgress = std::function<void(unsigned int)>;
 
@@ -36,16 +35,12 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
 
 /** The compliance C = Dᵀ A⁻¹ D by columns C_k = Dᵀ A⁻¹ D_k. Each column costs one solve; it
  * is computed at its first use and kept. Columns are symmetrised among each other. */
-class ColumnCompliance final : public DenseCompliance
-{
+class ColumnCompliance final : public DenseCompliance {
 public:
-  ColumnCompliance(const StiffnessInverse &inverse,
-                   const Coupling &condensed_D,
-                   double &seconds,
+  ColumnCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D, double &seconds,
                    ColumnProgress progress);
 
-  bool is_explicit() const override
-  {
+  bool is_explicit() const override {
     return n_known_ == size();
   }
 
@@ -64,8 +59,7 @@ private:
 
 /** The compliance C = Dᵀ A⁻¹ D by products, one solve each, for methods that need few products
  * and no entries. */
-class SolvedCompliance final : public ComplianceOperator
-{
+class SolvedCompliance final : public ComplianceOperator {
 public:
   /**
    * Stores the arguments, which must all outlive the object.
@@ -74,13 +68,11 @@ public:
    */
   SolvedCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D, Vector diagonal);
 
-  unsigned int size() const override
-  {
+  unsigned int size() const override {
     return D_.n_columns();
   }
   Vector apply(const Vector &P) const override;
-  Vector diagonal() const override
-  {
+  Vector diagonal() const override {
     return diagonal_;
   }
 
@@ -91,8 +83,7 @@ private:
 };
 
 /** The displacement of the body without contact pressure, and the opening that it leaves. */
-struct FreeState
-{
+struct FreeState {
   /** The complete nodal values U_0 = A⁻¹ f. */
   Displacement U;
   /** The free opening F = G - Dᵀ U_0 of each patch, negative where the body penetrates
@@ -105,32 +96,25 @@ struct FreeState
 
 /** Computes F = G - Dᵀ A⁻¹ f by one solve. Collective. */
 template <int dim>
-FreeState solve_free_state(const StiffnessInverse &inverse,
-                           const DisplacementSpace<dim> &space,
-                           const DistributedVector &f,
-                           const Coupling &D,
+FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
+                           const DistributedVector &f, const Coupling &D,
                            const dealii::Vector<double> &G);
 
 /** Returns U = A⁻¹(D P + f), (23): step (iv) of the algorithm. Collective. */
 template <int dim>
 Displacement recover_displacement(const StiffnessInverse &inverse,
-                                  const DisplacementSpace<dim> &space,
-                                  const Coupling &condensed_D,
-                                  const dealii::Vector<double> &P,
-                                  const DistributedVector &f);
+                                  const DisplacementSpace<dim> &space, const Coupling &condensed_D,
+                                  const dealii::Vector<double> &P, const DistributedVector &f);
 
 /** Returns A⁻¹ b with homogeneous essential conditions: the displacement that the forces b
  * (compressed here) add. Collective. */
 template <int dim>
-Displacement solve_homogeneous(const StiffnessInverse &inverse,
-                               const DisplacementSpace<dim> &space,
+Displacement solve_homogeneous(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
                                DistributedVector &b);
 
 /** Returns k + A⁻¹ Tᵀ r: the displacement with the prescribed values k, for r = f - A k.
  * Collective. */
 template <int dim>
-Displacement solve_prescribed(const StiffnessInverse &inverse,
-                              const DisplacementSpace<dim> &space,
-                              const Displacement &k,
-                              const DualVector &r);
+Displacement solve_prescribed(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
+                              const Displacement &k, const DualVector &r);
 } // namespace Signorini

@@ -14,14 +14,12 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * The compliance C, symmetric positive definite, m x m, as solvers of the dual problem use it.
  * Where C is not explicit, each column costs a linear solve, and a solver should need few.
  */
-class ComplianceOperator
-{
+class ComplianceOperator {
 public:
   using Vector = dealii::Vector<double>;
   using Matrix = FullMatrix<double>;
@@ -42,8 +40,7 @@ public:
   /** Returns the whole matrix C. */
   virtual const Matrix &dense() const;
   /** Returns whether all entries are stored, so that no function above costs a linear solve. */
-  virtual bool is_explicit() const
-  {
+  virtual bool is_explicit() const {
     return false;
   }
 
@@ -54,8 +51,7 @@ protected:
 
 /** The compliance C as a stored matrix. Derived classes may compute its columns at their first use.
  */
-class DenseCompliance : public ComplianceOperator
-{
+class DenseCompliance : public ComplianceOperator {
 public:
   /** Stores C, which is square. */
   explicit DenseCompliance(Matrix C);
@@ -67,8 +63,7 @@ public:
   Vector diagonal_times(const Vector &P) const override;
   Matrix columns(const Indices &numbers) const override;
   const Matrix &dense() const override;
-  bool is_explicit() const override
-  {
+  bool is_explicit() const override {
     return true;
   }
 
@@ -100,16 +95,14 @@ LAPACKFullMatrix<double> cholesky(const FullMatrix<double> &C, double rounding =
  * resistance, and b the work of the loads. Without free motions everything is empty. Columns of B
  * are of size one, so that b has the unit of P, and z that of W.
  */
-struct Balances
-{
+struct Balances {
   FullMatrix<double> B{};
   FullMatrix<double> K{};
   dealii::Vector<double> b = {};
   /** An admissible P for which some z balances. */
   dealii::Vector<double> P = {};
 
-  unsigned int size() const
-  {
+  unsigned int size() const {
     return b.size();
   }
 };
@@ -122,14 +115,11 @@ struct Balances
  * Contact without friction has K = {P ≤ 0}: there  W ≤ 0,  Pᵀ W = 0. The motions are the
  * multipliers of the balances.
  */
-struct BoundConstrainedQP
-{
+struct BoundConstrainedQP {
   using Vector = dealii::Vector<double>;
 
   /** Stores the problem. @throws std::invalid_argument if a diagonal entry of C is not positive. */
-  BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C,
-                     Vector F,
-                     AdmissibleSet K,
+  BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C, Vector F, AdmissibleSet K,
                      Balances balances = {});
   /** Makes the problem with K = {P ≤ 0}. */
   BoundConstrainedQP(FullMatrix<double> C, const Vector &F, Balances balances = {});
@@ -141,8 +131,7 @@ struct BoundConstrainedQP
   AdmissibleSet K;
   Balances balances;
 
-  unsigned int size() const
-  {
+  unsigned int size() const {
     return F.size();
   }
   /** Returns W = C P + B z - F. */
@@ -157,8 +146,7 @@ struct BoundConstrainedQP
    * imbalance belongs to the numerator and |b|₂ to the denominator, and F counts on patches that
    * press or penetrate only: for a body that moves, gaps far away are irrelevant.
    */
-  double kkt_residual(const Vector &P, const Vector &z = {}) const
-  {
+  double kkt_residual(const Vector &P, const Vector &z = {}) const {
     return kkt_residual(P, z, gradient(P, z));
   }
   /** Returns the same for a known W. */
@@ -173,11 +161,9 @@ struct BoundConstrainedQP
 
 /** The resistance of a set A of patches against the motions of Balances: the columns of
  * X = C_AA⁻¹ B_A, and S = K + B_Aᵀ X. */
-struct MotionResistance
-{
+struct MotionResistance {
   /** Computes X and S with a factor of C_AA. */
-  MotionResistance(const Balances &balances,
-                   const ComplianceOperator::Indices &A,
+  MotionResistance(const Balances &balances, const ComplianceOperator::Indices &A,
                    const LAPACKFullMatrix<double> &C_AA);
 
   std::vector<dealii::Vector<double>> X;
@@ -190,8 +176,7 @@ using SetPreconditioner = std::function<dealii::Vector<double>(const std::vector
                                                                const dealii::Vector<double> &r)>;
 
 /** The options of the methods that solve the dual problem. */
-struct IterationOptions
-{
+struct IterationOptions {
   /** The tolerance of the KKT residual, for projected SOR also of the increment. */
   double tolerance = 1e-10;
   /** The maximal number of sweeps, linear solves or products with C. */
@@ -205,8 +190,7 @@ struct IterationOptions
 };
 
 /** The result of a solver of the dual problem. */
-struct QPResult
-{
+struct QPResult {
   dealii::Vector<double> P;
   /** The free motions of Balances. Where pressing patches leave a motion free (tipping about an
    * edge), one of several solutions. */

@@ -9,11 +9,9 @@
 #include <memory>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The options of the solution of the dual problem. */
-struct DualSolverOptions : public IterationOptions
-{
+struct DualSolverOptions : public IterationOptions {
   ContactSolver method = ContactSolver::active_set;
   /** Whether C may be singular: then QPResult::unique is determined. */
   bool may_be_singular = false;
@@ -28,10 +26,8 @@ struct DualSolverOptions : public IterationOptions
  * @param start a pressure to start from; empty: none.
  */
 QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
-                            const dealii::Vector<double> &F,
-                            const dealii::Vector<double> &start,
-                            const DualSolverOptions &options,
-                            const Balances &balances = {});
+                            const dealii::Vector<double> &F, const dealii::Vector<double> &start,
+                            const DualSolverOptions &options, const Balances &balances = {});
 
 /** A solver of the dual problem that gets a start, which may be empty. */
 using QPSolver =
@@ -45,10 +41,8 @@ using QPSolver =
  * @param start a pressure; S begins with the patches that press in it, and their neighbours; if
  * nothing presses, with the patches where F < 0. Patches that press in Balances::P belong to S.
  */
-QPResult solve_on_growing_set(const ComplianceOperator &C,
-                              const dealii::Vector<double> &F,
-                              const dealii::Vector<double> &start,
-                              const QPSolver &solve,
+QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<double> &F,
+                              const dealii::Vector<double> &start, const QPSolver &solve,
                               const Balances &balances = {});
 
 /**
@@ -69,7 +63,6 @@ QPResult solve_on_growing_set(const ComplianceOperator &C,
  *
  * @param start a pressure that gives the first states; empty: every unknown is active.
  */
-QPResult solve_by_active_set(const BoundConstrainedQP &qp,
-                             const dealii::Vector<double> &start,
+QPResult solve_by_active_set(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
                              const IterationOptions &options);
 } // namespace Signorini

@@ -3,8 +3,7 @@
 
 #include <signorini/solvers/contact/dual_problem.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /** Performs one sweep (ii) of the algorithm in place. @return |P^{k+1} - P^k|₂. */
 double psor_sweep(const BoundConstrainedQP &qp, double relaxation, dealii::Vector<double> &P);
 
@@ -27,8 +26,7 @@ double psor_sweep(const BoundConstrainedQP &qp, double relaxation, dealii::Vecto
  * @param start may be empty.
  * @throws std::invalid_argument for ω outside (0, 2).
  */
-QPResult solve_by_psor(const BoundConstrainedQP &qp,
-                       const dealii::Vector<double> &start,
+QPResult solve_by_psor(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
                        const IterationOptions &options);
 
 /**
@@ -41,7 +39,6 @@ QPResult solve_by_psor(const BoundConstrainedQP &qp,
  *
  * QPResult::iterations counts products with C; nothing else of C is needed but its diagonal.
  */
-QPResult solve_by_mprgp(const BoundConstrainedQP &qp,
-                        const dealii::Vector<double> &start,
+QPResult solve_by_mprgp(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
                         const IterationOptions &options);
 } // namespace Signorini

@@ -9,8 +9,7 @@
 
 #include <memory>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * The model Ĉ of C = Dᵀ A⁻¹ D: an operator that is cheap and spectrally equivalent, c Pᵀ Ĉ P
  * ≤ Pᵀ C P ≤ t Pᵀ Ĉ P with c and t that do not depend on h. It is symmetric positive definite,
@@ -19,8 +18,7 @@ namespace Signorini
  * It depends on the surface of the body, not on its inside: the supports of the body change c and
  * t, not the order of the modes.
  */
-class BoundaryModel : public ComplianceOperator
-{
+class BoundaryModel : public ComplianceOperator {
 public:
   /** Returns Ĉ_ij. */
   virtual double entry(unsigned int i, unsigned int j) const = 0;

@@ -8,12 +8,10 @@
 #include <optional>
 #include <string>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The system (5) without entries of A; all must outlive its use. With U = T U_free + k the unknown
  * is U_free, which is zero in constrained rows. */
-struct ContactSystem
-{
+struct ContactSystem {
   const StiffnessOperator &A;
   /** The condensed f, reduced by the contribution of k (force). */
   const dealii::Vector<double> &f;
@@ -34,8 +32,7 @@ struct ContactSystem
 };
 
 /** The options of the iteration. */
-struct ContactIterationOptions
-{
+struct ContactIterationOptions {
   /** The tolerance of the KKT residual: that of the dual problem with t Ĉ_1 in place of C and the
    * true W. */
   double tolerance = 1e-10;
@@ -53,8 +50,7 @@ struct ContactIterationOptions
 };
 
 /** The result of the iteration. */
-struct ContactIterationResult
-{
+struct ContactIterationResult {
   /** The solution U_free. */
   dealii::Vector<double> U;
   dealii::Vector<double> P;

@@ -11,8 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * The Gram matrix of the characteristic functions of a grid of n_1 x n_2 equal patches on a
  * rectangle L_1 x L_2 in the norm
@@ -28,8 +27,7 @@ namespace Signorini
  *
  * Patch (i, j) has the number i + n_1 j. A product costs four products of small matrices.
  */
-class CosineGrid
-{
+class CosineGrid {
 public:
   using Vector = dealii::Vector<double>;
 
@@ -39,14 +37,11 @@ public:
    * @param omega_0 positive (1/length).
    * @param multipliers the number of the multiplier of every patch; empty: that of the patch.
    */
-  CosineGrid(const std::array<unsigned int, 2> &sizes,
-             const std::array<double, 2> &lengths,
-             double omega_0,
-             std::vector<unsigned int> multipliers = {});
+  CosineGrid(const std::array<unsigned int, 2> &sizes, const std::array<double, 2> &lengths,
+             double omega_0, std::vector<unsigned int> multipliers = {});
 
   /** Returns the numbers of the multipliers. */
-  const std::vector<unsigned int> &multipliers() const
-  {
+  const std::vector<unsigned int> &multipliers() const {
     return multipliers_;
   }
   /** Returns the entry for two patches. */
@@ -70,8 +65,7 @@ private:
 
 /** The model Ĉ = S B S, with B block diagonal with a cosine series on each side, and S a diagonal
  * matrix. */
-class CosineModel final : public BoundaryModel
-{
+class CosineModel final : public BoundaryModel {
 public:
   /**
    * Makes the model from its blocks.
@@ -80,16 +74,13 @@ public:
    */
   CosineModel(std::vector<CosineGrid> blocks, Vector scaling, unsigned int max_factorised_size);
 
-  unsigned int size() const override
-  {
+  unsigned int size() const override {
     return scaling_.size();
   }
-  Vector apply(const Vector &P) const override
-  {
+  Vector apply(const Vector &P) const override {
     return multiply(P, false);
   }
-  Vector apply_inverse(const Vector &P) const override
-  {
+  Vector apply_inverse(const Vector &P) const override {
     return multiply(P, true);
   }
   double entry(unsigned int i, unsigned int j) const override;
@@ -104,19 +95,16 @@ private:
 };
 
 /** The model Ĉ as a matrix. */
-class KernelModel final : public BoundaryModel
-{
+class KernelModel final : public BoundaryModel {
 public:
   explicit KernelModel(Matrix C);
 
-  unsigned int size() const override
-  {
+  unsigned int size() const override {
     return C_.m();
   }
   Vector apply(const Vector &P) const override;
   Vector apply_inverse(const Vector &P) const override;
-  double entry(const unsigned int i, const unsigned int j) const override
-  {
+  double entry(const unsigned int i, const unsigned int j) const override {
     return C_(i, j);
   }
 

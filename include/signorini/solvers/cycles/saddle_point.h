@@ -4,8 +4,7 @@
 #include <signorini/solvers/cycles/boundary_model.h>
 #include <signorini/solvers/cycles/contact_iteration.h>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * Returns Q ≤ 0 with V = W + Ĉ (Q - P) ≤ 0 and Q.V = 0, by the primal-dual active set method,
  * begun with the set that P and W predict. Each of its steps is a BoundaryModel::solve for the
@@ -28,7 +27,6 @@ dealii::Vector<double> solve_boundary_problem(const BoundaryModel &model,
  * with the preconditioner diag(V, (t Ĉ_1)_SS⁻¹), to a hundredth of the residual or to the
  * tolerance. Then S is {P < 0} within S and {W > 0} outside.
  */
-void solve_by_minres(const ContactSystem &system,
-                     const ContactIterationOptions &options,
+void solve_by_minres(const ContactSystem &system, const ContactIterationOptions &options,
                      ContactIterationResult &result);
 } // namespace Signorini

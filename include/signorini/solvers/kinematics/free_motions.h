@@ -8,13 +8,11 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The data of k generalised displacements q beside the pressures: rigid motions of a body that
  * contact alone holds (K = 0), or travels of rigid plates (K is the resistance of the body). Each
  * q_j may have its own unit. */
-struct FreeMotions
-{
+struct FreeMotions {
   /** The entry B_ij is the amount by which motion j closes patch i, in the unit of W per unit of
    * q_j; m x k. */
   FullMatrix<double> B;
@@ -31,8 +29,7 @@ struct FreeMotions
  * The free motions in coordinates z without units: q = T z, where columns of B have norm one before
  * they are combined. Motions without any resistance (K v = 0, B v = 0) are left out.
  */
-struct ReducedMotions
-{
+struct ReducedMotions {
   using Vector = dealii::Vector<double>;
   using Matrix = FullMatrix<double>;
 
@@ -64,8 +61,7 @@ struct ReducedMotions
 };
 
 /** The solution of a dual problem with free motions, or the reason why there is none. */
-struct MotionResult
-{
+struct MotionResult {
   /** The pressure P. Without a solution P = 0, not converged. */
   QPResult qp;
   /** The k motions. */
@@ -86,8 +82,7 @@ struct MotionResult
  * @param start a pressure to start from; empty: none.
  */
 MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
-                                const dealii::Vector<double> &F,
-                                const FreeMotions &motions,
+                                const dealii::Vector<double> &F, const FreeMotions &motions,
                                 const dealii::Vector<double> &start,
                                 const DualSolverOptions &options);
 } // namespace Signorini

@@ -12,12 +12,10 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The virtual work on each of several motions (force times length per thickness over the unit of
  * q). */
-struct MotionWork
-{
+struct MotionWork {
   dealii::Vector<double> value;
   /** The sum of the absolute values of the terms of the work, which gives the size of rounding
    * errors. */
@@ -29,8 +27,7 @@ struct MotionWork
  * pins as free motion j does, and a(z_j, v) = 0 for all v in V^h that vanish there. A rigid motion
  * is its own z_j (on curved cells up to the part of a rotation that V^h lacks). */
 template <int dim>
-struct MotionModes
-{
+struct MotionModes {
   std::vector<FreeMotion> motions;
   /** The complete nodal values z_j. */
   std::vector<Displacement> Z;
@@ -46,8 +43,7 @@ struct MotionModes
    * force on cells that approximate a curved body is not exactly that on the body. */
   double unseen_tolerance = 1e-9;
 
-  std::size_t size() const
-  {
+  std::size_t size() const {
     return motions.size();
   }
   /** Returns B = Dᵀ Z, m x k. */
@@ -57,8 +53,7 @@ struct MotionModes
    * condensed) less a(z_j, u_0).
    * @param U_0 complete nodal values.
    */
-  MotionWork work(const std::vector<Plate> &plates,
-                  const DualVector &loads,
+  MotionWork work(const std::vector<Plate> &plates, const DualVector &loads,
                   const Displacement &U_0) const;
   /** Returns the number of the first unseen motion that the forces on plates and the loads f_i
    * drive, within rounding and the part of a rotation that curved cells lack; none if they are in
@@ -74,8 +69,7 @@ struct MotionModes
 
 /** Computes the modes: one solve for each mode that strains the body. Collective. */
 template <int dim>
-MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space,
-                                   const Scene<dim> &scene,
+MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                                    const StiffnessInverse &inverse);
 
 /** Returns "it slides", "it tips over" or "it lifts off": the motion of a body that nothing stops.

@@ -18,11 +18,9 @@
 #include <string>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The summary of the contact solver on one level. The defaults hold where nothing touches. */
-struct DualSolve
-{
+struct DualSolve {
   /** The method that solved the problem, never automatic. */
   ContactSolver method = ContactSolver::active_set;
   /** The number of sweeps of projected SOR, linear solves of the active set method, products of
@@ -51,8 +49,7 @@ struct DualSolve
 };
 
 /** The solves with the factors of A on one level. */
-struct LinearSolves
-{
+struct LinearSolves {
   unsigned int solves = 0;
   /** The largest relative residual |b - A x| / |b|. */
   double residual = 0.;
@@ -61,13 +58,10 @@ struct LinearSolves
 };
 
 /** The start of a method. Each part may be missing. */
-struct ContactStart
-{
+struct ContactStart {
   /** Stores the start. @param P a pressure on the patches of the level; empty: none. */
   explicit ContactStart(Pressure P = {})
-    : P(std::move(P))
-  {
-  }
+    : P(std::move(P)) {}
 
   Pressure P;
   /** Nodal values of a displacement; empty: none. Only V-cycles use it. */
@@ -79,8 +73,7 @@ struct ContactStart
 };
 
 /** The data of the dual problem, stored by a method that forms it. */
-struct DualData
-{
+struct DualData {
   /** The body without contact, and its opening F, after the free motions. */
   FreeState free;
   /** F before the free motions: the right-hand side of the dual problem. */
@@ -94,8 +87,7 @@ struct DualData
 };
 
 /** The results of V-cycles beside P and U. */
-struct CycleData
-{
+struct CycleData {
   /** The scale t, for the next level. */
   double scale = 0.;
   /** The estimated part of the duality gap that the residual of A U = f + D P leaves (energy). */
@@ -104,8 +96,7 @@ struct CycleData
 
 /** Contact on one level as a method has found it. Exactly one of dual and cycles is set. */
 template <int dim>
-struct ContactState
-{
+struct ContactState {
   Displacement U;
   Pressure P;
   /** The coordinates q of the free motions; empty if there are none. */
@@ -134,19 +125,16 @@ struct ContactState
 using Progress = std::function<void(const std::string &)>;
 
 /** The solvers of a level, after Contact solver = automatic is resolved. */
-struct SolverChoice
-{
+struct SolverChoice {
   ContactSolver contact = ContactSolver::active_set;
   LinearSolver linear = LinearSolver::automatic;
 
   /** Returns whether V-cycles find contact, without F, C and a dual problem. */
-  bool is_by_cycles() const
-  {
+  bool is_by_cycles() const {
     return contact == ContactSolver::multigrid;
   }
   /** Returns whether A is neither assembled nor factorised. */
-  bool is_matrix_free() const
-  {
+  bool is_matrix_free() const {
     return linear == LinearSolver::multigrid;
   }
 };
@@ -163,23 +151,19 @@ struct SolverChoice
  * else active set.
  */
 template <int dim>
-SolverChoice choose_solvers(const Parameters &parameters,
-                            const Scene<dim> &scene,
-                            unsigned int level,
-                            unsigned int n_ranks);
+SolverChoice choose_solvers(const Parameters &parameters, const Scene<dim> &scene,
+                            unsigned int level, unsigned int n_ranks);
 
 /** Solves (5) on a level: A U - D P = f, P in K, W = Dᵀ U - G in the dual cone of K at P. */
 template <int dim>
-class ContactMethod
-{
+class ContactMethod {
 public:
   virtual ~ContactMethod() = default;
 
   /** Finds contact. Collective. @throws InputError if contact cannot hold the body.
    * @throws ComputationError if a solver fails. */
   virtual ContactState<dim> solve(const Discretization<dim> &discretization,
-                                  const ContactStart &start,
-                                  const Progress &progress) const = 0;
+                                  const ContactStart &start, const Progress &progress) const = 0;
 };
 
 /**
@@ -192,8 +176,7 @@ std::unique_ptr<ContactMethod<dim>> make_contact_method(const Parameters &parame
                                                         const Scene<dim> &scene,
                                                         const SolverChoice &choice);
 /** The coupling D of some patches, and the same with constraints condensed. */
-struct CouplingPair
-{
+struct CouplingPair {
   const Coupling &D;
   const Coupling &condensed_D;
 };
@@ -216,8 +199,7 @@ std::optional<dealii::Vector<double>> solve_on_other_patches(const ContactState<
  * estimate of its own.
  */
 template <int dim>
-class MemoryLimit
-{
+class MemoryLimit {
 public:
   /**
    * Checks the finest level. With a target error the finest level need not be reached, so the

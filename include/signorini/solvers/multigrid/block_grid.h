@@ -11,8 +11,7 @@
 #include <functional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The number of a node on one level. */
 using NodeNumber = std::uint32_t;
 
@@ -22,15 +21,12 @@ constexpr unsigned int n_lanes = 16;
 /** The vectors of a level: one array for each component, so that nodes of a row lie side by side,
  * with zeros behind the last node up to a multiple of n_lanes. */
 template <int n_components, typename Number>
-struct LevelVector : std::array<AlignedVector<Number>, n_components>
-{
-  explicit LevelVector(const unsigned int n_nodes = 0)
-  {
+struct LevelVector : std::array<AlignedVector<Number>, n_components> {
+  explicit LevelVector(const unsigned int n_nodes = 0) {
     for (AlignedVector<Number> &component : *this)
       component.resize((n_nodes + n_lanes - 1) / n_lanes * n_lanes);
   }
-  std::size_t memory() const
-  {
+  std::size_t memory() const {
     return n_components * (*this)[0].memory_consumption();
   }
 };
@@ -42,8 +38,7 @@ struct LevelVector : std::array<AlignedVector<Number>, n_components>
  * are numbered in the order in which places meet them.
  */
 template <int dim>
-struct BlockGrid
-{
+struct BlockGrid {
   static constexpr unsigned int n_vertices = 1U << dim;
   /** The bit of an entry of starts that is set for a list. */
   static constexpr NodeNumber list_bit = 0x80000000U;
@@ -52,16 +47,13 @@ struct BlockGrid
    * Numbers the nodes.
    * @param identity of a vertex of a cell: equal for the same node.
    */
-  BlockGrid(unsigned int n_blocks,
-            unsigned int n,
+  BlockGrid(unsigned int n_blocks, unsigned int n,
             const std::function<NodeNumber(std::size_t cell, unsigned int vertex)> &identity);
 
-  unsigned int n_nodes() const
-  {
+  unsigned int n_nodes() const {
     return static_cast<unsigned int>(identities.size());
   }
-  std::size_t n_batches() const
-  {
+  std::size_t n_batches() const {
     return (n_cells + n_lanes - 1) / n_lanes;
   }
   /** Returns the place of a vertex of a cell. */
@@ -76,12 +68,10 @@ struct BlockGrid
   BlockGrid coarsen() const;
   /** Sets y to the function P x_H that is linear along the edges of the coarse cells, at the nodes
    * of this level. */
-  void prolongate(LevelVector<dim, float> &y,
-                  const LevelVector<dim, float> &x_H,
+  void prolongate(LevelVector<dim, float> &y, const LevelVector<dim, float> &x_H,
                   const BlockGrid &coarse) const;
   /** Computes b_H = Pᵀ y. Afterwards y is zero. */
-  void restrict_and_clear(LevelVector<dim, float> &b_H,
-                          LevelVector<dim, float> &y,
+  void restrict_and_clear(LevelVector<dim, float> &b_H, LevelVector<dim, float> &y,
                           const BlockGrid &coarse) const;
 
   unsigned int n_blocks;

@@ -6,23 +6,16 @@
 #include <memory>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The instruction sets of processors; each kernel exists for all of them. */
-enum class Instructions
-{
-  basic,
-  avx2,
-  avx512
-};
+enum class Instructions { basic, avx2, avx512 };
 
 /** Returns the best instruction set of this processor. */
 Instructions instructions_of_this_machine();
 
 /** Gauss' rule on the reference cell, with the same number of points in each direction. */
 template <int dim, typename Number>
-struct PointRule
-{
+struct PointRule {
   explicit PointRule(unsigned int n_points_per_direction);
 
   std::vector<Number> weights;
@@ -36,8 +29,7 @@ struct PointRule
  * none where products are integrated. Unknown i = dim v + c of a cell is component c at vertex v.
  */
 template <int dim, typename Number>
-class CellOperator
-{
+class CellOperator {
 public:
   static constexpr unsigned int n_dofs = dim << dim;
   /** The number of entries of a symmetric matrix: i ≥ j at i (i + 1)/2 + j. */
@@ -53,9 +45,7 @@ public:
   CellOperator(std::shared_ptr<const BlockGrid<dim>> grid, unsigned int n_points)
     : grid(std::move(grid))
     , storage(this->grid->n_batches(), -1)
-    , rule(n_points)
-  {
-  }
+    , rule(n_points) {}
   /** Copies the operator to another precision, and to another rule where products are integrated.
    */
   template <typename Other>
@@ -67,8 +57,7 @@ public:
   CellOperator coarsen(std::shared_ptr<const BlockGrid<dim>> coarse_grid) const;
 
   /** Computes y = K x. */
-  void multiply(LevelVector<dim, Number> &y,
-                const LevelVector<dim, Number> &x,
+  void multiply(LevelVector<dim, Number> &y, const LevelVector<dim, Number> &x,
                 Instructions instructions = instructions_of_this_machine()) const;
   /** Returns the matrices of a batch, [entry][lane]; valid until the buffer changes. */
   const Number *entries(std::size_t batch, std::vector<Number> &buffer) const;
@@ -81,26 +70,21 @@ public:
 
   /** Makes room for matrices of all batches that share none. */
   void store_matrices();
-  bool is_shared(const std::size_t batch) const
-  {
+  bool is_shared(const std::size_t batch) const {
     return storage[batch] >= 0;
   }
   /** Returns the full matrix that a batch shares, n_dofs by n_dofs. */
-  const Number *shared_matrix(const std::size_t batch) const
-  {
+  const Number *shared_matrix(const std::size_t batch) const {
     return &shared[std::size_t(storage[batch]) * n_dofs * n_dofs];
   }
   /** Returns the stored matrices of a batch, [entry][lane]. */
-  const Number *stored_matrices(const std::size_t batch) const
-  {
+  const Number *stored_matrices(const std::size_t batch) const {
     return &stored[std::size_t(-1 - storage[batch]) * batch_size];
   }
-  Number *stored_matrices(const std::size_t batch)
-  {
+  Number *stored_matrices(const std::size_t batch) {
     return &stored[std::size_t(-1 - storage[batch]) * batch_size];
   }
-  std::size_t memory() const
-  {
+  std::size_t memory() const {
     return storage.capacity() * sizeof(int) +
            (shared.capacity() + stored.capacity()) * sizeof(Number) + places.memory();
   }
@@ -134,8 +118,7 @@ double max_cell_eigenvalue(const CellOperator<dim, float> &K);
 /** Does a step of the smoother, d = α d + γ B (b - y) and x += d, with the inverses B of diagonal
  * blocks. The first step takes x = d = y = 0 for granted. */
 template <int dim>
-struct SmootherStep
-{
+struct SmootherStep {
   LevelVector<dim, float> &x, &d;
   const LevelVector<dim, float> &b, &y;
   const NodeBlocks<dim> &B;

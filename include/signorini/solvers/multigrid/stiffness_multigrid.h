@@ -12,8 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The essential conditions of nodes that are not free: T in u = T u_free. Columns of constrained
  * components are zero, and T_cc = 1 for the others. */
 template <int dim>
@@ -21,8 +20,7 @@ using ConstrainedNodes = std::map<NodeNumber, Tensor<2, dim>>;
 
 /** One level of the V-cycle, in single precision. */
 template <int dim>
-struct MultigridLevel
-{
+struct MultigridLevel {
   MultigridLevel(const CellOperator<dim, double> &fine_K, ConstrainedNodes<dim> conditions);
 
   /** Returns the diagonal blocks of Tᵀ K T, with the unit matrix for constrained components. */
@@ -33,8 +31,7 @@ struct MultigridLevel
    * @param from_zero x is assumed to be zero.
    */
   void smooth(bool from_zero);
-  std::size_t memory() const
-  {
+  std::size_t memory() const {
     return K.grid->memory() + K.memory() +
            conditions.size() * sizeof(typename ConstrainedNodes<dim>::value_type) + 4 * x.memory() +
            B.memory();
@@ -61,8 +58,7 @@ struct MultigridLevel
  * factorised.
  */
 template <int dim>
-class StiffnessMultigrid final : public StiffnessOperator
-{
+class StiffnessMultigrid final : public StiffnessOperator {
 public:
   /**
    * Sets up all levels.
@@ -102,30 +98,25 @@ constexpr double solve_tolerance = 1e-12;
 
 /** The inverse A⁻¹ by conjugate gradients, each step with one V-cycle and one product with A.
  * They end when the residual has fallen to a given part. */
-class MultigridInverse final : public StiffnessInverse
-{
+class MultigridInverse final : public StiffnessInverse {
 public:
   /**
    * Stores the operator.
    * @param diagonal of A.
    * @param goal that part.
    */
-  MultigridInverse(std::shared_ptr<const StiffnessOperator> A,
-                   const Vector &diagonal,
+  MultigridInverse(std::shared_ptr<const StiffnessOperator> A, const Vector &diagonal,
                    double goal = solve_tolerance);
 
-  bool has_factors() const override
-  {
+  bool has_factors() const override {
     return false;
   }
 
-  const StiffnessOperator &stiffness() const
-  {
+  const StiffnessOperator &stiffness() const {
     return *A_;
   }
   /** Returns the largest number of V-cycles that a solve took so far. */
-  unsigned int max_cycles_of_a_solve() const
-  {
+  unsigned int max_cycles_of_a_solve() const {
     return max_cycles_of_a_solve_;
   }
 

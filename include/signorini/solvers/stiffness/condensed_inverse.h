@@ -6,20 +6,17 @@
 
 #include <map>
 
-namespace Signorini
-{
+namespace Signorini {
 /** The inverse of A = L Lᵀ by CHOLMOD's supernodal Cholesky factorisation, serial, with chosen
  * unknowns eliminated last. */
-class CondensedInverse final : public MatrixInverse
-{
+class CondensedInverse final : public MatrixInverse {
 public:
   /**
    * Factorises A.
    * @param last the chosen unknowns, without repetitions; may be empty.
    * @throws ComputationError if A is not positive definite or memory runs out.
    */
-  CondensedInverse(const TrilinosWrappers::SparseMatrix &matrix,
-                   double unit,
+  CondensedInverse(const TrilinosWrappers::SparseMatrix &matrix, double unit,
                    const std::vector<Index> &last);
   ~CondensedInverse() override;
 

@@ -14,8 +14,7 @@
 #include <optional>
 #include <vector>
 
-namespace Signorini
-{
+namespace Signorini {
 /**
  * The stiffness A without its entries, and one step of a solver for it; serial.
  *
@@ -23,8 +22,7 @@ namespace Signorini
  * The essential conditions are eliminated from A, Tᵀ A T: entries of arguments in constrained rows
  * are not read, those of results are zero.
  */
-class StiffnessOperator
-{
+class StiffnessOperator {
 public:
   using Vector = dealii::Vector<double>;
 
@@ -47,8 +45,7 @@ public:
  *
  * (A⁻¹)_22 = S⁻¹ follows without a single solve.
  */
-struct TrailingFactor
-{
+struct TrailingFactor {
   using Index = types::global_dof_index;
 
   /** The lower triangular factor L. */
@@ -58,8 +55,7 @@ struct TrailingFactor
 };
 
 /** The tolerances of solves. */
-struct SolveAccuracy
-{
+struct SolveAccuracy {
   /** The part of the right-hand side above which a residual is refined, up to three times. */
   double refine_above = 1e-12;
   /** The relative change by refinement above which a solution is refused. */
@@ -73,8 +69,7 @@ struct SolveAccuracy
  * A new solver derives from this class and implements apply(): by factors, or by iterations, which
  * give their own SolveAccuracy.
  */
-class StiffnessInverse
-{
+class StiffnessInverse {
 public:
   using Vector = TrilinosWrappers::MPI::Vector;
   using Index = types::global_dof_index;
@@ -93,39 +88,33 @@ public:
 
   /** Returns the factor of the given unknowns; nothing if they were not eliminated last. */
   virtual std::optional<TrailingFactor>
-  trailing_factor(const std::vector<Index> & /*unknowns*/) const
-  {
+  trailing_factor(const std::vector<Index> & /*unknowns*/) const {
     return {};
   }
 
   /** Returns whether a solve costs no more than its triangles; otherwise it iterates, and callers
    * should need few solves. */
-  virtual bool has_factors() const
-  {
+  virtual bool has_factors() const {
     return true;
   }
 
   /** Returns a vector of zeros with the distribution of the rows of A. */
   Vector make_vector() const;
-  MPI_Comm communicator() const
-  {
+  MPI_Comm communicator() const {
     return scaling_.get_mpi_communicator();
   }
 
   /** Returns the number of right-hand sides that were solved. */
-  unsigned int n_solves() const
-  {
+  unsigned int n_solves() const {
     return n_solves_;
   }
   /** Returns the largest |b - A x| / |b| so far, in the norm |r|² = sum r_i² / A_ii. */
-  double max_residual() const
-  {
+  double max_residual() const {
     return max_residual_;
   }
   /** Returns the largest relative error of an x so far that is due to rounding, as far as it was
    * estimated: 0 where residuals were small. */
-  double rounding_error() const
-  {
+  double rounding_error() const {
     return rounding_error_;
   }
 
@@ -144,15 +133,13 @@ protected:
    */
   void refuse_singular_matrix() const;
 
-  double unit() const
-  {
+  double unit() const {
     return unit_;
   }
 
 private:
   /** The residual and the rounding error of one solve. */
-  struct Check
-  {
+  struct Check {
     double residual = 0.;
     double rounding_error = 0.;
   };
@@ -188,8 +175,7 @@ private:
 };
 
 /** The inverse A⁻¹ of an assembled matrix. */
-class MatrixInverse : public StiffnessInverse
-{
+class MatrixInverse : public StiffnessInverse {
 protected:
   /**
    * Stores the matrix.
@@ -218,8 +204,6 @@ LinearSolver resolve(LinearSolver solver, unsigned int n_ranks);
  * @throws ComputationError if the factorisation fails.
  */
 std::unique_ptr<StiffnessInverse>
-factorise(const TrilinosWrappers::SparseMatrix &matrix,
-          double unit,
-          LinearSolver solver,
+factorise(const TrilinosWrappers::SparseMatrix &matrix, double unit, LinearSolver solver,
           const std::vector<types::global_dof_index> &contact_unknowns = {});
 } // namespace Signorini

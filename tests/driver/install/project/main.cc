@@ -6,14 +6,11 @@
 
 #include <iostream>
 
-int main(int argc, char **argv)
-{
+int main(int argc, char **argv) {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   const Signorini::Parameters parameters = Signorini::read_parameters(argv[1]);
   const Signorini::StudyResult<2> result =
-    Signorini::run_study(parameters,
-                         Signorini::make_scene<2>(parameters),
-                         MPI_COMM_WORLD,
+    Signorini::run_study(parameters, Signorini::make_scene<2>(parameters), MPI_COMM_WORLD,
                          {std::cout, "", [](const std::string &) {}});
   std::cout << "force " << result.levels.back().contact.normal_force << std::endl;
   return result.verdict.is_certified() ? 0 : 2;
