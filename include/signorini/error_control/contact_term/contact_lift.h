@@ -147,13 +147,10 @@ struct ContactLift {
  *
  * solved like the dual problem of the scene.
  *
- * Where A⁻¹ iterates, each column of Eᵀ A⁻¹ E costs a solve. With more than 200 contact nodes w_h
- * takes the nodal values of the layer Σ ω (1 - y/D)_+ n of all contact sides, y the distance from
- * the nearest contact node of the side, n and ω the normal and the value there: the required one
- * next to pressing faces, its positive part elsewhere. On a strip with constant moduli, a layer of
- * the depth D = (3 C_nn ∫ ω² / (C_nt ∫ ω'²))^{1/2} has the least bound of the energy; D is at most
- * the shortest extent of the body. (In bending, where the layer has to be thin, c² would be several
- * times larger on coarse meshes.)
+ * Where A⁻¹ iterates, each column of Eᵀ A⁻¹ E would cost a solve. There conjugate gradients lower
+ * the energy among functions with w_{h,n} = required at a set of contact nodes, which are held in
+ * both directions, and the signs of forces and slacks give the next set. A few steps for a few sets
+ * bring the contact part within some hundredths of the least one on sides along an axis.
  *
  * There is none where two contact sides meet in a very sharp corner. Collective.
  */
