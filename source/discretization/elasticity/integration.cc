@@ -2,6 +2,7 @@
 // A U cell by cell, and the energy norm |||u_h||| without the rounding errors of a rigid
 // translation.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/elasticity/integration.h>
 
@@ -160,18 +161,11 @@ Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Fun
   return values;
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template InternalForces<dim> internal_forces(const DisplacementSpace<dim> &, const Scene<dim> &, \
-                                               const Displacement &);                              \
-  template double energy_norm(const DisplacementSpace<dim> &, const Scene<dim> &,                  \
-                              const Displacement &);                                               \
-  template std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &,              \
-                                                      const Scene<dim> &, const Displacement &);   \
-  template double energy_scale(double, double, const DisplacementSpace<dim> &, const Scene<dim> &, \
-                               const Displacement &);                                              \
-  template class TraceValues<dim>;                                                                 \
-  template Displacement interpolate_at_nodes(const DisplacementSpace<dim> &, const Function<dim> &);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
+INSTANTIATE_FUNCTION(internal_forces);
+INSTANTIATE_FUNCTION(energy_norm);
+INSTANTIATE_FUNCTION(norm_of_rigid_motion);
+INSTANTIATE_FUNCTION(energy_scale);
+INSTANTIATE_FUNCTION(interpolate_at_nodes);
+template class TraceValues<2>;
+template class TraceValues<3>;
 } // namespace Signorini

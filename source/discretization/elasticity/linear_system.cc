@@ -2,6 +2,7 @@
 // A and f of (22).
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/elasticity/linear_system.h>
@@ -242,16 +243,8 @@ LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
   return system;
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &);             \
-  template void add_cell(const DisplacementSpace<dim> &, const FullMatrix<double> &,               \
-                         const std::vector<types::global_dof_index> &,                             \
-                         TrilinosWrappers::SparseMatrix &, DistributedVector &);                   \
-  template LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &,                \
-                                                    const Scene<dim> &, unsigned int);             \
-  template LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &,              \
-                                                      const Scene<dim> &, unsigned int);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
+INSTANTIATE_FUNCTION(make_matrix);
+INSTANTIATE_FUNCTION(add_cell);
+INSTANTIATE_FUNCTION(assemble_linear_system);
+INSTANTIATE_FUNCTION(assemble_right_hand_side);
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Quadrature on the pieces into which lines cut cells and faces.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -185,6 +186,5 @@ std::vector<double> graded_positions(const double s, const double distance) {
   return positions;
 }
 
-template bool needs_cuts(const Kinks<2> &, const Triangulation<2>::cell_iterator &);
-template bool needs_cuts(const Kinks<3> &, const Triangulation<3>::cell_iterator &);
+INSTANTIATE_FUNCTION(needs_cuts);
 } // namespace Signorini

@@ -105,12 +105,7 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
 
 template class MultiplierSpace<2>;
 template class MultiplierSpace<3>;
-template dealii::Vector<double> assemble_gap(const MultiplierSpace<2> &,
-                                             const std::vector<BoundaryCondition<2>> &,
-                                             unsigned int, Grading);
-template dealii::Vector<double> assemble_gap(const MultiplierSpace<3> &,
-                                             const std::vector<BoundaryCondition<3>> &,
-                                             unsigned int, Grading);
+INSTANTIATE_FUNCTION(assemble_gap);
 
 // D of (22): the normal trace B tested with the basis of Q^H.
 

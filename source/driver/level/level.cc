@@ -2,6 +2,7 @@
 // One level, from the spaces to the examined answer.
 
 #include <signorini/base/columns.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/driver/level/level.h>
 #include <signorini/error_control/bound/error_bound.h>
 #include <signorini/error_control/estimate/error_estimate.h>
@@ -242,12 +243,6 @@ void add_errors(const Parameters &parameters, const Scene<dim> &scene,
                               solution.system->loads, parameters.solver.linear_solver, n_points);
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template void add_errors(const Parameters &, const Scene<dim> &, const Discretization<dim> &,    \
-                           const ExactPressure<dim> *, LevelSolution<dim> &);                      \
-  template LevelSolution<dim> solve_level(const LevelProblem<dim> &, const Discretization<dim> &,  \
-                                          const ContactStart &, const Progress &);
-INSTANTIATE(2)
-INSTANTIATE(3)
-#undef INSTANTIATE
+INSTANTIATE_FUNCTION(add_errors);
+INSTANTIATE_FUNCTION(solve_level);
 } // namespace Signorini

@@ -211,6 +211,5 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
             "with them: psor, active set");
 }
 
-template void check_settings(const Parameters &, const Scene<2> &, MPI_Comm);
-template void check_settings(const Parameters &, const Scene<3> &, MPI_Comm);
+INSTANTIATE_FUNCTION(check_settings);
 } // namespace Signorini

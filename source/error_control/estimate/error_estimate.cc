@@ -39,7 +39,7 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multi
     if (condensed_D.column(k).empty())
       return {};
   FreeState free;
-  free.F = assemble_gap(multipliers, data.n_points);
+  free.F = assemble_gap(multipliers, multipliers.surface().scene().boundary, data.n_points);
   free.F -= D.transpose_product(data.U_free);
   if (free.nothing_touches())
     return dealii::Vector<double>(multipliers.n_multipliers());

@@ -133,7 +133,6 @@ bool is_constant(const Function<dim> &function) {
 
 template class ExpressionFunction<2>;
 template class ExpressionFunction<3>;
-template bool is_constant(const Function<2> &);
-template bool is_constant(const Function<3> &);
+INSTANTIATE_FUNCTION(is_constant);
 INSTANTIATE_FUNCTION(check_magnitude);
 } // namespace Signorini

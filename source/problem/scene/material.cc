@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // E_ijkl: isotropic, and general by the entries of its matrix, by expressions.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/problem/scene/material.h>
 
 #include <deal.II/base/numbers.h>
@@ -205,16 +206,7 @@ std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression
     Physics::Transformations::Rotations::rotation_matrix_2d(angle), reference);
 }
 
-#define SIGNORINI_INSTANTIATE(dim)                                                                 \
-  template std::shared_ptr<const Material<dim>> make_isotropic(                                    \
-    const Expression<dim> &, const Expression<dim> &, PlaneState, const Point<dim> &);             \
-  template std::shared_ptr<const Material<dim>> make_general(const std::vector<Expression<dim>> &, \
-                                                             const std::vector<Expression<dim>> &, \
-                                                             const Point<dim> &);                  \
-  template std::shared_ptr<const Material<dim>> make_piecewise(                                    \
-    const std::vector<std::shared_ptr<const Material<dim>>> &,                                     \
-    const std::function<unsigned int(const Point<dim> &)> &, const Point<dim> &);
-SIGNORINI_INSTANTIATE(2)
-SIGNORINI_INSTANTIATE(3)
-#undef SIGNORINI_INSTANTIATE
+INSTANTIATE_FUNCTION(make_isotropic);
+INSTANTIATE_FUNCTION(make_general);
+INSTANTIATE_FUNCTION(make_piecewise);
 } // namespace Signorini

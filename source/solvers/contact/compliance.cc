@@ -2,6 +2,7 @@
 // The compliance C column by column, as far as it is needed.
 
 #include <signorini/base/columns.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/solvers/contact/compliance.h>
 
 #include <algorithm>
@@ -182,17 +183,8 @@ Displacement solve_prescribed(const StiffnessInverse &inverse, const Displacemen
   return U;
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template FreeState solve_free_state(const StiffnessInverse &, const DisplacementSpace<dim> &,    \
-                                      const DistributedVector &, const Coupling &,                 \
-                                      const dealii::Vector<double> &);                             \
-  template Displacement recover_displacement(                                                      \
-    const StiffnessInverse &, const DisplacementSpace<dim> &, const Coupling &,                    \
-    const dealii::Vector<double> &, const DistributedVector &);                                    \
-  template Displacement solve_homogeneous(const StiffnessInverse &,                                \
-                                          const DisplacementSpace<dim> &, DistributedVector &);    \
-  template Displacement solve_prescribed(const StiffnessInverse &, const DisplacementSpace<dim> &, \
-                                         const Displacement &, const DualVector &);
-INSTANTIATE(2)
-INSTANTIATE(3)
+INSTANTIATE_FUNCTION(solve_free_state);
+INSTANTIATE_FUNCTION(recover_displacement);
+INSTANTIATE_FUNCTION(solve_homogeneous);
+INSTANTIATE_FUNCTION(solve_prescribed);
 } // namespace Signorini

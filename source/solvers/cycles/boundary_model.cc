@@ -145,11 +145,11 @@ double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<
 
 /** Returns (2/E')^{1/2} for every patch. */
 template <int dim>
-Vector scaling_of(const ContactSurface<dim> &surface, const std::vector<Patch<dim>> &patches) {
+Vector scaling_of(const ContactSurface<dim> &surface) {
   const double unit = surface.scene().material->modulus();
-  Vector scaling(patches.size());
+  Vector scaling(surface.patches().size());
   for (unsigned int k = 0; k < scaling.size(); ++k)
-    scaling[k] = std::sqrt(2. / (unit * relative_contact_modulus(surface, patches[k])));
+    scaling[k] = std::sqrt(2. / (unit * relative_contact_modulus(surface, surface.patches()[k])));
   return scaling;
 }
 
@@ -207,19 +207,15 @@ std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<d
       return make_kernel_model(multipliers);
     blocks.push_back(std::move(*block));
   }
-  return std::make_shared<const CosineModel>(
-    std::move(blocks), scaling_of(surface, surface.patches()), max_factorised_set_size(dim));
+  return std::make_shared<const CosineModel>(std::move(blocks), scaling_of(surface),
+                                             max_factorised_set_size(dim));
 }
 
 template <int dim>
 std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<dim> &multipliers) {
   require_constants(multipliers);
-  return make_kernel_model(multipliers.surface(), multipliers.surface().patches());
-}
-
-template <int dim>
-std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim> &surface,
-                                                       const std::vector<Patch<dim>> &patches) {
+  const ContactSurface<dim> &surface = multipliers.surface();
+  const std::vector<Patch<dim>> &patches = surface.patches();
   const auto m = static_cast<unsigned int>(patches.size());
   if (m > max_kernel_patches)
     throw ComputationError("The kernel of the half space is a dense matrix: found " +
@@ -227,7 +223,7 @@ std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim>
                            std::to_string(max_kernel_patches) + ".");
   // The logarithm is definite where R exceeds the capacity of the surface.
   const double radius = surface.scene().geometry.diameter();
-  const Vector scaling = scaling_of(surface, patches);
+  const Vector scaling = scaling_of(surface);
   std::vector<Point<dim>> centres;
   // Charges at these heights above the surface and below it act on each other like two patches, in
   // a way that is definite. An alternating pressure on equal patches has the energy that it should.
@@ -247,10 +243,5 @@ std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim>
 }
 
 INSTANTIATE_FUNCTION(make_boundary_model);
-template std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<2> &);
-template std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<3> &);
-template std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<2> &,
-                                                                const std::vector<Patch<2>> &);
-template std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<3> &,
-                                                                const std::vector<Patch<3>> &);
+INSTANTIATE_FUNCTION(make_kernel_model);
 } // namespace Signorini

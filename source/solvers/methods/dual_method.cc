@@ -2,6 +2,7 @@
 // Contact by the dual problem: A, its inverse, F and C = Dᵀ A⁻¹ D, P and q, then U.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/level/discretization.h>
 #include <signorini/solvers/contact/compliance.h>
@@ -353,11 +354,6 @@ std::optional<Vector> solve_on_other_patches(const ContactState<dim> &contact,
   return result.converged ? std::optional<Vector>(result.P) : std::nullopt;
 }
 
-#define INSTANTIATE(dim)                                                                           \
-  template std::optional<Vector> solve_on_other_patches(                                           \
-    const ContactState<dim> &, const CouplingPair &, const Vector &, const Vector &);              \
-  template std::unique_ptr<ContactMethod<dim>> make_dual_method(                                   \
-    const Parameters &, const Scene<dim> &, const SolverChoice &);
-INSTANTIATE(2)
-INSTANTIATE(3)
+INSTANTIATE_FUNCTION(solve_on_other_patches);
+INSTANTIATE_FUNCTION(make_dual_method);
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // K x, cell by cell: batches of cells in vector types of the compiler, for several instruction
 // sets.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/solvers/multigrid/cell_operator.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -433,10 +434,8 @@ void SmootherStep<dim>::run(const Instructions instructions) const {
   });
 }
 
-template NodeBlocks<2> diagonal_blocks(const CellOperator<2, float> &);
-template NodeBlocks<3> diagonal_blocks(const CellOperator<3, float> &);
-template double max_cell_eigenvalue(const CellOperator<2, float> &);
-template double max_cell_eigenvalue(const CellOperator<3, float> &);
+INSTANTIATE_FUNCTION(diagonal_blocks);
+INSTANTIATE_FUNCTION(max_cell_eigenvalue);
 template struct SmootherStep<2>;
 template struct SmootherStep<3>;
 } // namespace Signorini

@@ -3,6 +3,7 @@
 
 #include "fine_operator.h"
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 
@@ -212,6 +213,5 @@ CellOperator<dim, double> make_fine_operator(const DisplacementSpace<dim> &space
   return K;
 }
 
-template CellOperator<2, double> make_fine_operator(const DisplacementSpace<2> &, const Scene<2> &);
-template CellOperator<3, double> make_fine_operator(const DisplacementSpace<3> &, const Scene<3> &);
+INSTANTIATE_FUNCTION(make_fine_operator);
 } // namespace Signorini

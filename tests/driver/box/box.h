@@ -66,7 +66,7 @@ struct Box {
     , multipliers(surface)
     , D(assemble_coupling(space, multipliers))
     , condensed_D(condense(D, space.constraints()))
-    , G(assemble_gap(multipliers, 3)) {}
+    , G(assemble_gap(multipliers, scene.boundary, 3)) {}
   Box(const Box &) = delete;
 
   /** The values of p at the centres of the patches: of a product of linear functions the means. */

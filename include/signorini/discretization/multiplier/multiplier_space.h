@@ -136,13 +136,6 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
                                     unsigned int n_points,
                                     Grading grading = Grading::towards_kinks);
 
-/** Returns G for the gap of the surface's own scene. */
-template <int dim>
-dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space, const unsigned int n_points,
-                                    const Grading grading = Grading::towards_kinks) {
-  return assemble_gap(space, space.surface().scene().boundary, n_points, grading);
-}
-
 /** The coupling D, n x m: one sparse column per multiplier, nonzero at the degrees of freedom near
  * its patch. It is small, and every rank stores all of it. */
 class Coupling {

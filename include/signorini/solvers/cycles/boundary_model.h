@@ -69,9 +69,4 @@ std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<d
 /** Makes Ĉ with the kernel on all sides. */
 template <int dim>
 std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<dim> &multipliers);
-
-/** Makes the kernel model for constants on other patches of the surface's sides. */
-template <int dim>
-std::shared_ptr<const BoundaryModel> make_kernel_model(const ContactSurface<dim> &surface,
-                                                       const std::vector<Patch<dim>> &patches);
 } // namespace Signorini
