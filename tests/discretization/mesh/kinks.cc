@@ -58,40 +58,12 @@ double positive_power(const double t, const unsigned int k) {
   return t > 0. ? std::pow(t, k) : 0.;
 }
 
-void test_rectangle(Checks &checks) {
-  const auto mesh = mesh_of(make_rectangle(Point(0., 0.), Point(1., 2.), {1, 1}));
-  const Kinks<2> kinks(lines({0.3}, {}));
-  for (unsigned int k = 1; k <= 4; ++k)
-    for (unsigned int j = 0; j <= 2; ++j)
-      checks.near("rectangle: max(x-c,0)^k y^j",
-                  integrate(mesh, cut(kinks, 4),
-                            [&](const Point &x) {
-                              return positive_power(x[0] - 0.3, k) * std::pow(x[1], j);
-                            }),
-                  std::pow(0.7, k + 1) / (k + 1) * std::pow(2., j + 1) / (j + 1), 1e-14);
-
-  // |x-a| |x-b| |y-c| |y-d| with the lines in any order, twice and outside of the cell.
-  const Kinks<2> several(lines({0.6, 0.3, 0.6, -1., 7.}, {1.7, 0.5, 2., 0.}));
-  const auto signed_integral = [](const double a, const double b, const double end) {
-    const auto primitive = [&](const double x) {
-      return x * x * x / 3. - (a + b) * x * x / 2. + a * b * x;
-    };
-    return 2. * primitive(a) - 2. * primitive(b) + primitive(end);
-  };
-  checks.near("rectangle: crossing lines",
-              integrate(mesh, cut(several, 3),
-                        [](const Point &x) {
-                          return std::abs((x[0] - 0.3) * (x[0] - 0.6) * (x[1] - 0.5) *
-                                          (x[1] - 1.7));
-                        }),
-              signed_integral(0.3, 0.6, 1.) * signed_integral(0.5, 1.7, 2.), 1e-14);
-}
-
 /** The corners (0,0), (3,0), (2,2), (0,1). */
 void test_quadrilateral(Checks &checks) {
   const auto mesh =
     mesh_of(make_polygon({Point(0., 0.), Point(3., 0.), Point(2., 2.), Point(0., 1.)}));
-  const Kinks<2> kinks(lines({1.}, {1.}));
+  // In any order, twice and outside of the cell.
+  const Kinks<2> kinks(lines({7., 1., -1., 1.}, {1., 0.}));
   for (unsigned int k = 1; k <= 4; ++k) {
     const double p = std::pow(2., k + 1);
     const auto of = [&](const unsigned int d) {
@@ -133,10 +105,7 @@ void test_mesh(Checks &checks) {
   checks.between("mesh: crossed cells", crossed, 7 + 5 - 1, 2 * (7 + 5));
 }
 
-/** 1/r and r, integrated over [0,a] x [0,c] with r counted from the origin. */
-double integral_of_inverse(const double a, const double c) {
-  return a * std::asinh(c / a) + c * std::asinh(a / c);
-}
+/** r, integrated over [0,a] x [0,c] and counted from the origin. */
 double integral_of_distance(const double a, const double c) {
   return a * c * std::hypot(a, c) / 3. +
          (a * a * a * std::asinh(c / a) + c * c * c * std::asinh(a / c)) / 6.;
@@ -154,10 +123,6 @@ void test_ends(Checks &checks) {
               without_contact.ends().empty() && kinks.ends().size() == 1 &&
                 kinks.ends()[0].distance(Point(xi, 0.)) < 1e-15);
   const auto r = [&](const Point &x) { return std::hypot(x[0] - xi, x[1]); };
-  checks.near("ends: 1/r",
-              integrate(mesh, cut(kinks, 4), [&](const Point &x) { return 1. / r(x); }) /
-                (integral_of_inverse(xi, 1.) + integral_of_inverse(1. - xi, 1.)),
-              1., 1e-4);
   checks.near("ends: r",
               integrate(mesh, cut(kinks, 4), r) /
                 (integral_of_distance(xi, 1.) + integral_of_distance(1. - xi, 1.)),
@@ -268,6 +233,6 @@ void test_sides(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests({test_rectangle, test_quadrilateral, test_mesh, test_ends, test_many_ends,
-                    test_segments, test_sides});
+  return run_tests(
+    {test_quadrilateral, test_mesh, test_ends, test_many_ends, test_segments, test_sides});
 }

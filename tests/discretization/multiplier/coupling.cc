@@ -136,21 +136,6 @@ void condensed(Checks &checks, const std::string &name, const OneLevel &level) {
   checks.that("free degrees of freedom only", free);
 }
 
-/** D P and D^T U from their definition as sums over columns. */
-void products(Checks &checks) {
-  const OneLevel level(square + patches("5"), 3);
-  const Coupling &D = level.discretization.D;
-  RandomNumbers random(6);
-  const auto P = random.vector(5);
-  const DistributedVector distributed_U = random_rows(level.space(), random);
-  const Displacement U = level.space().displacement(distributed_U);
-  DistributedVector DP = level.space().make_vector();
-  DP = 0.;
-  D.add_product(P, DP);
-  DP.compress(dealii::VectorOperation::add);
-  checks.near("U.(D P) = P.(D^T U)", level.space().dual(DP) * U,
-              P * D.transpose_product(distributed_U), 1e-14);
-}
 } // namespace
 
 int main(int argc, char **argv) {
@@ -163,6 +148,5 @@ int main(int argc, char **argv) {
         checks, "oblique roller beside contact",
         OneLevel(pentagon("set Rollers = side1\nset Clamped = side3\nset Contact = side0 side2\n"),
                  2));
-      products(checks);
     }});
 }

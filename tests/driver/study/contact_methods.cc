@@ -8,8 +8,6 @@
 #include <signorini/results/verdict/judge.h>
 #include <signorini/solvers/contact/projected_methods.h>
 
-#include <algorithm>
-
 #include "one_level.h"
 #include "study_helpers.h"
 #include "tests.h"
@@ -160,10 +158,10 @@ void test_nested(Checks &checks) {
   checks.about("nested");
   checks.that("certified", found.verdict.outcome == exact.verdict.outcome);
   check_cycles(checks, found);
-  // The estimate is solved for loosely, and the bound takes another lift.
+  // The estimate and the lift of the bound are solved for loosely.
   for (const auto &[column, tolerance] :
        {std::pair("energy", 1e-9), std::pair("contact_force_n", 1e-7),
-        std::pair("estimated_relative", 1e-4), std::pair("bound_relative", 0.1)})
+        std::pair("estimated_relative", 1e-4), std::pair("bound_relative", 1e-3)})
     checks.near(column, last(found, column) / last(exact, column), 1., tolerance);
   // Ends ten times as early, with an error that nobody sees beside that of the mesh.
   checks.about("stop at the error of the mesh");
@@ -196,25 +194,8 @@ void test_3d(Checks &checks) {
               0.02);
 }
 
-/** What V-cycles do not know is refused before the first level. */
-void test_refusals(Checks &checks) {
-  for (const auto &[solver, other, message] : std::vector<std::array<std::string, 3>>{
-         {multigrid, "Solver/Linear solver=condensed", "allowed with it: automatic, multigrid."},
-         {multigrid, "Discretization/Strategy=hp", "with Strategy 'hp'"},
-         {multigrid, "Load cases/Cases=weight 2", "with load cases"},
-         {multigrid, "Boundary/Clamped=", "moves freely"},
-         {linear_multigrid, "Discretization/Strategy=hp",
-          "--set: Solver/Linear solver: found 'multigrid' with Strategy 'hp', allowed with it: "
-          "automatic, condensed."},
-         {linear_multigrid, "Output/Compliance=true",
-          "--set: Solver/Linear solver: found 'multigrid' with Compliance = true, which writes a "
-          "matrix, allowed with it: automatic, condensed."}})
-    checks.throws<InputError>(
-      solver + " " + other, message,
-      [overrides = block + Settings{solver, other}] { solve("", overrides); });
-}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {test_scenes, test_early_stop, test_nested, test_3d, test_refusals});
+  return run_tests(argc, argv, {test_scenes, test_early_stop, test_nested, test_3d});
 }

@@ -44,19 +44,6 @@ void test_digits(Checks &checks) {
     }
 }
 
-/** A block that is lowered onto discs, and discs that are raised by as much into the block. */
-void test_position(Checks &checks) {
-  const std::string discs = "circle -0.5,-0.5 radius 0.5 | circle 0.5,-0.5 radius 0.5";
-  const StudyResult<2> lowered = solve_on("Foundation", discs, levels(3, 5));
-  const StudyResult<2> raised = solve_on(
-    "Foundation", discs,
-    levels(3, 5, {"Boundary/Displacement=top: 0; 0", "Contact/Foundation position=0, 0.05"}));
-  checks.that("certified", raised.verdict.outcome == Outcome::certified);
-  checks.near("lowered and raised", last(raised, "contact_force_n"),
-              last(lowered, "contact_force_n"), 1e-12);
-  checks.near("two zones", raised.levels.back().answer.zones.size(), 2, 0.);
-}
-
 /** A disc of a hundredth of the block's size beside a large one, without kinks: graded meshes find
  * it, although gaps beside it are much larger than it. */
 void test_small_disc(Checks &checks) {
@@ -112,6 +99,5 @@ void test_hertz(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv,
-                   {test_digits, test_position, test_small_disc, test_groove, test_hertz});
+  return run_tests(argc, argv, {test_digits, test_small_disc, test_groove, test_hertz});
 }

@@ -61,8 +61,6 @@ void check_omissions(Checks &checks) {
   const LevelRecord open =
     solve("", levels(2, 3, {"Boundary/Clamped=top", "Boundary/Contact=bottom", "Contact/Gap=1"}))
       .levels.back();
-  checks.that("nothing touches", open.dual.iterations == 0 && open.dual.kkt == 0. &&
-                                   open.contact.active == 0 && open.contact.normal_force == 0.);
   checks.that("no exact solution: no errors",
               !open.displacement_errors && !open.pressure_errors && !value(open, "effectivity"));
   const LevelRecord silent = solve(a1, levels(2, 3, {"Output/Errors=false"})).levels.back();

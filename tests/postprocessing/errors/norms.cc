@@ -90,15 +90,6 @@ void interpolants(Checks &checks) {
   checks.near("A1, U = I^h u + (1/2, 1/2): superclose", errors(a1, shifted).superclose_h1,
               std::sqrt(0.5), 1e-14);
 
-  // x^2 differs from its interpolant by h^2/3 (slope) and h^4/30 (value), squared.
-  const OneLevel parabola(scene("", "x^2; 0", "2*x; 0; 0; 0", ""), 2);
-  const Displacement U =
-    nodal_values(parabola.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], 0.); });
-  const DisplacementErrors by_hand = errors(parabola, U);
-  const double h = 0.25, l2 = std::pow(h, 4) / 30.;
-  checks.near("x^2: L2", by_hand.l2, std::sqrt(l2), 1e-15);
-  checks.near("x^2: H1", by_hand.h1, std::sqrt(l2 + h * h / 3.), 1e-15);
-  checks.near("x^2: pi^{2h} is exact", *by_hand.post_h1, 0., 1e-14);
   checks.throws<InputError>("no finite value", "no finite value", [] {
     const OneLevel level(scene("", "x; y", "1; 0; 0; abs(y-0.5206255924)<1e-6?0/0:1", ""), 4);
     errors(level, nothing(level));

@@ -92,11 +92,6 @@ void polynomials(Checks &checks) {
   reproduces(
     checks, "linear function on distorted parents", distorted,
     [&](const Point<2> &x) { return slope * x; }, [&](const Point<2> &) { return slope; });
-  checks.that(
-    "no parents on the level that is distorted",
-    !OneLevel("Geometry/Distortion = 0.3\n" + sides, 2).discretization.mesh.has_parents());
-  checks.that("no parents on level 0", !OneLevel(sides, 0).discretization.mesh.has_parents());
-
   // pi^{2h} U takes the values U at the nodes: I^h pi^{2h} = identity, so pi^{2h} is a projection.
   RandomNumbers random(2);
   const Displacement U = distorted.space().displacement(random_rows(distorted.space(), random));

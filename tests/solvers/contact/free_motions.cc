@@ -91,7 +91,6 @@ MotionResult solve(const Beam &beam, const FreeMotions &motions) {
 }
 
 void balanced_beams(Checks &checks) {
-  compare(checks, "two springs", {{-1, 1}, 2., 3., 0.5}, {-0.75, -2.25}, {3., 1.5});
   compare(checks, "two springs, a gap", {{-1, 1}, 2., 3., 0.5, {4., 0.}}, {-0.75, -2.25},
           {5., -0.5});
   // R = N/n + N e x/sum x^2 while that is positive.
@@ -105,7 +104,6 @@ void balanced_beams(Checks &checks) {
   // Above the edge only one spring presses, and any rotation that opens the others is right.
   compare(checks, "above the edge", {x, 1., 12., 2.}, {0., 0., 0., 0., -12.}, {});
   compare(checks, "one spring", {{0.}, 2., 3., 0.}, {-3.}, {6., 0.});
-  compare(checks, "no load", {x, 1., 0., 0.}, {0., 0., 0., 0., 0.}, {0., 0.});
   compare(checks, "no load, gaps", {{-1, 1}, 1., 0., 0., {1., 2.}}, {0., 0.}, {0., 0.});
 }
 
@@ -122,13 +120,6 @@ void translations(Checks &checks) {
   compare(checks, "a spring above", beam, motions, {-1.5, 0., 0.}, {0.75});
   motions.b[0] = -3.;
   compare(checks, "a spring above that lifts", beam, motions, {0., 0., 0.}, {-1.5});
-  const Beam one{{0}, 4., 0., 0., {1.}};
-  FreeMotions single{Matrix(1, 1), Matrix(1, 1), Vector(1)};
-  single.B(0, 0) = 2.;
-  single.K(0, 0) = 3.;
-  single.b[0] = 5.;
-  // 4 P + 2 q = 1, 3 q - 2 P = 5.
-  compare(checks, "one patch, resistance", one, single, {-7. / 16.}, {11. / 8.});
 }
 
 /** The escape v opens everywhere and gains work; relative to its size. */

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <memory>
-#include <set>
 
 #include "columns_on_demand.h"
 #include "random_numbers.h"
@@ -94,11 +93,6 @@ int main() {
       F[i] = std::pow((double(i) - 20.) / 20., 2) - 0.1;
     const unsigned int n = compare(checks, "a dent", C, F, Vector());
     checks.between("a dent: columns", n, 1, 20);
-
-    Vector start(m);
-    for (unsigned int i = 30; i < m; ++i)
-      start[i] = -1.;
-    compare(checks, "a wrong start", C, F, start);
 
     // Pulled down at one place, with negative couplings to patches that were open: they close.
     Matrix coupled = C;

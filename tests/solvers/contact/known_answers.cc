@@ -26,8 +26,7 @@ const std::vector<Problem> problems = {
   {"one presses", {{2, 1}, {1, 2}}, {-2, 1}, {-1, 0}},
   {"nothing touches", {{2, 1}, {1, 2}}, {1, 2}, {0, 0}},
   {"touching without pressure", {{2, 1}, {1, 2}}, {-2, -1}, {-1, 0}},
-  {"middle opens", {{4, 3, 1}, {3, 5, 3}, {1, 3, 4}}, {-5, -5, -5}, {-1, 0, -1}},
-  {"all press", {{3, 1, 0}, {1, 3, 1}, {0, 1, 3}}, {-4, -5, -4}, {-1, -1, -1}}};
+  {"middle opens", {{4, 3, 1}, {3, 5, 3}, {1, 3, 4}}, {-5, -5, -5}, {-1, 0, -1}}};
 
 BoundConstrainedQP make_qp(const Problem &problem, const AdmissibleSet &K) {
   const unsigned int m = problem.F.size();

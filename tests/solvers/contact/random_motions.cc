@@ -176,41 +176,8 @@ void escapes(Checks &checks) {
   checks.between("escapes: both kinds occur", n_escapes, 0.1 * all, 0.9 * all);
 }
 
-/** Lengths times the given factor, forces times another one; rotations keep their unit. */
-void units(Checks &checks) {
-  RandomNumbers random(3);
-  for (const double length : {1e-9, 1., 1e9})
-    for (const double force : {1e-9, 1e9}) {
-      const MotionProblem problem = random_problem(8, 3, 1, random);
-      MotionProblem scaled = problem;
-      scaled.C *= length / force;
-      scaled.F *= length;
-      for (unsigned int j = 0; j < 3; ++j) {
-        const double unit = j == 2 ? length : 1.; // of a row of B: length per unit of q_j
-        for (unsigned int i = 0; i < 8; ++i)
-          scaled.motions.B(i, j) *= unit;
-        for (unsigned int i = 0; i < 3; ++i)
-          scaled.motions.K(i, j) *= force / length * unit * (i == 2 ? length : 1.);
-        scaled.motions.b[j] *= force * unit;
-      }
-      const MotionResult found = solve(problem), again = solve(scaled),
-                         sweeps = solve(scaled, ContactSolver::psor);
-      Vector P = again.qp.P, P_sweeps = sweeps.qp.P;
-      P /= force;
-      P_sweeps /= force;
-      Vector q = again.q;
-      q[0] /= length;
-      q[1] /= length;
-      checks.near("units: P", difference(P, found.qp.P), 0., 1e-10);
-      checks.near("units: P, psor", difference(P_sweeps, found.qp.P), 0., 1e-8);
-      checks.near("units: q", difference(q, found.q), 0., 1e-9);
-      checks.that("units: converged",
-                  found.qp.converged && again.qp.converged && sweeps.qp.converged);
-    }
-}
-
 } // namespace
 
 int main() {
-  return run_tests({random_problems, nearly_rigid, escapes, units});
+  return run_tests({random_problems, nearly_rigid, escapes});
 }

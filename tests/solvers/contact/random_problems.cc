@@ -204,33 +204,6 @@ void degenerate(Checks &checks) {
   }
 }
 
-/** Units change nothing: the counts of iterations stay. */
-void scaling(Checks &checks) {
-  RandomNumbers random(21);
-  const Matrix C = logarithmic_kernel(20);
-  const Vector F = random.vector(20);
-  const auto solve = [&](const double c, const double f) {
-    Matrix scaled_C(C);
-    Vector scaled_F(F);
-    scaled_C *= c;
-    scaled_F *= f;
-    const BoundConstrainedQP qp(scaled_C, scaled_F);
-    return std::pair(solve_by_active_set(qp, {}, {1e-10, 1000}),
-                     solve_by_psor(qp, {}, {1e-10, 100000}));
-  };
-  const auto expected = solve(1., 1.);
-  for (const double c : {1e-9, 1e9})
-    for (const double f : {1e-9, 1e9}) {
-      const auto [sets, psor] = solve(c, f);
-      checks.that("scaled: iterations",
-                  sets.converged && sets.iterations == expected.first.iterations &&
-                    psor.converged && psor.iterations == expected.second.iterations);
-      Vector P(sets.P);
-      P *= c / f;
-      checks.near("scaled: answer", distance(P, expected.first.P), 0., 1e-12);
-    }
-}
-
 void empty(Checks &checks) {
   RandomNumbers random(1);
   for (const BoundConstrainedQP &qp : {BoundConstrainedQP{Matrix(), Vector()},
@@ -260,7 +233,6 @@ int main() {
     }
     cycling(checks);
     degenerate(checks);
-    scaling(checks);
     empty(checks);
   }});
 }

@@ -14,10 +14,8 @@
 using namespace Signorini;
 
 namespace {
-std::string body(const std::string &geometry, const std::string &boundary, const std::string &gap) {
-  return "subsection Geometry\n" + geometry + "\nend\nsubsection Boundary\n" + boundary +
-         "\nend\nsubsection Load\n set Body force = 0; -0.2\nend\nsubsection Contact\n set Gap = " +
-         gap + "\nend\n";
+std::string with_gap(const std::string &body, const std::string &gap) {
+  return body + "Load/Body force = 0; -0.2\nContact/Gap = " + gap + "\n";
 }
 
 template <typename First, typename Second>
@@ -45,28 +43,28 @@ void compare(Checks &checks, const std::string &name, const std::string &text,
 }
 
 void in_the_plane(Checks &checks) {
-  const std::string square = " set Upper right = 1, 1";
-  const std::string held = " set Clamped = top\n set Contact = bottom";
-  const std::string full = body(square, held, "0");
-  const std::string partial = body(square, held, "2*(x-0.4)^2-0.02");
+  const std::string held = "Boundary/Clamped = top\nBoundary/Contact = bottom\n",
+                    dent = "2*(x-0.4)^2-0.02";
+  const std::string full = with_gap(held, "0"), partial = with_gap(held, dent);
   for (unsigned int level = 4; level < 7; ++level) {
     compare(checks, "full contact, level " + std::to_string(level), full, level, 18);
     compare(checks, "partial contact, level " + std::to_string(level), partial, level, 18);
   }
-  compare(checks, "nothing touches", body(square, held, "1"), 4, 16);
+  compare(checks, "nothing touches", with_gap(held, "1"), 4, 16);
   compare(checks, "prescribed top, rollers",
-          body(square,
-               " set Rollers = left\n set Displacement = top: 0.01*x; -0.05\n set Contact = bottom",
-               "0.1*x^2"),
+          with_gap("Boundary/Rollers = left\nBoundary/Displacement = top: 0.01*x; -0.05\n"
+                   "Boundary/Contact = bottom\n",
+                   "0.1*x^2"),
           5, 18);
   compare(checks, "two sides",
-          body(square, " set Clamped = top\n set Contact = bottom, right", "0.1*y^2-0.01*x"), 5,
-          40);
-  compare(checks, "distorted", body(" set Distortion = 0.2", held, "2*(x-0.4)^2-0.02"), 5, 18);
-  compare(
-    checks, "half disc",
-    body(" set Shape = half disc", " set Displacement = flat: 0; -0.1\n set Contact = arc", "1+y"),
-    4, 25);
+          with_gap("Boundary/Clamped = top\nBoundary/Contact = bottom, right\n", "0.1*y^2-0.01*x"),
+          5, 40);
+  compare(checks, "distorted", partial + "Geometry/Distortion = 0.2\n", 5, 18);
+  compare(checks, "half disc",
+          with_gap("Geometry/Shape = half disc\nBoundary/Displacement = flat: 0; -0.1\n"
+                   "Boundary/Contact = arc\n",
+                   "1+y"),
+          4, 25);
   compare(checks, "varying modulus", partial + "Material/Young's modulus = 1+9*x\n", 5, 18);
   compare(checks, "Poisson's ratio 0.45", partial + "Material/Poisson's ratio = 0.45\n", 5, 40);
   compare(checks, "t far too small", full, 5, 120, 0.05, true);
