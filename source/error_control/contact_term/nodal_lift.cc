@@ -123,7 +123,7 @@ Displacement relaxed_displacement(const BoundData &data, const Coupling &E, cons
     SolverCG<Vector>(control).solve(K, w, g, V);
     A.vmult(g, w);
     const double energy = w * g, J = 0.5 * energy - f * w;
-    if (std::abs(J - last_J) < tolerance * energy)
+    if (std::abs(J - last_J) <= tolerance * energy)
       break;
     last_J = J;
     g -= f;
