@@ -9,7 +9,7 @@
 namespace Signorini {
 LawSampling::LawSampling(const Material<2> &material, const std::size_t n_cells)
   : material_(material)
-  , intervals_(std::clamp<unsigned int>(std::sqrt(5e5 / n_cells), 6, 96)) {}
+  , intervals_(std::clamp<unsigned int>(std::sqrt(5e5 / n_cells), min_intervals, 96)) {}
 
 LawSampling::Sample LawSampling::sample(const Point<2> &x) const {
   const SymmetricTensor<4, 2> C = material_.relative_hooke(x);

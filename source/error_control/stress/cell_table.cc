@@ -4,10 +4,10 @@
 #include <signorini/error_control/stress/cell_table.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace Signorini {
 namespace {
@@ -84,168 +84,263 @@ Law::Law(const SymmetricTensor<4, 2> &hooke) {
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
       stiffness[i][j] = hooke[pairs[i][0]][pairs[i][1]][pairs[j][0]][pairs[j][1]];
-  root = cholesky(stiffness);
-  inverse_root = invert(root);
+  compliance = invert(stiffness);
   min_eigenvalue = min_eigenvalue_of(stiffness);
 }
 
-CellBasis::CellBasis(const CellShape &shape, const Quadrature<2> &rule,
-                     const std::array<std::vector<TrianglePart>, 4> &parts,
-                     const PrescribedLift *const lift, const unsigned int cell) {
-  const CompositeCell composite(shape);
-  points.reserve(rule.size() *
-                 (parts[0].size() + parts[1].size() + parts[2].size() + parts[3].size()));
+CellPoints::CellPoints(const CellShape &shape, const Quadrature<2> &rule,
+                       const std::array<std::vector<TrianglePart>, 4> &parts,
+                       const PrescribedLift *const lift, const unsigned int cell)
+  : shape_(shape)
+  , composite_(shape) {
+  points_.reserve(rule.size() *
+                  (parts[0].size() + parts[1].size() + parts[2].size() + parts[3].size()));
   for (unsigned int k = 0; k < 4; ++k)
     for (const TrianglePart &part : parts[k]) {
-      const std::size_t begin = points.size();
+      const std::size_t begin = points_.size();
       const Triangle &x = part.corners;
       for (unsigned int q = 0; q < rule.size(); ++q) {
         const Point<2> &at = rule.point(q);
-        add_point(shape, composite, k,
-                  (x[0] - shape.corners[0]) + at[0] * (x[1] - x[0]) + at[1] * (x[2] - x[0]),
+        add_point(k, (x[0] - shape.corners[0]) + at[0] * (x[1] - x[0]) + at[1] * (x[2] - x[0]),
                   rule.weight(q) * twice_area(x));
       }
       if (!part.resolved)
-        unresolved.push_back({begin, points.size()});
+        unresolved_.push_back({begin, points_.size()});
     }
   if (lift != nullptr)
-    for (PointOfCell &point : points) {
-      const Components z = lift->strain(cell, shape, shape.reference(point.offset));
-      for (unsigned int i = 0; i < 3; ++i)
-        point.components[i][CellColumns::lift] = z[i];
-    }
+    for (PointOfCell &point : points_)
+      point.lift = lift->strain(cell, shape, shape.reference(point.offset));
 }
 
-CellBasis::CellBasis(const CellShape &shape, const Quadrature<2> &rule)
-  : CellBasis(shape, rule, whole_triangles(shape)) {}
+CellPoints::CellPoints(const CellShape &shape, const Quadrature<2> &rule)
+  : CellPoints(shape, rule, whole_triangles(shape)) {}
 
-void CellBasis::add_point(const CellShape &shape, const CompositeCell &composite,
-                          const unsigned int triangle, const Tensor<1, 2> &offset,
-                          const double weight) {
-  const Point<2> at = shape.reference(offset);
-  const CellFunctions functions(at);
-  const Tensor<2, 2> jacobian = shape.jacobian(functions, true);
-  PointOfCell &point = points.emplace_back();
+void CellPoints::add_point(const unsigned int triangle, const Tensor<1, 2> &offset,
+                           const double weight) {
+  PointOfCell &point = points_.emplace_back();
+  point.at = shape_.reference(offset);
   point.offset = offset;
   point.weight = weight;
-  if (shape.is_curved) {
-    point.offset = shape.offset(functions, true);
-    point.weight *= determinant(jacobian) / determinant(shape.jacobian(functions, false));
+  point.triangle = triangle;
+  point.lambda = barycentric(shape_.triangle(triangle), shape_.corners[0] + offset);
+  const CellFunctions functions(point.at);
+  const Tensor<2, 2> jacobian = shape_.jacobian(functions, true), inverse = invert(jacobian);
+  if (shape_.is_curved) {
+    point.offset = shape_.offset(functions, true);
+    point.weight *= determinant(jacobian) / determinant(shape_.jacobian(functions, false));
   }
-  const Tensor<2, 2> inverse = invert(jacobian);
-  auto &[s11, s22, s12] = point.components;
-  for (unsigned int i = 0; i < CellFunctions::n_functions; ++i) {
-    const Tensor<1, 2> gradient = functions.gradients[i] * inverse;
-    s11[2 * i] = s12[2 * i + 1] = gradient[0];
-    s12[2 * i] = s22[2 * i + 1] = gradient[1];
-  }
-  const auto lambda = barycentric(shape.triangle(triangle), shape.corners[0] + offset);
-  for (unsigned int c = 0; c < 3; ++c)
-    for (unsigned int m = 0; m < 3; ++m)
-      for (unsigned int j = 0; j < CompositeCell::n_data; ++j)
-        point.components[c][CellColumns::moments + j] -=
-          lambda[m] * composite(9 * triangle + 3 * m + c, j);
-  if (!shape.affine)
-    return;
-  for (unsigned int q = 0; q < 4; ++q) {
-    CellLoad load;
-    load.slope[q / 2][q % 2] = 1.;
-    const CellMoments moments = load.moments(shape);
-    const Components s = load.stress(shape, at);
-    for (unsigned int c = 0; c < 3; ++c) {
-      auto &row = point.components[c];
-      row[CellColumns::slope + q] = -s[c];
-      for (unsigned int j = 0; j < moments.size(); ++j)
-        row[CellColumns::slope + q] -= row[CellColumns::moments + j] * moments[j];
-    }
-  }
+  for (unsigned int i = 0; i < CellFunctions::n_functions; ++i)
+    point.gradients[i] = functions.gradients[i] * inverse;
 }
 
-CellMatrix::CellMatrix(const CellBasis &basis, const std::vector<Law> &laws)
-  : rows_(3 * basis.points.size())
-  , unresolved_(basis.unresolved)
-  , min_eigenvalue_(laws[0].min_eigenvalue) {
-  for (std::size_t i = 0; i < basis.points.size(); ++i) {
-    const CellBasis::PointOfCell &point = basis.points[i];
+std::vector<Law> CellPoints::laws(const Material<2> &material, const Point<2> &corner) const {
+  std::vector<Law> laws;
+  laws.reserve(points_.size());
+  for (const PointOfCell &point : points_)
+    laws.emplace_back(material.hooke(corner + point.offset));
+  return laws;
+}
+
+Components CellPoints::PointOfCell::strain(const CellVector &data, const unsigned int begin,
+                                           const unsigned int end) const {
+  Components e;
+  for (unsigned int i = begin; i < end; ++i) {
+    const double *const u = &data[CellColumns::corners + 2 * i];
+    e[0] += gradients[i][0] * u[0];
+    e[1] += gradients[i][1] * u[1];
+    e[2] += gradients[i][1] * u[0] + gradients[i][0] * u[1];
+  }
+  return e;
+}
+
+namespace {
+CellLoad load_of(const CellVector &data) {
+  CellLoad load;
+  for (unsigned int i = 0; i < 4; ++i)
+    load.slope[i / 2][i % 2] = data[CellColumns::slope + i];
+  return load;
+}
+} // namespace
+
+CellPoints::CornerValues CellPoints::linear_stress(const CellVector &data,
+                                                   const CellLoad &load) const {
+  std::array<double, CompositeCell::n_data> loads;
+  std::copy(data.begin(), data.begin() + loads.size(), loads.begin());
+  if (shape_.affine) {
+    const CellMoments moments = load.moments(shape_);
+    for (unsigned int j = 0; j < moments.size(); ++j)
+      loads[j] -= moments[j];
+  }
+  CornerValues result{};
+  for (unsigned int i = 0; i < result.size(); ++i)
+    for (unsigned int j = 0; j < loads.size(); ++j)
+      result[i] += composite_(i, j) * loads[j];
+  return result;
+}
+
+Components CellPoints::stress(const PointOfCell &point, const CornerValues &linear,
+                              const CellLoad &load) const {
+  Components s;
+  for (unsigned int m = 0; m < 3; ++m)
+    for (unsigned int c = 0; c < 3; ++c)
+      s[c] += point.lambda[m] * linear[9 * point.triangle + 3 * m + c];
+  return shape_.affine ? s + load.stress(shape_, point.at) : s;
+}
+
+CellIntegrals CellPoints::integrate(const std::vector<Law> &laws, const CellVector &data,
+                                    const CellVector &held, const bool from_above,
+                                    CellEnergy *const S) const {
+  constexpr unsigned int n_corners = CellFunctions::n_corners, n = CellFunctions::n_functions;
+  const CellLoad load = load_of(data);
+  const CornerValues linear = linear_stress(data, load);
+  // Of the stress and of both misfits, and the squares of these and of z and z'.
+  std::array<CornerValues, 3> strains{};
+  std::vector<Tensor<1, 5>> squares;
+  CellIntegrals result;
+  result.is_resolved = unresolved_.empty();
+  result.min_eigenvalue = laws[0].min_eigenvalue;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const PointOfCell &point = points_[i];
     const Law &law = laws[laws.size() == 1 ? 0 : i];
-    weights_.push_back(point.weight);
-    min_eigenvalue_ = std::min(min_eigenvalue_, law.min_eigenvalue);
-    const Tensor<2, 3> of_strain = std::sqrt(point.weight) * transpose(law.root),
-                       of_stress = std::sqrt(point.weight) * law.inverse_root;
-    for (unsigned int r = 0; r < 3; ++r) {
-      CellVector &row = rows_[3 * i + r];
-      row.fill(0.);
-      // G is lower triangular.
-      for (unsigned int c = r; c < 3; ++c)
-        for (unsigned int j = 0; j < CellColumns::moments; ++j)
-          row[j] += of_strain[r][c] * point.components[c][j];
-      for (unsigned int c = 0; c <= r; ++c)
-        for (unsigned int j = CellColumns::moments; j < CellColumns::end; ++j)
-          row[j] += of_stress[r][c] * point.components[c][j];
+    result.min_eigenvalue = std::min(result.min_eigenvalue, law.min_eigenvalue);
+    const Components s = stress(point, linear, load), z = data[CellColumns::lift] * point.lift;
+    std::array<Components, 5> e;
+    e[0] = law.compliance * s;
+    e[1] = point.strain(data, 0, n_corners) + z - e[0];
+    e[2] = e[1] + point.strain(data, n_corners, n);
+    e[3] = z;
+    e[4] = held[CellColumns::lift] * point.lift + point.strain(held, n_corners, n);
+    Tensor<1, 5> &square = squares.emplace_back();
+    for (unsigned int q = 0; q < 5; ++q)
+      square[q] = point.weight * (q == 0 ? s * e[0] : e[q] * (law.stiffness * e[q]));
+    for (unsigned int q = 0; q < 3; ++q)
+      for (unsigned int j = 0; j < 9; ++j)
+        strains[q][9 * point.triangle + j] +=
+          (q == 0 ? 1. : -1.) * point.weight * point.lambda[j / 3] * e[q][j % 3];
+  }
+  for (const Range &part : unresolved_) {
+    double area = 0.;
+    for (std::size_t i = part.begin; i < part.end; ++i)
+      area += points_[i].weight;
+    for (unsigned int q = 0; q < 5 && from_above; ++q) {
+      double largest = 0.;
+      for (std::size_t i = part.begin; i < part.end; ++i)
+        largest = std::max(largest, squares[i][q] / points_[i].weight);
+      for (std::size_t i = part.begin; i < part.end; ++i)
+        squares[i][q] = largest * points_[i].weight;
     }
+  }
+  const Tensor<1, 5> sum = std::accumulate(squares.begin(), squares.end(), Tensor<1, 5>());
+  const std::array<Square *, 3> parts = {
+    {&result.stress, &result.misfit, &result.interpolated_part}};
+  for (unsigned int q = 0; q < 3; ++q) {
+    parts[q]->value = sum[q];
+    for (unsigned int i = 0; i < strains[q].size(); ++i)
+      for (unsigned int j = 0; j < CompositeCell::n_moments; ++j)
+        parts[q]->gradient[j] += composite_(i, j) * strains[q][i];
+  }
+  result.lift = sum[3];
+  result.interpolated_lift = sum[4];
+  if (S != nullptr)
+    *S = energy(laws);
+  return result;
+}
+
+CellEnergy CellPoints::energy(const std::vector<Law> &laws) const {
+  constexpr unsigned int n = CompositeCell::n_moments;
+  // The integrals of products of barycentric coordinates and the compliance; strains of the
+  // moments.
+  std::array<std::array<Tensor<2, 3>, 9>, 4> integrals;
+  std::array<CellMoments, CompositeCell::n_stresses> strains{};
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const PointOfCell &point = points_[i];
+    const Tensor<2, 3> compliance = point.weight * laws[laws.size() == 1 ? 0 : i].compliance;
+    for (unsigned int m = 0; m < 9; ++m)
+      integrals[point.triangle][m] += point.lambda[m / 3] * point.lambda[m % 3] * compliance;
+  }
+  for (unsigned int i = 0; i < strains.size(); ++i)
+    for (unsigned int k = 0; k < 9; ++k) {
+      const double factor = integrals[i / 9][3 * (i % 9 / 3) + k / 3][i % 3][k % 3];
+      for (unsigned int j = 0; j < n; ++j)
+        strains[i][j] += factor * composite_(i - i % 9 + k, j);
+    }
+  CellEnergy S{};
+  for (unsigned int i = 0; i < n; ++i)
+    for (unsigned int k = 0; k < strains.size(); ++k)
+      for (unsigned int j = 0; j < n; ++j)
+        S[i][j] += composite_(k, i) * strains[k][j];
+  return S;
+}
+
+CellMatrix::CellMatrix(const CellPoints &points, const Law &law)
+  : min_eigenvalue_(law.min_eigenvalue) {
+  const Tensor<2, 3> root = transpose(cholesky(law.stiffness));
+  std::array<std::vector<double>, CellColumns::end> values;
+  for (unsigned int j = 0; j < values.size(); ++j) {
+    CellVector unit{};
+    unit[j] = 1.;
+    const CellLoad load = load_of(unit);
+    const CellPoints::CornerValues linear = points.linear_stress(unit, load);
+    for (const CellPoints::PointOfCell &point : points.points_) {
+      const Components misfit = point.strain(unit, 0, CellFunctions::n_functions) -
+                                law.compliance * points.stress(point, linear, load);
+      const Components row = std::sqrt(point.weight) * (root * misfit);
+      values[j].insert(values[j].end(), row.begin_raw(), row.end_raw());
+    }
+    // Gram-Schmidt: R is as accurate as Householder's, whatever the columns are.
+    const auto product = [&](const unsigned int i) {
+      return std::inner_product(values[i].begin(), values[i].end(), values[j].begin(), 0.);
+    };
+    for (unsigned int i = 0; i < j; ++i) {
+      const double factor = columns_[j][i] = product(i);
+      std::transform(values[j].begin(), values[j].end(), values[i].begin(), values[j].begin(),
+                     [factor](const double a, const double b) { return a - factor * b; });
+    }
+    const double norm = columns_[j][j] = std::sqrt(product(j));
+    for (double &value : values[j])
+      value /= norm > 0. ? norm : 1.;
   }
 }
 
-void CellMatrix::compress() {
-  constexpr unsigned int n = CellColumns::end;
-  // With columns of the norm one, small columns keep their digits.
-  CellVector norms{};
-  for (const CellVector &row : rows_)
-    for (unsigned int j = 0; j < n; ++j)
-      norms[j] = std::hypot(norms[j], row[j]);
-  LAPACKFullMatrix<double> matrix(rows_.size(), n);
-  for (unsigned int i = 0; i < rows_.size(); ++i)
-    for (unsigned int j = 0; j < n; ++j)
-      matrix(i, j) = norms[j] > 0. ? rows_[i][j] / norms[j] : 0.;
-  matrix.compute_svd();
-  rows_.resize(n);
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int j = 0; j < n; ++j)
-      rows_[i][j] = matrix.singular_value(i) * matrix.get_svd_vt()(i, j) * norms[j];
+template <unsigned int begin, unsigned int end>
+void CellMatrix::add(const CellVector &v, CellVector &y) const {
+  for (unsigned int j = begin; j < end; ++j)
+    for (unsigned int i = 0; i < end; ++i)
+      y[i] += columns_[j][i] * v[j];
 }
 
-void CellMatrix::add(const CellVector &v, const unsigned int begin, const unsigned int end,
-                     Values &y) const {
-  for (std::size_t i = 0; i < y.size(); ++i)
-    for (unsigned int j = begin; j < end; ++j)
-      y[i] += rows_[i][j] * v[j];
+Square CellMatrix::square(const CellVector &y) const {
+  Square result;
+  result.value = std::inner_product(y.begin(), y.end(), y.begin(), 0.);
+  for (unsigned int j = 0; j < CompositeCell::n_moments; ++j)
+    for (unsigned int i = 0; i <= j; ++i)
+      result.gradient[j] += columns_[j][i] * y[i];
+  return result;
 }
 
-CellMoments CellMatrix::moments_of(const Values &y) const {
-  CellMoments result{};
-  for (std::size_t i = 0; i < y.size(); ++i)
-    for (unsigned int j = 0; j < result.size(); ++j)
-      result[j] += rows_[i][CellColumns::moments + j] * y[i];
+CellIntegrals CellMatrix::integrate(const CellVector &data, const CellVector &held) const {
+  CellIntegrals result;
+  result.min_eigenvalue = min_eigenvalue_;
+  CellVector y{};
+  add<0, CellColumns::corners>(data, y);
+  result.stress = square(y);
+  add<CellColumns::corners, CellColumns::bubbles>(data, y);
+  result.misfit = square(y);
+  add<CellColumns::bubbles, CellColumns::lift>(data, y);
+  result.interpolated_part = square(y);
+  y = {};
+  add<CellColumns::bubbles, CellColumns::lift>(held, y);
+  result.interpolated_lift = std::inner_product(y.begin(), y.end(), y.begin(), 0.);
   return result;
 }
 
 CellEnergy CellMatrix::energy() const {
   CellEnergy S{};
-  for (const CellVector &row : rows_)
-    for (unsigned int i = 0; i < S.size(); ++i)
-      for (unsigned int j = 0; j < S.size(); ++j)
-        S[i][j] += row[CellColumns::moments + i] * row[CellColumns::moments + j];
+  for (unsigned int i = 0; i < S.size(); ++i)
+    for (unsigned int j = 0; j < S.size(); ++j)
+      S[i][j] = std::inner_product(columns_[i].begin(), columns_[i].begin() + S.size(),
+                                   columns_[j].begin(), 0.);
   return S;
-}
-
-double CellMatrix::square(const Values &y, const bool from_above) const {
-  double sum = 0.;
-  for (const double value : y)
-    sum += value * value;
-  if (!from_above)
-    return sum;
-  for (const CellBasis::Range &part : unresolved_) {
-    double area = 0., largest = 0.;
-    for (std::size_t i = part.begin; i < part.end; ++i) {
-      const double at_point =
-        y[3 * i] * y[3 * i] + y[3 * i + 1] * y[3 * i + 1] + y[3 * i + 2] * y[3 * i + 2];
-      sum -= at_point;
-      area += weights_[i];
-      largest = std::max(largest, at_point / weights_[i]);
-    }
-    sum += area * largest;
-  }
-  return sum;
 }
 
 CellTable::CellTable(const EdgeMesh &mesh, const Scene<2> &scene, const PrescribedLift &lift)
@@ -267,12 +362,12 @@ CellTable::CellTable(const EdgeMesh &mesh, const Scene<2> &scene, const Prescrib
 unsigned int CellTable::classify(const unsigned int cell) {
   const EdgeCell &here = mesh_.cells()[cell];
   const auto &x = here.corners;
-  if (here.is_curved || lift_.cells()[cell] || !crossing(lines_, here).empty() || varies(cell))
+  if (here.is_curved || lift_.cells()[cell] || !crossing(lines_, here).empty())
     return alone;
   const std::array<Tensor<1, 2>, 3> edges = {{x[1] - x[0], x[2] - x[0], x[3] - x[0]}};
   const auto is_same = [&](const Shape &other) {
     for (unsigned int i = 0; i < 3; ++i)
-      if ((edges[i] - other.edges[i]).norm() > 1e-12 * edges[1].norm())
+      if ((edges[i] - other.edges[i]).norm_square() > 1e-24 * edges[1].norm_square())
         return false;
     return true;
   };
@@ -283,19 +378,13 @@ unsigned int CellTable::classify(const unsigned int cell) {
   // With a constant law on a parallelogram, products have the degree six.
   const bool exact = constant_law_ && shape.affine;
   Shape &added = shapes_.emplace_back(
-    Shape{edges, CellBasis(shape, exact ? exact_rule_ : rule_), OscillationConstants(shape), {}});
-  if (constant_law_) {
-    added.matrix.emplace(added.basis, std::vector<Law>{*constant_law_});
-    added.matrix->compress();
-  }
+    Shape{edges, CellPoints(shape, exact ? exact_rule_ : rule_), OscillationConstants(shape), {}});
+  if (constant_law_)
+    added.matrix.emplace(added.points, *constant_law_);
   return shapes_.size() - 1;
 }
 
-bool CellTable::varies(const unsigned int cell) const {
-  return sampling_ && LawSampling::varies(sampling_->scan(mesh_.cells()[cell].corners));
-}
-
-CellBasis CellTable::own_basis(const unsigned int cell) const {
+CellPoints CellTable::own_points(const unsigned int cell, const bool divide) const {
   const EdgeCell &here = mesh_.cells()[cell];
   const CellShape shape(here);
   const bool has_lift = lift_.cells()[cell];
@@ -305,9 +394,8 @@ CellBasis CellTable::own_basis(const unsigned int cell) const {
     lines.insert(lines.end(), of_lift.begin(), of_lift.end());
   }
   LawSampling::Samples samples;
-  if (sampling_)
+  if (divide)
     samples = sampling_->scan(here.corners);
-  const bool divide = sampling_ && LawSampling::varies(samples);
   std::array<std::vector<TrianglePart>, 4> parts;
   for (unsigned int k = 0; k < 4; ++k) {
     std::vector<Triangle> triangles = {shape.triangle(k)};
@@ -322,21 +410,34 @@ CellBasis CellTable::own_basis(const unsigned int cell) const {
   return {shape, has_lift ? lift_rule_ : rule_, parts, has_lift ? &lift_ : nullptr, cell};
 }
 
-const CellMatrix &CellTable::matrix(const unsigned int cell, std::optional<CellMatrix> &own) const {
-  const bool shares_basis = shape_of_[cell] < shapes_.size();
-  if (shares_basis && constant_law_)
-    return *shapes_[shape_of_[cell]].matrix;
-  std::optional<CellBasis> own_points;
-  if (!shares_basis)
-    own_points.emplace(own_basis(cell));
-  const CellBasis &basis = shares_basis ? shapes_[shape_of_[cell]].basis : *own_points;
-  std::vector<Law> laws;
+bool CellTable::varies(const unsigned int cell, const std::vector<Law> &laws) const {
+  // As many points as a scan of a fine mesh would have, and the factor of LawSampling is far away.
+  const auto is_close = [&](const Law &law) {
+    return (law.stiffness - laws[0].stiffness).norm() * laws[0].compliance.norm() < 0.1;
+  };
+  return (sampling_->intervals() > LawSampling::min_intervals ||
+          !std::all_of(laws.begin(), laws.end(), is_close)) &&
+         LawSampling::varies(sampling_->scan(mesh_.cells()[cell].corners));
+}
+
+CellIntegrals CellTable::integrate(const unsigned int cell, const CellVector &data,
+                                   const CellVector &held, const bool from_above,
+                                   CellEnergy *const energy) const {
+  const Shape *const shape = shape_of_[cell] < shapes_.size() ? &shapes_[shape_of_[cell]] : nullptr;
+  if (shape != nullptr && constant_law_)
+    return shape->matrix->integrate(data, held);
+  std::optional<CellPoints> own;
+  const CellPoints *points =
+    shape != nullptr ? &shape->points : &own.emplace(own_points(cell, false));
   if (constant_law_)
-    laws = {*constant_law_};
-  else
-    for (const CellBasis::PointOfCell &point : basis.points)
-      laws.emplace_back(material_.hooke(mesh_.cells()[cell].corners[0] + point.offset));
-  return own.emplace(basis, laws);
+    return points->integrate({*constant_law_}, data, held, from_above, energy);
+  const Point<2> &corner = mesh_.cells()[cell].corners[0];
+  std::vector<Law> laws = points->laws(material_, corner);
+  if (varies(cell, laws)) {
+    points = &own.emplace(own_points(cell, true));
+    laws = points->laws(material_, corner);
+  }
+  return points->integrate(laws, data, held, from_above, energy);
 }
 
 CellEnergies::CellEnergies(const CellTable &table, const std::size_t n_cells) {

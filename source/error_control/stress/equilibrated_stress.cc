@@ -200,7 +200,7 @@ CellVector EquilibratedStress::data_of(const unsigned int cell) const {
   CellVector data{};
   const CornerValues u = deformation(here);
   for (unsigned int i = 0; i < 8; ++i)
-    data[i] = u[i / 2][i % 2];
+    data[CellColumns::corners + i] = u[i / 2][i % 2];
   if (bubbles_)
     for (unsigned int k = 0; k <= 4; ++k)
       if (k == 4 || !mesh_.edges()[here.edges[k]].is_held())
@@ -209,7 +209,7 @@ CellVector EquilibratedStress::data_of(const unsigned int cell) const {
             k == 4 ? bubbles_->cells[cell][c] : bubbles_->edges[here.edges[k]][c];
   data[CellColumns::lift] = lift_.cells()[cell] ? 1. : 0.;
   const CellMoments moments = moments_on(here, moments_);
-  std::copy(moments.begin(), moments.end(), data.begin() + CellColumns::moments);
+  std::copy(moments.begin(), moments.end(), data.begin());
   if (!loads_.empty()) {
     for (unsigned int i = 0; i < CompositeCell::n_loads; ++i)
       data[CellColumns::loads + i] = loads_[cell].constant[i / 2][i % 2];
@@ -219,52 +219,20 @@ CellVector EquilibratedStress::data_of(const unsigned int cell) const {
   return data;
 }
 
-double EquilibratedStress::interpolated_lift(const unsigned int cell, const CellMatrix &A,
-                                             const bool from_above) const {
-  // u_D - π^{2h} u_h = (u_D - u_h) - b, b with the coefficients that are held back.
-  const EdgeCell &here = mesh_.cells()[cell];
-  CellVector rest{};
-  rest[CellColumns::lift] = lift_.cells()[cell] ? 1. : 0.;
-  for (unsigned int k = 0; k < 4; ++k)
-    if (mesh_.edges()[here.edges[k]].is_held())
-      for (unsigned int c = 0; c < 2; ++c)
-        rest[CellColumns::bubbles + 2 * k + c] = -bubbles_->edges[here.edges[k]][c];
-  CellMatrix::Values lift = A.zero();
-  A.add(rest, CellColumns::bubbles, CellColumns::moments, lift);
-  return A.square(lift, from_above);
-}
-
-EquilibratedStress::CellIntegrals EquilibratedStress::integrate(
-  const unsigned int cell, const bool from_above, CellEnergies *const energies) const {
-  std::optional<CellMatrix> own;
-  const CellMatrix &A = table_.matrix(cell, own);
+CellIntegrals EquilibratedStress::integrate(const unsigned int cell, const bool from_above,
+                                            CellEnergies *const energies) const {
   const CellVector data = data_of(cell);
-  CellIntegrals result;
-  result.min_eigenvalue = A.min_eigenvalue();
-  result.is_resolved = A.is_resolved();
-  CellMatrix::Values y = A.zero();
-  A.add(data, CellColumns::moments, CellColumns::end, y);
-  const auto square = [&]() { return Square{A.square(y, from_above), A.moments_of(y)}; };
-  result.stress = square();
-  A.add(data, 0, CellColumns::bubbles, y);
-  if (lift_.cells()[cell]) {
-    CellMatrix::Values lift = A.zero();
-    A.add(data, CellColumns::lift, CellColumns::moments, lift);
-    result.lift = A.square(lift, from_above);
-    A.add(data, CellColumns::lift, CellColumns::moments, y);
-  }
-  result.misfit = square();
-  if (bubbles_) {
-    A.add(data, CellColumns::bubbles, CellColumns::lift, y);
-    result.interpolated_part = square();
-    const auto &edges = mesh_.cells()[cell].edges;
-    if (std::any_of(edges.begin(), edges.end(),
-                    [&](const unsigned int edge) { return mesh_.edges()[edge].is_held(); }))
-      result.interpolated_lift = interpolated_lift(cell, A, from_above);
-  }
-  if (energies != nullptr && !energies->is_shared(cell))
-    (*energies)(cell) = A.energy();
-  return result;
+  // u_D - π^{2h} u_h = (u_D - u_h) - b, b with the coefficients that are held back.
+  CellVector held{};
+  const EdgeCell &here = mesh_.cells()[cell];
+  for (unsigned int k = 0; k < 4 && bubbles_; ++k)
+    if (mesh_.edges()[here.edges[k]].is_held()) {
+      held[CellColumns::lift] = data[CellColumns::lift];
+      for (unsigned int c = 0; c < 2; ++c)
+        held[CellColumns::bubbles + 2 * k + c] = -bubbles_->edges[here.edges[k]][c];
+    }
+  const bool is_own = energies != nullptr && !energies->is_shared(cell);
+  return table_.integrate(cell, data, held, from_above, is_own ? &(*energies)(cell) : nullptr);
 }
 
 void EquilibratedStress::for_each_cell(const std::function<void(std::size_t)> &visit) const {
@@ -278,7 +246,7 @@ void EquilibratedStress::for_each_cell(const std::function<void(std::size_t)> &v
 void EquilibratedStress::update(const CellEnergies &energies, const std::size_t cell,
                                 const std::vector<double> &change) {
   // Where more digits than that are lost, the cell is integrated again.
-  constexpr double min_share = 1e-3;
+  constexpr double min_share = 1e-6;
   CellIntegrals &here = integrals_[cell];
   const CellMoments b = moments_on(mesh_.cells()[cell], change), Sb = multiply(energies(cell), b);
   bool digits_lost = !here.is_resolved;

@@ -4,91 +4,67 @@
 #include <signorini/base/parallel.h>
 #include <signorini/error_control/stress/star_solver.h>
 
+#include <deal.II/lac/identity_matrix.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace Signorini {
 namespace {
-/** The positions in the cell and in the star of the moments of the two spokes of cell j; in the
- * star, the second half has the opposite sign. */
-struct StarEntries {
-  StarEntries(const Star &star, const unsigned int j) {
-    const unsigned int k = star.cells[j].number, left = (k + 3) % 4;
-    for (unsigned int end = 0; end < 2; ++end)
-      for (unsigned int c = 0; c < 2; ++c) {
-        // Edge k begins at the centre, edge k - 1 ends there.
-        const unsigned int i = 2 * end + c;
-        in_cell[i] = 4 * k + i;
-        in_star[i] = 4 * j + i;
-        in_cell[4 + i] = 4 * left + 2 * (1 - end) + c;
-        in_star[4 + i] = 4 * star.left_of(j) + i;
-      }
-  }
-  static double sign(const unsigned int i) {
-    return i < 4 ? 1. : -1.;
-  }
-  static constexpr unsigned int n = 8;
-  std::array<unsigned int, n> in_cell, in_star;
+/**
+ * Spoke j as part of the changes of moments that disturb the balance of no cell of a star. All
+ * spokes carry the same force F and the same couple m about the centre, and each carries a shear s
+ * along itself that has neither: the outer end has the moment m across + s along, the centre F
+ * minus that.
+ */
+struct SpokeChanges {
+  SpokeChanges(const EdgeMesh &mesh, const Star &star, const unsigned int j)
+    : SpokeChanges(mesh.edges()[star.spokes[j].edge], star.spokes[j],
+                   mesh.edges()[star.spokes[0].edge].length) {}
+  /** @param unit a length, the same for all spokes. */
+  SpokeChanges(const Edge &edge, const Spoke &spoke, const double unit)
+    : edge(edge)
+    , sign(spoke.sign)
+    , centre(4 * spoke.edge + 2 * spoke.end)
+    , outer(4 * spoke.edge + 2 * (1 - spoke.end))
+    , along((spoke.end == 0 ? 1. : -1.) * Tensor<1, 2>({-edge.normal[1], edge.normal[0]}))
+    , across(unit / edge.length * Tensor<1, 2>({-along[1], along[0]})) {}
+
+  const Edge &edge;
+  /** That of Spoke. */
+  double sign;
+  /** The positions in a vector of moments. */
+  unsigned int centre, outer;
+  Tensor<1, 2> along, across;
 };
 
-/** Returns a basis of the null space of a matrix, as columns, by elimination with full pivoting.
- * (Singular values take ten times as long for matrices of this size.) */
-FullMatrix<double> null_space(FullMatrix<double> matrix) {
-  const unsigned int m = matrix.m(), n = matrix.n();
-  std::vector<unsigned int> column(n);
-  for (unsigned int j = 0; j < n; ++j)
-    column[j] = j;
-  const double tolerance = 1e-9 * matrix.linfty_norm();
-  unsigned int rank = 0;
-  for (; rank < std::min(m, n); ++rank) {
-    unsigned int row = rank, pivot = rank;
-    for (unsigned int i = rank; i < m; ++i)
-      for (unsigned int j = rank; j < n; ++j)
-        if (std::abs(matrix(i, column[j])) > std::abs(matrix(row, column[pivot]))) {
-          row = i;
-          pivot = j;
-        }
-    const double largest = matrix(row, column[pivot]);
-    if (std::abs(largest) <= tolerance)
-      break;
-    std::swap(column[rank], column[pivot]);
-    if (row != rank)
-      matrix.swap_row(row, rank);
-    for (unsigned int j = 0; j < n; ++j)
-      matrix(rank, j) /= largest;
-    for (unsigned int i = 0; i < m; ++i)
-      if (const double factor = matrix(i, column[rank]); i != rank && factor != 0.)
-        matrix.add_row(i, -factor, rank);
-  }
-  FullMatrix<double> basis(n, n - rank);
-  for (unsigned int j = rank; j < n; ++j) {
-    basis(column[j], j - rank) = 1.;
-    for (unsigned int i = 0; i < rank; ++i)
-      basis(column[i], j - rank) = -matrix(i, column[j]);
-  }
-  return basis;
-}
+/** The numbers of a change: F, m, and s of every spoke. */
+constexpr unsigned int of_couple = 2, of_shears = 3;
 
-/** Returns the changes of moments that disturb the balance of no cell of a star and that its edges
- * may carry, as columns. */
-FullMatrix<double> basis(const EdgeMesh &mesh, const Star &star) {
-  const unsigned int n_cells = star.cells.size(), n = 4 * star.spokes.size();
-  FullMatrix<double> conditions(3 * n_cells + (star.is_closed() ? 0 : n), n);
-  for (unsigned int j = 0; j < n_cells; ++j) {
-    const EdgeCell &cell = mesh.cells()[star.cells[j].cell];
-    const auto balance = balance_of(cell, cell.corners[star.cells[j].number]);
-    const StarEntries at(star, j);
-    for (unsigned int row = 0; row < 3; ++row)
-      for (unsigned int i = 0; i < at.n; ++i)
-        conditions(3 * j + row, at.in_star[i]) += at.sign(i) * balance[row][at.in_cell[i]];
+/** Returns the projection onto the changes that the edges may carry. */
+FullMatrix<double> projection(const EdgeMesh &mesh, const Star &star) {
+  FullMatrix<double> P = IdentityMatrix(of_shears + star.spokes.size());
+  if (star.is_closed())
+    return P;
+  Tensor<2, 2> force = unit_symmetric_tensor<2>();
+  for (const unsigned int j : {0U, static_cast<unsigned int>(star.spokes.size() - 1)}) {
+    const SpokeChanges spoke(mesh, star, j);
+    if (spoke.edge.freedom == EdgeFreedom::any)
+      continue;
+    P(of_shears + j, of_shears + j) = 0.;
+    // Normal tractions leave one direction of F; those of two rollers, if they are parallel.
+    const Tensor<1, 2> barred = force * spoke.along;
+    if (barred.norm() > 1e-9)
+      force -= outer_product(barred, barred) / barred.norm_square();
+    if (spoke.edge.freedom == EdgeFreedom::none)
+      P(of_couple, of_couple) = 0.;
   }
-  for (unsigned int i = 0; i < n && !star.is_closed(); ++i) {
-    const Tensor<2, 2> P = mesh.edges()[star.spokes[i / 4].edge].projection();
-    for (unsigned int c = 0; c < 2; ++c)
-      conditions(3 * n_cells + i, i - i % 2 + c) = (i % 2 == c ? 1. : 0.) - P[i % 2][c];
-  }
-  return null_space(conditions);
+  for (unsigned int i = 0; i < 2; ++i)
+    for (unsigned int j = 0; j < 2; ++j)
+      P(i, j) = P(of_couple, of_couple) * force[i][j];
+  return P;
 }
 } // namespace
 
@@ -137,26 +113,52 @@ void StarSolver::renew(const unsigned int vertex) {
 }
 
 FullMatrix<double> StarSolver::solve_star(const Star &star) const {
-  const unsigned int n = 4 * star.spokes.size();
-  FullMatrix<double> S(n, n), result(n, n);
-  if (n == 0)
-    return result;
-  const FullMatrix<double> Z = basis(mesh_, star);
-  if (Z.n() == 0)
-    return result;
-  for (unsigned int j = 0; j < star.cells.size(); ++j) {
-    const CellEnergy &energy = energies_(star.cells[j].cell);
-    const StarEntries at(star, j);
-    for (unsigned int a = 0; a < at.n; ++a)
-      for (unsigned int b = 0; b < at.n; ++b)
-        S(at.in_star[a], at.in_star[b]) +=
-          at.sign(a) * at.sign(b) * energy[at.in_cell[a]][at.in_cell[b]];
+  const unsigned int n_cells = star.cells.size(), n = of_shears + star.spokes.size();
+  FullMatrix<double> S(n, n), reduced(n, n);
+  if (n_cells == 0)
+    return S;
+  for (unsigned int j = 0; j < n_cells; ++j) {
+    const unsigned int left = star.left_of(j), k = star.cells[j].number, before = (k + 3) % 4;
+    // The changes F, m, and s of the right and of the left spoke, on the cell. Edge k begins at the
+    // centre, edge k - 1 ends there.
+    constexpr unsigned int n_changes = 5;
+    const std::array<unsigned int, n_changes> numbers = {
+      {0, 1, of_couple, of_shears + j, of_shears + left}};
+    std::array<CellMoments, n_changes> changes{};
+    for (const bool is_left : {false, true}) {
+      const SpokeChanges spoke(mesh_, star, is_left ? left : j);
+      const double sign = is_left ? -1. : 1.;
+      const unsigned int centre = is_left ? 4 * before + 2 : 4 * k,
+                         outer = is_left ? 4 * before : 4 * k + 2;
+      for (unsigned int c = 0; c < 2; ++c) {
+        changes[c][centre + c] = sign;
+        changes[of_couple][centre + c] = -sign * spoke.across[c];
+        changes[of_couple][outer + c] = sign * spoke.across[c];
+        changes[is_left ? 4 : 3][centre + c] = -sign * spoke.along[c];
+        changes[is_left ? 4 : 3][outer + c] = sign * spoke.along[c];
+      }
+    }
+    for (unsigned int a = 0; a < n_changes; ++a) {
+      const CellMoments forces = Signorini::multiply(energies_(star.cells[j].cell), changes[a]);
+      for (unsigned int b = 0; b < n_changes; ++b)
+        S(numbers[a], numbers[b]) +=
+          std::inner_product(forces.begin(), forces.end(), changes[b].begin(), 0.);
+    }
   }
-  FullMatrix<double> reduced(Z.n(), Z.n());
-  reduced.triple_product(S, Z, Z, true);
-  reduced.gauss_jordan();
-  result.triple_product(reduced, Z, Z, false, true);
-  return result;
+  if (star.is_closed()) {
+    reduced.invert(S);
+    return reduced;
+  }
+  // The inverse of P S P, with what P bars in a block of its own.
+  const FullMatrix<double> P = projection(mesh_, star);
+  FullMatrix<double> barred = IdentityMatrix(n);
+  barred.add(-1., P);
+  reduced.triple_product(S, P, P);
+  reduced.add(S.trace(), barred);
+  S.invert(reduced);
+  reduced = 0.;
+  reduced.triple_product(S, P, P);
+  return reduced;
 }
 
 namespace {
@@ -171,31 +173,40 @@ void StarSolver::apply(const std::vector<double> &r, std::vector<double> &z) con
   // An edge gets what its first end has solved, and what its second.
   std::array<std::vector<double>, 2> parts = {
     {std::vector<double>(z.size(), 0.), std::vector<double>(z.size(), 0.)}};
-  work_on_ranges(n_threads_, mesh_.stars().size(),
-                 [&](const std::size_t begin, const std::size_t end) {
-                   std::vector<double> x, y;
-                   for (std::size_t v = begin; v < end; ++v) {
-                     const Star &star = mesh_.stars()[v];
-                     const auto position = [&](const unsigned int i) {
-                       const Spoke &spoke = star.spokes[i / 4];
-                       return 4 * spoke.edge + (i % 4 + 2 * spoke.end) % 4;
-                     };
-                     const unsigned int n = 4 * star.spokes.size();
-                     x.resize(n);
-                     y.assign(n, 0.);
-                     for (unsigned int i = 0; i < n; ++i)
-                       x[i] = star.spokes[i / 4].sign * r[position(i)];
-                     // The matrix is symmetric: its rows are its columns.
-                     const FullMatrix<double> &matrix = matrices_[matrix_of_star_[v]];
-                     for (unsigned int j = 0; j < n; ++j) {
-                       const double *const row = &matrix(j, 0);
-                       for (unsigned int i = 0; i < n; ++i)
-                         y[i] += row[i] * x[j];
-                     }
-                     for (unsigned int i = 0; i < n; ++i)
-                       parts[star.spokes[i / 4].end][position(i)] = star.spokes[i / 4].sign * y[i];
-                   }
-                 });
+  work_on_ranges(
+    n_threads_, mesh_.stars().size(), [&](const std::size_t begin, const std::size_t end) {
+      std::vector<double> x, y;
+      for (std::size_t v = begin; v < end; ++v) {
+        const Star &star = mesh_.stars()[v];
+        const unsigned int n_spokes = star.spokes.size();
+        x.assign(of_shears + n_spokes, 0.);
+        y.assign(of_shears + n_spokes, 0.);
+        for (unsigned int j = 0; j < n_spokes; ++j) {
+          const SpokeChanges spoke(mesh_, star, j);
+          for (unsigned int c = 0; c < 2; ++c) {
+            const double force = spoke.sign * r[spoke.centre + c],
+                         couple = spoke.sign * r[spoke.outer + c] - force;
+            x[c] += force;
+            x[of_couple] += couple * spoke.across[c];
+            x[of_shears + j] += couple * spoke.along[c];
+          }
+        }
+        // The matrix is symmetric: its rows are its columns.
+        const FullMatrix<double> &matrix = matrices_[matrix_of_star_[v]];
+        for (unsigned int j = 0; j < matrix.m(); ++j)
+          for (unsigned int i = 0; i < matrix.m(); ++i)
+            y[i] += matrix(j, i) * x[j];
+        for (unsigned int j = 0; j < n_spokes; ++j) {
+          const SpokeChanges spoke(mesh_, star, j);
+          std::vector<double> &part = parts[star.spokes[j].end];
+          for (unsigned int c = 0; c < 2; ++c) {
+            const double outer = y[of_couple] * spoke.across[c] + y[of_shears + j] * spoke.along[c];
+            part[spoke.outer + c] = spoke.sign * outer;
+            part[spoke.centre + c] = spoke.sign * (y[c] - outer);
+          }
+        }
+      }
+    });
   sum_up(parts, z);
 }
 

@@ -38,6 +38,8 @@ public:
 
   LawSampling(const Material<2> &material, std::size_t n_cells);
 
+  static constexpr unsigned int min_intervals = 6;
+
   /** Returns m: about 500000 points for a mesh, between 6 and 96 per direction of a cell. */
   unsigned int intervals() const {
     return intervals_;

@@ -13,26 +13,25 @@
 #include <vector>
 
 namespace Signorini {
-/** Hooke's law C = G Gᵀ at a point: with strains e and stresses s, |Gᵀ e|² = e:C:e and |G⁻¹ s|² is
- * the complementary energy. */
+/** Hooke's law C at a point, in Components. */
 struct Law {
   explicit Law(const SymmetricTensor<4, 2> &hooke);
 
-  Tensor<2, 3> stiffness, root, inverse_root;
+  Tensor<2, 3> stiffness, compliance;
   /** The smallest c with e:C:e ≥ c e:e. */
   double min_eigenvalue;
 };
 
 /**
- * The numbers that determine σ(u_h + b + z) - τ on a cell: u_h at the corners, the coefficients of
- * the bubbles b (CellFunctions), the factor 1 of z (PrescribedLift), and for τ the moments of
- * tractions, the constant loads and the slope of CellLoad.
+ * The numbers that determine σ(u_h + b + z) - τ on a cell: for τ the moments of tractions, the
+ * constant loads and the slope of CellLoad; u_h at the corners, the coefficients of the bubbles b
+ * (CellFunctions), and the factor 1 of z (PrescribedLift).
  */
 struct CellColumns {
-  static constexpr unsigned int bubbles = 2 * CellFunctions::n_corners,
-                                lift = 2 * CellFunctions::n_functions, moments = lift + 1,
-                                loads = moments + CompositeCell::n_moments,
-                                slope = moments + CompositeCell::n_data, end = slope + 4;
+  static constexpr unsigned int loads = CompositeCell::n_moments, slope = CompositeCell::n_data,
+                                corners = slope + 4,
+                                bubbles = corners + 2 * CellFunctions::n_corners,
+                                lift = corners + 2 * CellFunctions::n_functions, end = lift + 1;
 };
 using CellVector = std::array<double, CellColumns::end>;
 
@@ -40,73 +39,106 @@ using CellVector = std::array<double, CellColumns::end>;
 using CellEnergy =
   std::array<std::array<double, CompositeCell::n_moments>, CompositeCell::n_moments>;
 
-/** Strains of displacements, and minus stresses, at the quadrature points of a cell. */
-struct CellBasis {
+/** The square of a norm, and half of its gradient g with respect to the moments: after a change b
+ * it is value + 2 g.b + bᵀ S b. */
+struct Square {
+  double value = 0.;
+  CellMoments gradient{};
+};
+
+/** The integrals over a cell: the squares of the misfits of u_h + z and of π^{2h} u_h + z', and
+ * of the norm of τ, and the energies of z and z'. */
+struct CellIntegrals {
+  Square stress, misfit, interpolated_part;
+  double lift = 0., interpolated_lift = 0., min_eigenvalue = 0.;
+  /** Whether the law is resolved. If it is not, squares are taken from above at the end. */
+  bool is_resolved = true;
+};
+
+/** Quadrature points of a cell. */
+class CellPoints {
+public:
   /**
-   * Computes the basis.
+   * Computes the points.
    * @param rule a rule on the unit simplex, for every part of a triangle.
    * @param parts the parts of triangle k.
    * @param lift is not null if the cell, number @p cell, has one.
    */
-  CellBasis(const CellShape &shape, const Quadrature<2> &rule,
-            const std::array<std::vector<TrianglePart>, 4> &parts,
-            const PrescribedLift *lift = nullptr, unsigned int cell = 0);
-  /** Computes the basis on whole triangles. */
-  CellBasis(const CellShape &shape, const Quadrature<2> &rule);
+  CellPoints(const CellShape &shape, const Quadrature<2> &rule,
+             const std::array<std::vector<TrianglePart>, 4> &parts,
+             const PrescribedLift *lift = nullptr, unsigned int cell = 0);
+  /** Computes the points on whole triangles. */
+  CellPoints(const CellShape &shape, const Quadrature<2> &rule);
 
+  /** Returns the laws at all points of a cell with this shape. */
+  std::vector<Law> laws(const Material<2> &material, const Point<2> &corner) const;
+  /**
+   * Integrates over a cell.
+   * @param laws those at all points, or a single one.
+   * @param held the factor of z' and the bubbles that π^{2h} u_h has in addition to those of
+   * @p data, with the opposite sign.
+   * @param from_above where the law is not resolved, the largest value in a part counts for all of
+   * the part.
+   * @param energy receives S, unless it is null.
+   */
+  CellIntegrals integrate(const std::vector<Law> &laws, const CellVector &data,
+                          const CellVector &held, bool from_above, CellEnergy *energy) const;
+
+private:
+  friend class CellMatrix;
   /** A point; on curved cells, its image. */
   struct PointOfCell {
-    /** The vector from corner 0. */
+    /** The vector from corner 0, and the place in [0,1]². */
     Tensor<1, 2> offset;
+    Point<2> at;
     double weight;
-    std::array<CellVector, 3> components;
+    /** The triangle, and barycentric coordinates in it. */
+    unsigned int triangle;
+    std::array<double, 3> lambda;
+    std::array<Tensor<1, 2>, CellFunctions::n_functions> gradients;
+    /** The strain of z. */
+    Components lift;
+
+    /** Returns the strain of the functions [begin, end). */
+    Components strain(const CellVector &data, unsigned int begin, unsigned int end) const;
   };
-  std::vector<PointOfCell> points;
+  /** Stresses or strains, in the order of CompositeCell. */
+  using CornerValues = std::array<double, CompositeCell::n_stresses>;
+
+  void add_point(unsigned int triangle, const Tensor<1, 2> &offset, double weight);
+  /** Returns the part of τ that is linear on triangles; stress() τ itself. */
+  CornerValues linear_stress(const CellVector &data, const CellLoad &load) const;
+  Components stress(const PointOfCell &point, const CornerValues &linear,
+                    const CellLoad &load) const;
+  CellEnergy energy(const std::vector<Law> &laws) const;
+
+  CellShape shape_;
+  CompositeCell composite_;
+  std::vector<PointOfCell> points_;
   /** Points [begin, end) of a part in which the law is not resolved. */
   struct Range {
     std::size_t begin, end;
   };
-  std::vector<Range> unresolved;
-
-private:
-  void add_point(const CellShape &shape, const CompositeCell &composite, unsigned int triangle,
-                 const Tensor<1, 2> &offset, double weight);
+  std::vector<Range> unresolved_;
 };
 
-/** A matrix A with ‖σ(u_h + b + z) - τ‖² = |A v|² for the v of CellColumns. */
+/** An upper triangular matrix R with ‖σ(u_h + b) - τ‖² = |R v|² for the v of CellColumns, for
+ * resolved cells without z. Squares of R v lose no digits, unlike with the matrix RᵀR. */
 class CellMatrix {
 public:
-  using Values = std::vector<double>;
+  CellMatrix(const CellPoints &points, const Law &law);
 
-  /** Weights the basis with the laws at its points, or with a single one. */
-  CellMatrix(const CellBasis &basis, const std::vector<Law> &laws);
-
-  /** Replaces A by as many rows as it has columns, by a singular value decomposition. |A v| loses
-   * no digits by that, unlike with the matrix AᵀA. */
-  void compress();
-  /** Adds columns [begin, end) times @p v to @p y. */
-  void add(const CellVector &v, unsigned int begin, unsigned int end, Values &y) const;
-  Values zero() const {
-    return Values(rows_.size(), 0.);
-  }
-  /** Returns the products of the columns of the moments with y. */
-  CellMoments moments_of(const Values &y) const;
+  /** Integrates over a cell, see CellPoints. */
+  CellIntegrals integrate(const CellVector &data, const CellVector &held) const;
   CellEnergy energy() const;
-  /** Returns |y|². With @p from_above, where the law is not resolved, the largest value in a part
-   * counts for all of the part. */
-  double square(const Values &y, bool from_above) const;
-  bool is_resolved() const {
-    return unresolved_.empty();
-  }
-  /** Returns the smallest Law::min_eigenvalue of all points. */
-  double min_eigenvalue() const {
-    return min_eigenvalue_;
-  }
 
 private:
-  std::vector<CellVector> rows_;
-  std::vector<double> weights_;
-  std::vector<CellBasis::Range> unresolved_;
+  /** Adds columns [begin, end) times @p v to @p y. */
+  template <unsigned int begin, unsigned int end>
+  void add(const CellVector &v, CellVector &y) const;
+  Square square(const CellVector &y) const;
+
+  std::array<CellVector, CellColumns::end> columns_{};
   double min_eigenvalue_;
 };
 
@@ -116,7 +148,7 @@ public:
   /** What congruent cells share. */
   struct Shape {
     std::array<Tensor<1, 2>, 3> edges;
-    CellBasis basis;
+    CellPoints points;
     OscillationConstants constants;
     /** The matrix, if the law is constant. */
     std::optional<CellMatrix> matrix;
@@ -124,8 +156,9 @@ public:
 
   CellTable(const EdgeMesh &mesh, const Scene<2> &scene, const PrescribedLift &lift);
 
-  /** Returns the matrix of a cell, which @p own may hold. */
-  const CellMatrix &matrix(unsigned int cell, std::optional<CellMatrix> &own) const;
+  /** Integrates over a cell, see CellPoints. */
+  CellIntegrals integrate(unsigned int cell, const CellVector &data, const CellVector &held,
+                          bool from_above, CellEnergy *energy) const;
   Law law(const Point<2> &x) const {
     return constant_law_ ? *constant_law_ : Law(material_.hooke(x));
   }
@@ -147,8 +180,10 @@ private:
   /** Returns the number of the cell's shape, a new one as long as there are few; alone for others.
    */
   unsigned int classify(unsigned int cell);
-  CellBasis own_basis(unsigned int cell) const;
-  bool varies(unsigned int cell) const;
+  /** Returns the points of a cell that shares none, or, with @p divide, where the law varies. */
+  CellPoints own_points(unsigned int cell, bool divide) const;
+  /** Returns whether the law varies in a cell with the given ones at its points. */
+  bool varies(unsigned int cell, const std::vector<Law> &laws) const;
 
   static constexpr unsigned int max_shapes = 64, alone = static_cast<unsigned int>(-1);
 

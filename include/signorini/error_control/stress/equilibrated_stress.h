@@ -171,20 +171,6 @@ private:
   void find_bubbles();
   /** Returns the numbers of a cell, see CellColumns. */
   CellVector data_of(unsigned int cell) const;
-  /** The square of a norm, and half of its gradient g with respect to the moments: after a change b
-   * it is value + 2 g.b + bᵀ S b. */
-  struct Square {
-    double value = 0.;
-    CellMoments gradient{};
-  };
-  /** The integrals over a cell: the squares of the misfits of u_h + z and of π^{2h} u_h + z', and
-   * of the norm of τ, and the energies of z and z'. */
-  struct CellIntegrals {
-    Square misfit, interpolated_part, stress;
-    double lift = 0., interpolated_lift = 0., min_eigenvalue = 0.;
-    /** Whether the law is resolved. If it is not, squares are taken from above at the end. */
-    bool is_resolved = true;
-  };
   /**
    * Integrates over a cell.
    * @param energies receives S, unless it is null.
@@ -193,8 +179,6 @@ private:
   /** Updates the integrals of a cell after a change of the moments. */
   void update(const CellEnergies &energies, std::size_t cell, const std::vector<double> &change);
   void for_each_cell(const std::function<void(std::size_t)> &visit) const;
-  /** Returns the energy of z'. */
-  double interpolated_lift(unsigned int cell, const CellMatrix &A, bool from_above) const;
   /** Adds the couple that makes the loads of curved cells balance the residuals: V^h of curved
    * cells holds rotations up to the bulges only. */
   void balance_couples(const std::vector<CornerForces> &R);

@@ -26,13 +26,15 @@ public:
   /** Solves the star of a vertex anew after its edges have changed their freedom. */
   void renew(unsigned int vertex);
 
-  /** Sets z = Σ_i Z_i (Z_iᵀ S Z_i)⁻¹ Z_iᵀ r. */
+  /** Sets z = Σ_i Z_i (Z_iᵀ S Z_i)⁻¹ Z_iᵀ r. Z_i is known: all spokes carry the same force and
+   * couple, and each a shear along itself. */
   void apply(const std::vector<double> &r, std::vector<double> &z) const;
   /** Sets gradient = S b, cell by cell. */
   void multiply(const std::vector<double> &b, std::vector<double> &gradient) const;
 
 private:
-  /** Returns Z (ZᵀSZ)⁻¹ Zᵀ of a star, in the order spoke, end (centre first), component. */
+  /** Returns (ZᵀSZ)⁻¹ of a star: Z has columns for a force, a couple, and a shear of every spoke,
+   * without those that its edges bar. */
   FullMatrix<double> solve_star(const Star &star) const;
 
   const EdgeMesh &mesh_;
