@@ -77,17 +77,12 @@ Tensor<2, 2> CellShape::jacobian(const CellFunctions &functions, const bool with
 Point<2> CellShape::reference(const Tensor<1, 2> &offset) const {
   const Tensor<1, 2> a = corners[1] - corners[0], b = corners[3] - corners[0],
                      g = (corners[2] - corners[1]) - b;
-  Point<2> at(0.5, 0.5);
-  for (unsigned int step = 0; step < 20; ++step) {
-    const Tensor<1, 2> rest = offset - (at[0] * a + at[1] * b + at[0] * at[1] * g);
-    const Tensor<1, 2> d_s = a + at[1] * g, d_t = b + at[0] * g;
-    const Tensor<1, 2> change =
-      Tensor<1, 2>({cross(rest, d_t), cross(d_s, rest)}) / cross(d_s, d_t);
-    at += change;
-    if (affine || change.norm_square() < 1e-28)
-      break;
-  }
-  return at;
+  // The offset s a + t (b + s g) minus t b is parallel to a + t g: a quadratic equation, whose
+  // discriminant is the square of the Jacobian's determinant.
+  const double A = cross(g, b), B = cross(a, b) + cross(offset, g), C = cross(offset, a);
+  const double t = -2. * C / (B + std::sqrt(B * B - 4. * A * C));
+  const Tensor<1, 2> d_s = a + t * g;
+  return {(offset - t * b) * d_s / d_s.norm_square(), t};
 }
 
 namespace {

@@ -457,8 +457,9 @@ CellMoments multiply(const CellEnergy &S, const CellMoments &b) {
   CellMoments y{};
   // The matrix is symmetric: its rows are its columns.
   for (unsigned int j = 0; j < b.size(); ++j)
-    for (unsigned int i = 0; i < b.size(); ++i)
-      y[i] += S[j][i] * b[j];
+    if (b[j] != 0.)
+      for (unsigned int i = 0; i < b.size(); ++i)
+        y[i] += S[j][i] * b[j];
   return y;
 }
 } // namespace Signorini

@@ -81,7 +81,7 @@ struct CellShape {
   Tensor<1, 2> offset(const CellFunctions &functions, bool with_bulges) const;
   /** Returns the Jacobian of the same map. */
   Tensor<2, 2> jacobian(const CellFunctions &functions, bool with_bulges) const;
-  /** Returns the point in [0,1]² whose bilinear image has the given offset, by Newton's method. */
+  /** Returns the point in [0,1]² whose bilinear image has the given offset. */
   Point<2> reference(const Tensor<1, 2> &offset) const;
 };
 
