@@ -90,17 +90,13 @@ double motion_balance(const std::vector<Plate> &plates, const MotionModes<dim> &
   return largest;
 }
 
-/** Subtracts the work of the forces on plates from the energy, which then is that of the problem
- * with given forces. */
-void subtract_work_of_plates(LevelRecord &record) {
+/** Returns the work of the forces on plates, which the energy of the problem with given forces
+ * does not contain. */
+double work_of_plates(const LevelRecord &record) {
   double work = 0.;
   for (const PlateRecord &plate : record.motions.plates)
     work += plate.plate.work(plate.motion);
-  record.certificate.energy -= work;
-  if (record.bound && record.bound->energy_lower && record.bound->energy_upper) {
-    *record.bound->energy_lower -= work;
-    *record.bound->energy_upper -= work;
-  }
+  return work;
 }
 
 /** Computes the estimate of the error. */
@@ -129,17 +125,26 @@ ErrorEstimate estimate_of(const Discretization<dim> &discretization, const Scene
 }
 
 /** Computes the bound of the error of U and P, and its parts by cell. */
-LocatedBound bound_of(const Discretization<2> &discretization, const Scene<2> &scene,
-                      const ContactState<2> &contact, const double energy) {
-  if (contact.U.size() > max_bounded_unknowns) {
-    LocatedBound none;
-    none.bound.missing =
+void add_bound(const Discretization<2> &discretization, LevelSolution<2> &solution) {
+  LevelRecord &record = solution.record;
+  const StageTimer timer(record.times.postprocess), bound_timer(record.times.bound);
+  LocatedBound located;
+  if (solution.U.size() > max_bounded_unknowns)
+    located.bound.missing =
       "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
-    return none;
+  else {
+    const double work = work_of_plates(record);
+    located = compute_located_bound(
+      {discretization.space, solution.scene, discretization.multipliers, solution.U, solution.P,
+       discretization.n_points, *solution.inverse, discretization.condensed_D, discretization.G,
+       record.certificate.energy + work});
+    for (std::optional<double> *const energy :
+         {&located.bound.energy_lower, &located.bound.energy_upper})
+      if (*energy)
+        **energy -= work;
   }
-  return compute_located_bound({discretization.space, scene, discretization.multipliers, contact.U,
-                                contact.P, discretization.n_points, *contact.inverse,
-                                discretization.condensed_D, discretization.G, energy});
+  record.bound = located.bound;
+  solution.bound_fields = std::move(located.fields);
 }
 
 /** Adds the certificate, and the answer, which needs the same nodal forces. */
@@ -172,10 +177,6 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   record.dual = contact.report;
   record.motions.undetermined = contact.undetermined;
   record.contact = summarise_contact(discretization.multipliers, contact.P);
-  const DiscretizationParameters &given = parameters.discretization;
-  // The bound is computed on levels where the study may stop.
-  const bool may_stop = given.strategy == Strategy::nested &&
-                        (record.sizes.level == given.finest_level || given.target_error > 0.);
   const StageTimer timer(record.times.postprocess);
   if (wants_inf_sup<dim>(parameters, contact)) {
     progress("inf-sup constant");
@@ -186,16 +187,7 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   add_certificate_and_answer(discretization, solution.scene, contact, record);
   if (discretization.mesh.has_parents())
     record.estimate = estimate_of(discretization, solution.scene, contact);
-  if constexpr (dim == 2)
-    if (may_stop) {
-      progress("bound of the error");
-      const StageTimer bound_timer(record.times.bound);
-      LocatedBound located =
-        bound_of(discretization, solution.scene, contact, record.certificate.energy);
-      record.bound = located.bound;
-      solution.bound_fields = std::move(located.fields);
-    }
-  subtract_work_of_plates(record);
+  record.certificate.energy -= work_of_plates(record);
 }
 } // namespace
 
@@ -209,8 +201,18 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
   static_cast<ContactState<dim> &>(solution) = method->solve(discretization, start, progress);
   solution.scene = with_plates_moved(scene, solution.modes.plate_motions(scene.plates, solution.q));
   examine(parameters, discretization, progress, solution);
-  release_unused(problem, solution);
   return solution;
+}
+
+template <int dim>
+void finish_level(const LevelProblem<dim> &problem, const Discretization<dim> &discretization,
+                  const bool wants_bound, const Progress &progress, LevelSolution<dim> &solution) {
+  if constexpr (dim == 2)
+    if (wants_bound) {
+      progress("bound of the error");
+      add_bound(discretization, solution);
+    }
+  release_unused(problem, solution);
 }
 
 // The errors against the exact solution.
@@ -245,4 +247,5 @@ void add_errors(const Parameters &parameters, const Scene<dim> &scene,
 
 INSTANTIATE_FUNCTION(add_errors);
 INSTANTIATE_FUNCTION(solve_level);
+INSTANTIATE_FUNCTION(finish_level);
 } // namespace Signorini

@@ -83,19 +83,27 @@ public:
       start.P =
         transfer_pressure(last_.discretization->multipliers, last_.P, discretization.multipliers);
     LevelSolution<2> &solution = result.solution;
-    solution = solve_level<2>({parameters, scene_, choose_solvers(parameters, scene_, 0, 1)},
-                              discretization, start, progress);
+    const LevelProblem<2> problem = {parameters, scene_, choose_solvers(parameters, scene_, 0, 1)};
+    solution = solve_level(problem, discretization, start, progress);
     LevelRecord &record = solution.record;
     record.sizes.level = n_steps_;
     progress("estimate");
-    const StepFindings findings = examine(discretization, solution);
+    StepFindings findings = examine(discretization, solution);
     progress("errors");
     add_errors<2>(parameters, context_.scene, discretization, nullptr, solution);
     last_ = {next_, solution.U, solution.P};
     // Where the contact solver did not converge, there is no solution to plan a mesh from.
-    result.is_last = !record.dual.converged || examination_.stagnates() ||
-                     (context_.judge.reaches_target(record) && examination_.is_checked(findings)) ||
-                     !plan_next(findings);
+    result.is_last = !record.dual.converged || examination_.stagnates();
+    const bool seems_reached = context_.judge.reaches_target(record);
+    if (seems_reached && !result.is_last) {
+      finish_level(problem, discretization, true, progress, solution);
+      result.is_last = context_.judge.reaches_target(record) &&
+                       (is_guaranteed(record) || examination_.is_checked(findings));
+      findings.error = std::max(findings.error, record.bound->absolute.value_or(0.));
+    }
+    result.is_last = result.is_last || !plan_next(findings);
+    if (!seems_reached || !record.bound)
+      finish_level(problem, discretization, result.is_last, progress, solution);
     ++n_steps_;
     return result;
   }

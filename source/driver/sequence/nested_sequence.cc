@@ -69,6 +69,11 @@ private:
     LevelProblem<dim> problem = {context_.parameters, context_.scene, solvers_of(next_level_)};
     const auto solve_with_choice = [&]() {
       LevelSolution<dim> solution = solve_level(problem, discretization, start, progress);
+      // The bound is computed on levels where the study may stop.
+      const DiscretizationParameters &given = context_.parameters.discretization;
+      finish_level(problem, discretization,
+                   next_level_ == given.finest_level || given.target_error > 0., progress,
+                   solution);
       solution.record.dual.failure_of_cycles = failure_of_cycles_;
       return solution;
     };

@@ -3,6 +3,7 @@
 
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/bound/error_bound.h>
+#include <signorini/error_control/equilibration/best_stress.h>
 
 #include <algorithm>
 #include <cmath>
@@ -110,6 +111,16 @@ bool contradicts(const Consequences &known, const StressBound &stress_data, cons
          upper < known.energy.lower - allowed;
 }
 
+/** Adds the bracket of the energy and the bound of the force.
+ * @param change ∫ (τ_n - p_H) over Γ_c. */
+void add_consequences(const BoundData &data, const Consequences &known, const ContactLift &lift,
+                      const double change, ErrorBound &result) {
+  result.energy_lower = known.energy.lower;
+  result.energy_upper = known.energy.upper;
+  if (const auto unit_lift = norm_of_unit_lift(data, lift.trace))
+    result.force_error = contact_force_bound(known.stress_error, *unit_lift) + std::abs(change);
+}
+
 /**
  * Adds the results for straight sides only: the bound for π^{2h} u_h, the bracket of the energy
  * and the bound of the contact force.
@@ -118,6 +129,9 @@ bool contradicts(const Consequences &known, const StressBound &stress_data, cons
 bool add_guaranteed(const BoundData &data, const EquilibratedStress &stress,
                     const StressBound &stress_data, const ContactLift &lift, const double scale,
                     ErrorBound &result) {
+  if (!stress.is_guaranteed())
+    // A polygon does not determine the last digits of the energy, nor about the force on a curve.
+    return true;
   const auto change = lift.trace.traction_change(stress_data.translation);
   const double work = work_of_contact(stress_data, data, change);
   const Bracket &complementary = stress_data.complementary_energy;
@@ -133,44 +147,51 @@ bool add_guaranteed(const BoundData &data, const EquilibratedStress &stress,
       consequences.consider(square, *interpolated_part.bound);
     }
   }
-  result.energy_lower = consequences.energy.lower;
-  result.energy_upper = consequences.energy.upper;
-  if (const auto unit_lift = norm_of_unit_lift(data, lift.trace))
-    result.force_error =
-      contact_force_bound(consequences.stress_error, *unit_lift) + std::abs(change.normal_force);
-  const double energy_norm = stress.energy_norm();
+  add_consequences(data, consequences, lift, change.normal_force, result);
   // Where u_h only interpolates what is prescribed, J(u_h) is not that of a function with the
   // boundary values of u.
-  return stress_data.lift > 1e-10 * energy_norm ||
+  return stress_data.lift > 1e-10 * stress.energy_norm() ||
          !contradicts(consequences, stress_data, lift, data.energy, scale * scale);
 }
 
-} // namespace
+/** Adds the same for the best stress. With η² = 2 J(u_h) + 2 J*(τ) - 2 ∫ τ_n d, J* loses no
+ * digits. */
+bool add_guaranteed(const BoundData &data, const BestStress &stress, const StressBound &stress_data,
+                    const ContactLift &lift, double, ErrorBound &result) {
+  const double rest = lift.trace.work_of_penetration() - data.energy;
+  add_consequences(data,
+                   {{0.5 * stress_data.smallest_square + rest, 0.5 * stress_data.square + rest},
+                    stress_data.square,
+                    *lift.bound},
+                   lift, stress.change_of_force(), result);
+  return true;
+}
 
-LocatedBound compute_located_bound(const BoundData &data) {
+/** Returns the sentence for a bound that would not hold; empty for others. */
+std::string doubt(const StressBound &stress, const ContactLift &lift) {
+  if (stress.lift_misfit > 0.02)
+    return "the prescribed displacements jump, or vary too fast within the edge of a cell";
+  if (lift.bound && !(std::isfinite(stress.square) && std::isfinite(lift.bound->square())))
+    return "the sums of the bound are no finite numbers";
+  return lift.no_bound;
+}
+
+/** Sums up a bound from the stress, an EquilibratedStress or a BestStress. */
+template <typename Stress>
+LocatedBound sum_up(const BoundData &data, const Stress &stress) {
   LocatedBound located;
   ErrorBound &result = located.bound;
-  result.missing = EquilibratedStress::objection(data);
+  result.missing = stress.failure();
   if (!result.missing.empty())
     return located;
-  const EquilibratedStress stress(data);
   const StressBound stress_data = stress.bound();
-  if (stress_data.lift_misfit > 0.02) {
-    result.missing =
-      "the prescribed displacements jump, or vary too fast within the edge of a cell";
-    return located;
-  }
-  const ContactLift lift(data, stress.face_fields(false));
+  const ContactLift lift(data, stress.face_fields());
   result.penetration = lift.trace.max_penetration();
   result.place_of_penetration = name_of(lift.trace.place_of_largest(), data.scene);
-  result.missing = lift.no_bound;
-  if (!lift.bound)
+  result.missing = doubt(stress_data, lift);
+  if (!result.missing.empty())
     return located;
   const ContactBound &contact = *lift.bound;
-  if (!std::isfinite(stress_data.square) || !std::isfinite(contact.square())) {
-    result.missing = "the sums of the bound are no finite numbers";
-    return located;
-  }
   result.oscillation = std::sqrt(stress_data.oscillation_square) + stress_data.lift;
   result.mesh =
     std::max(0., std::sqrt(stress_data.square) - std::sqrt(stress_data.oscillation_square) -
@@ -185,8 +206,7 @@ LocatedBound compute_located_bound(const BoundData &data) {
   result.guaranteed = stress.is_guaranteed();
   result.geometry = std::sqrt(stress_data.geometry_square);
   result.relative_geometry = ratio(*result.geometry, scale);
-  // A polygon does not determine the last digits of the energy, nor about the force on a curve.
-  if (result.guaranteed && !add_guaranteed(data, stress, stress_data, lift, scale, result)) {
+  if (!add_guaranteed(data, stress, stress_data, lift, scale, result)) {
     located.bound = {};
     located.bound.missing = "the bracket of the energy contradicts the energy of u_h, by rounding "
                             "or by data that vary between the points where they are sampled";
@@ -200,6 +220,19 @@ LocatedBound compute_located_bound(const BoundData &data) {
   located.fields = {stress_data.misfit, stress_data.oscillation, roots(contact.cell_energies),
                     roots(contact.face_terms)};
   return located;
+}
+} // namespace
+
+LocatedBound compute_located_bound(const BoundData &data) {
+  const bool is_nested_bilinear =
+    data.space.max_element_degree() == 1 && !data.space.mesh().triangulation().has_hanging_nodes();
+  LocatedBound none;
+  none.bound.missing =
+    is_nested_bilinear ? EquilibratedStress::objection(data) : BestStress::objection(data);
+  if (!none.bound.missing.empty())
+    return none;
+  return is_nested_bilinear ? sum_up(data, EquilibratedStress(data))
+                            : sum_up(data, BestStress(data));
 }
 
 Columns<ErrorBound> ErrorBound::columns() {

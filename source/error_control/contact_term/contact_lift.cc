@@ -18,32 +18,26 @@
 
 namespace Signorini {
 namespace {
-/** Returns a part minus a function that is linear on it. */
-EdgeFunction::Part minus(EdgeFunction::Part part, const std::function<double(double)> &linear) {
-  part.first -= linear(part.start);
-  part.last -= linear(part.end);
-  return part;
-}
-
-/** Returns the remainder r_F of a face with w_{h,n} on it. */
-EdgeFunction remainder(const PenetrationFace &face, const PenetrationFace::Polynomial &w_n) {
+/** Returns the remainder r_F of a face from what is lacking there, q - w_{h,n}. */
+EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking) {
   const bool presses = face.presses_everywhere();
-  const double first = face.d.value(0.), last = face.d.value(1.);
+  const double first = lacking.value(0.), last = lacking.value(1.);
   std::vector<EdgeFunction::Part> parts;
-  for (const EdgeFunction::Part &q : face.d.parts()) {
-    const EdgeFunction::Part lack = minus(q, [&](const double t) { return w_n.value(t); });
-    const EdgeFunction::Part bow =
-      minus(q, [&](const double t) { return (1. - t) * first + t * last; });
-    const auto at_end = [&](const double lacking, const double bowed) {
-      return std::max(lacking, presses ? std::min(0., bowed) : 0.);
+  for (const EdgeFunction::Part &lack : lacking.parts()) {
+    EdgeFunction::Part bow = lack;
+    bow.first -= (1. - lack.start) * first + lack.start * last;
+    bow.last -= (1. - lack.end) * first + lack.end * last;
+    const auto at_end = [&](const double missing, const double bowed) {
+      return std::max(missing, presses ? std::min(0., bowed) : 0.);
     };
-    EdgeFunction::Part &r = parts.emplace_back(EdgeFunction::Part{
-      q.start, q.end, at_end(lack.first, bow.first), at_end(lack.last, bow.last), q.bulge});
+    EdgeFunction::Part &r =
+      parts.emplace_back(EdgeFunction::Part{lack.start, lack.end, at_end(lack.first, bow.first),
+                                            at_end(lack.last, bow.last), lack.bulge});
     // The least bulge with r above what is lacking: A (1 - τ) + B τ ≥ 4 b τ (1 - τ) for τ in [0,1]
     // holds if 4 b ≤ (√A + √B)².
     if (!presses || bow.largest() > 0.)
       r.bulge = std::max(
-        0., q.bulge -
+        0., lack.bulge -
               0.25 * std::pow(std::sqrt(r.first - lack.first) + std::sqrt(r.last - lack.last), 2));
   }
   // These are zero, up to rounding.
@@ -51,7 +45,9 @@ EdgeFunction remainder(const PenetrationFace &face, const PenetrationFace::Polyn
   return EdgeFunction(std::move(parts));
 }
 
-ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const LiftField &lift) {
+/** Sums up. @param lacking q - w_{h,n} on the faces. */
+ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const LiftField &lift,
+                      const std::vector<EdgeFunction> &lacking) {
   ContactBound bound;
   bound.cell_energies = lift.cell_energies();
   const MPI_Comm communicator = data.space.mesh().communicator();
@@ -64,8 +60,11 @@ ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const Li
     double term = 0.;
     // The parts are those of d and p_H, and those of w_n.
     face.for_each_point(r, [&](const double t, const double weight) {
-      // The root of rounding is not rounding.
-      const double slack = trace.penetration(face, t) - w_n.value(t) - r.value(t);
+      // Where the face presses, w_n is d itself, raised by r - lacking; r stands for its difference
+      // from w_h there. The root of rounding is not rounding.
+      const double slack = face.presses_everywhere()
+                             ? lacking[i].value(t) - r.value(t)
+                             : trace.penetration(face, t) - w_n.value(t) - r.value(t);
       if (std::abs(slack) > trace.rounding(face))
         term += face.traction(t) * slack * weight;
     });
@@ -98,10 +97,13 @@ ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fi
     no_bound = "contact sides meet in a corner that is too sharp";
     return;
   }
-  std::vector<EdgeFunction> remainders;
-  for (const PenetrationFace &face : trace.faces())
-    remainders.push_back(remainder(face, face.trace(*w_h, face.normal)));
-  bound = evaluate(data, trace, LiftField(data, trace, std::move(*w_h), std::move(remainders)));
+  std::vector<EdgeFunction> lacking, remainders;
+  for (const PenetrationFace &face : trace.faces()) {
+    lacking.push_back(trace.lacking(face, face.trace(*w_h, face.normal)));
+    remainders.push_back(remainder(face, lacking.back()));
+  }
+  bound =
+    evaluate(data, trace, LiftField(data, trace, std::move(*w_h), std::move(remainders)), lacking);
 }
 
 // The lift in the body.
@@ -198,29 +200,35 @@ dealii::Vector<double> LiftField::cell_energies() const {
              ? (sampling.intervals() + 3) / 4
              : 1;
   };
-  const QGauss<1> gauss(constant ? 3 : 4);
-  const auto make_values = [&](const Quadrature<2> &rule) {
-    return std::make_unique<FEValues<2>>(data_.space.mesh().mapping(), data_.space.element(), rule,
+  const auto make_values = [&](const FiniteElement<2> &element, const Quadrature<2> &rule) {
+    return std::make_unique<FEValues<2>>(data_.space.mesh().mapping(), element, rule,
                                          update_gradients | update_quadrature_points |
                                            update_inverse_jacobians | update_JxW_values);
   };
-  const auto plain = make_values(QGauss<2>(constant ? 2 : 4));
-  dealii::Vector<double> energies(n_cells), nodal(data_.space.element().n_dofs_per_cell());
+  std::vector<std::unique_ptr<FEValues<2>>> plain(data_.space.elements().size());
+  dealii::Vector<double> energies(n_cells), nodal;
   for (const auto &cell : data_.space.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
+    const FiniteElement<2> &element = cell->get_fe();
+    nodal.reinit(element.n_dofs_per_cell());
     cell->get_dof_values(w_h_, nodal);
     if (nodal.all_zero() && columns_.count(cell->active_cell_index()) == 0)
       continue;
     const unsigned int n_equal = n_equal_parts(cell);
     const std::vector<double> x = cuts(cell, 0, n_equal), y = cuts(cell, 1, n_equal);
-    std::unique_ptr<FEValues<2>> on_parts;
-    if (x.size() > 2 || y.size() > 2)
-      on_parts =
-        make_values(QAnisotropic<2>(split_quadrature(gauss, x), split_quadrature(gauss, y)));
-    FEValues<2> &values = on_parts != nullptr ? *on_parts : *plain;
-    values.reinit(cell);
-    energies[cell->active_cell_index()] = energy(cell, values);
+    const bool is_cut = x.size() > 2 || y.size() > 2;
+    std::unique_ptr<FEValues<2>> on_parts,
+      &here = is_cut ? on_parts : plain[cell->active_fe_index()];
+    if (here == nullptr) {
+      // Products of derivatives of w_h, or of r_F, which has the degree two; more where E varies.
+      const unsigned int degree = is_cut ? std::max(2U, element.degree) : element.degree;
+      const QGauss<1> gauss(constant ? degree + 1 : element.degree + 3);
+      here = make_values(element,
+                         QAnisotropic<2>(split_quadrature(gauss, x), split_quadrature(gauss, y)));
+    }
+    here->reinit(cell);
+    energies[cell->active_cell_index()] = energy(cell, *here);
   }
   return energies;
 }

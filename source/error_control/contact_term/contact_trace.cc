@@ -53,7 +53,8 @@ PenetrationFace::Polynomial PenetrationFace::trace(const Displacement &V,
 
 void PenetrationFace::for_each_point(const EdgeFunction &function,
                                      const std::function<void(double, double)> &visit) const {
-  static const QGauss<1> gauss(4);
+  static const QGauss<1> few(4), many(12);
+  const QGauss<1> &gauss = nodes.size() > 2 ? many : few;
   for (const EdgeFunction::Part &part : function.parts())
     for (unsigned int q = 0; q < gauss.size(); ++q) {
       const double share = part.end - part.start;
@@ -119,7 +120,11 @@ void ContactTrace::find_faces(const std::vector<FaceField> &fields) {
   for (const Piece<2> &piece : surface.pieces()) {
     const auto [from, to] = std::minmax(piece.lower_on_face[0], piece.upper_on_face[0]);
     const double p = data_.multipliers.value(data_.P, piece.patch, piece.lower);
-    faces_[piece.face].pressures.push_back({from, to, p, p < threshold});
+    bool presses = true;
+    for (unsigned int k = data_.multipliers.first_of(piece.patch);
+         k < data_.multipliers.first_of(piece.patch + 1); ++k)
+      presses = presses && data_.P[k] < threshold;
+    faces_[piece.face].pressures.push_back({from, to, p, presses});
   }
   for (PenetrationFace &face : faces_)
     std::sort(face.pressures.begin(), face.pressures.end(),
@@ -200,24 +205,37 @@ double ContactTrace::work_of_penetration() const {
   return work;
 }
 
-void ContactTrace::sample() {
+UpperInterpolant ContactTrace::sample(const PenetrationFace &face,
+                                      const PenetrationFace::Polynomial &w_n) const {
   // About 20000 points on all faces: a power of two per quarter of a face.
   unsigned int n_scanned = 4;
   while (n_scanned < 256 && 2 * n_scanned * 4 * faces_.size() <= 20000)
     n_scanned *= 2;
+  // Next to contact w_n touches: what rises there counts with the pressure.
+  const auto is_pinned = [&](const unsigned int end) {
+    const NodeCondition &condition = conditions_[face.conditions[end]];
+    return condition.held() || condition.presses;
+  };
+  const Pinned pinned = {is_pinned(0), is_pinned(1)};
+  return interpolate_from_above([&](const double t) { return penetration(face, t) - w_n.value(t); },
+                                face.breaks, rounding(face), pinned, n_scanned);
+}
+
+EdgeFunction ContactTrace::lacking(const PenetrationFace &face,
+                                   const PenetrationFace::Polynomial &w_n) const {
+  return sample(face, w_n).function;
+}
+
+void ContactTrace::sample() {
   for (PenetrationFace &face : faces_) {
-    std::vector<double> breaks = data_.scene.kinks.cut(face.start, face.end);
+    face.breaks = data_.scene.kinks.cut(face.start, face.end);
     for (const auto &pressed : face.pressures)
       for (const double t : {pressed.from, pressed.to})
-        if (std::none_of(breaks.begin(), breaks.end(),
+        if (std::none_of(face.breaks.begin(), face.breaks.end(),
                          [t](const double other) { return std::abs(t - other) < 1e-9; }))
-          breaks.push_back(t);
-    std::sort(breaks.begin(), breaks.end());
-    const Pinned pinned = {conditions_[face.conditions[0]].held(),
-                           conditions_[face.conditions[1]].held()};
-    const auto d = [&](const double t) { return penetration(face, t); };
-    const UpperInterpolant upper =
-      interpolate_from_above(d, breaks, rounding(face), pinned, n_scanned);
+          face.breaks.push_back(t);
+    std::sort(face.breaks.begin(), face.breaks.end());
+    const UpperInterpolant upper = sample(face, PenetrationFace::Polynomial(0));
     face.d = upper.function;
     if (upper.largest > max_) {
       max_ = upper.largest;
@@ -230,8 +248,10 @@ void ContactTrace::sample() {
 void ContactTrace::require() {
   for (const PenetrationFace &face : faces_)
     for (std::size_t i = 0; i < face.conditions.size(); ++i) {
-      double &required = conditions_[face.conditions[i]].required;
-      required = std::max(required, face.d.value(face.nodes[i]));
+      NodeCondition &condition = conditions_[face.conditions[i]];
+      const double t = face.nodes[i];
+      condition.required = std::max(
+        condition.required, i > 1 && condition.presses ? penetration(face, t) : face.d.value(t));
     }
   // What rounding makes of u_n - g = 0.
   const double tolerance = 1e-12 * (size_of_U_ + data_.scene.geometry.diameter());

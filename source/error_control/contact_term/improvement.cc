@@ -194,9 +194,10 @@ std::vector<FaceField> EquilibratedStress::face_fields(const bool interpolated) 
       field.bubble = bubbles_->edges[number] * edge.normal;
     if (edge.freedom != EdgeFreedom::normal)
       continue;
-    field.traction = normal_tractions(edge, number, moments_);
+    auto [first, last] = normal_tractions(edge, number, moments_);
     if (edge.vertices[0] != line->vertex_index(0))
-      std::swap((*field.traction)[0], (*field.traction)[1]);
+      std::swap(first, last);
+    field.traction.emplace(std::vector<double>{first, last - first});
   }
   return fields;
 }

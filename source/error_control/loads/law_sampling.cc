@@ -7,6 +7,67 @@
 #include <cmath>
 
 namespace Signorini {
+namespace {
+/** Returns the parts of triangles on both sides of a line, as triangles. */
+std::vector<Triangle> cut(const std::vector<Triangle> &triangles, const KinkLine<2> &line) {
+  std::vector<Triangle> parts;
+  for (const Triangle &x : triangles)
+    for (const double sign : {1., -1.}) {
+      std::vector<Point<2>> polygon;
+      for (unsigned int i = 0; i < 3; ++i) {
+        const auto &a = x[i], &b = x[(i + 1) % 3];
+        const double da = sign * line.signed_distance(a), db = sign * line.signed_distance(b);
+        if (da >= 0.)
+          polygon.push_back(a);
+        if (da * db < 0.)
+          polygon.push_back(a + (da / (da - db)) * (b - a));
+      }
+      for (unsigned int i = 2; i < polygon.size(); ++i) {
+        const Triangle part = {{polygon[0], polygon[i - 1], polygon[i]}};
+        if (twice_area(part) > 1e-14 * twice_area(x))
+          parts.push_back(part);
+      }
+    }
+  return parts;
+}
+} // namespace
+
+std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const CellShape &cell) {
+  std::vector<KinkLine<2>> result;
+  for (const KinkLine<2> &line : lines) {
+    double low = 0., high = 0., size = 0.;
+    for (const auto &corner : cell.corners) {
+      low = std::min(low, line.signed_distance(corner));
+      high = std::max(high, line.signed_distance(corner));
+      size = std::max(size, corner.distance(cell.corners[0]));
+    }
+    if (low < -Kinks<2>::tolerance * size && high > Kinks<2>::tolerance * size)
+      result.push_back(line);
+  }
+  return result;
+}
+
+std::array<std::vector<TrianglePart>, 4> triangle_parts(const CellShape &shape,
+                                                        const std::vector<KinkLine<2>> &lines,
+                                                        const LawSampling *const sampling) {
+  LawSampling::Samples samples;
+  if (sampling != nullptr)
+    samples = sampling->scan(shape.corners);
+  const bool divide = sampling != nullptr && LawSampling::varies(samples);
+  std::array<std::vector<TrianglePart>, 4> parts;
+  for (unsigned int k = 0; k < 4; ++k) {
+    std::vector<Triangle> triangles = {shape.triangle(k)};
+    for (const KinkLine<2> &line : crossing(lines, shape))
+      triangles = cut(triangles, line);
+    for (const Triangle &triangle : triangles)
+      if (divide)
+        sampling->divide(triangle, samples, shape.diameter() / sampling->intervals(), parts[k]);
+      else
+        parts[k].push_back({triangle});
+  }
+  return parts;
+}
+
 LawSampling::LawSampling(const Material<2> &material, const std::size_t n_cells)
   : material_(material)
   , intervals_(std::clamp<unsigned int>(std::sqrt(5e5 / n_cells), min_intervals, 96)) {}

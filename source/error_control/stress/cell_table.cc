@@ -34,45 +34,6 @@ Tensor<2, 3> cholesky(const Tensor<2, 3> &C) {
   return L;
 }
 
-/** Returns the lines that run through the interior of a cell. */
-std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const EdgeCell &cell) {
-  std::vector<KinkLine<2>> result;
-  for (const KinkLine<2> &line : lines) {
-    double low = 0., high = 0., size = 0.;
-    for (const auto &corner : cell.corners) {
-      low = std::min(low, line.signed_distance(corner));
-      high = std::max(high, line.signed_distance(corner));
-      size = std::max(size, corner.distance(cell.corners[0]));
-    }
-    if (low < -Kinks<2>::tolerance * size && high > Kinks<2>::tolerance * size)
-      result.push_back(line);
-  }
-  return result;
-}
-
-/** Returns the parts of triangles on both sides of a line, as triangles. */
-std::vector<Triangle> cut(const std::vector<Triangle> &triangles, const KinkLine<2> &line) {
-  std::vector<Triangle> parts;
-  for (const Triangle &x : triangles)
-    for (const double sign : {1., -1.}) {
-      std::vector<Point<2>> polygon;
-      for (unsigned int i = 0; i < 3; ++i) {
-        const auto &a = x[i], &b = x[(i + 1) % 3];
-        const double da = sign * line.signed_distance(a), db = sign * line.signed_distance(b);
-        if (da >= 0.)
-          polygon.push_back(a);
-        if (da * db < 0.)
-          polygon.push_back(a + (da / (da - db)) * (b - a));
-      }
-      for (unsigned int i = 2; i < polygon.size(); ++i) {
-        const Triangle part = {{polygon[0], polygon[i - 1], polygon[i]}};
-        if (twice_area(part) > 1e-14 * twice_area(x))
-          parts.push_back(part);
-      }
-    }
-  return parts;
-}
-
 std::array<std::vector<TrianglePart>, 4> whole_triangles(const CellShape &shape) {
   return {
     {{{shape.triangle(0)}}, {{shape.triangle(1)}}, {{shape.triangle(2)}}, {{shape.triangle(3)}}}};
@@ -362,7 +323,7 @@ CellTable::CellTable(const EdgeMesh &mesh, const Scene<2> &scene, const Prescrib
 unsigned int CellTable::classify(const unsigned int cell) {
   const EdgeCell &here = mesh_.cells()[cell];
   const auto &x = here.corners;
-  if (here.is_curved || lift_.cells()[cell] || !crossing(lines_, here).empty())
+  if (here.is_curved || lift_.cells()[cell] || !crossing(lines_, CellShape(here)).empty())
     return alone;
   const std::array<Tensor<1, 2>, 3> edges = {{x[1] - x[0], x[2] - x[0], x[3] - x[0]}};
   const auto is_same = [&](const Shape &other) {
@@ -388,25 +349,12 @@ CellPoints CellTable::own_points(const unsigned int cell, const bool divide) con
   const EdgeCell &here = mesh_.cells()[cell];
   const CellShape shape(here);
   const bool has_lift = lift_.cells()[cell];
-  std::vector<KinkLine<2>> lines = crossing(lines_, here);
+  std::vector<KinkLine<2>> lines = lines_;
   if (has_lift) {
     const std::vector<KinkLine<2>> of_lift = lift_.lines(cell, here);
     lines.insert(lines.end(), of_lift.begin(), of_lift.end());
   }
-  LawSampling::Samples samples;
-  if (divide)
-    samples = sampling_->scan(here.corners);
-  std::array<std::vector<TrianglePart>, 4> parts;
-  for (unsigned int k = 0; k < 4; ++k) {
-    std::vector<Triangle> triangles = {shape.triangle(k)};
-    for (const KinkLine<2> &line : lines)
-      triangles = cut(triangles, line);
-    for (const Triangle &triangle : triangles)
-      if (divide)
-        sampling_->divide(triangle, samples, shape.diameter() / sampling_->intervals(), parts[k]);
-      else
-        parts[k].push_back({triangle});
-  }
+  const auto parts = triangle_parts(shape, lines, divide ? &*sampling_ : nullptr);
   return {shape, has_lift ? lift_rule_ : rule_, parts, has_lift ? &lift_ : nullptr, cell};
 }
 

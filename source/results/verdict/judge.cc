@@ -75,13 +75,15 @@ std::optional<double> relative_error(const LevelRecord &level) {
 std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
   const LevelRecord &finest = levels.back();
   std::ostringstream text;
-  if (finest.sizes.is_graded()) {
+  if (finest.sizes.is_graded() && !bound_of(finest)) {
     if (!finest.estimate)
       return "nothing is known about the error: contact was not seen before this step";
     text << "the error is about " << percent(finest.estimate->relative)
          << " (energy norm, estimated from u_h and "
          << (levels.size() > 1 ? "from its change over the steps" : "not checked by another step")
          << ")";
+    if (finest.bound)
+      text << "; there is no bound: " << finest.bound->missing;
     return text.str();
   }
   if (const std::optional<double> bound = bound_of(finest)) {
@@ -101,7 +103,7 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
     if (levels.size() < min_trend_levels)
       text << ", and with fewer than three levels the accuracy is not checked";
   }
-  if (finest.estimate)
+  if (finest.estimate && !finest.sizes.is_graded())
     // A guaranteed bound counts more than an estimate.
     text << ", about "
          << percent(std::min(finest.estimate->relative,

@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/base/dealii.h>
+#include <signorini/solvers/stiffness/condensed_inverse.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 
-#include <algorithm>
 #include <utility>
 #include <vector>
 
 namespace Signorini {
-/** The rows of a serial matrix, with columns in increasing order. */
-struct Rows {
-  Rows() = default;
-  explicit Rows(const TrilinosWrappers::SparseMatrix &A);
-
-  bool same_pattern(const int i, const int j) const {
-    return std::equal(column + start[i], column + start[i + 1], column + start[j],
-                      column + start[j + 1]);
-  }
-
-  int n = 0;
-  int *start = nullptr;
-  int *column = nullptr;
-  double *value = nullptr;
-};
-
 /**
  * The unknowns G inside cells of high degree, eliminated by dense matrices: with A_GG = L Lᵀ and
  * W = L⁻¹ A_GR for each cell,

@@ -132,9 +132,9 @@ std::vector<Long> fill_reducing_order(Workspace &workspace, const Rows &A) {
 } // namespace
 
 /** The factor L with the workspace it lives in. */
-class CondensedInverse::Factor {
+class CholeskyFactor {
 public:
-  Factor(const Rows &whole, const std::vector<Index> &last)
+  CholeskyFactor(const Rows &whole, const std::vector<types::global_dof_index> &last)
     : chosen_(marks(whole.n, last))
     , interiors_(whole, chosen_)
     , n_(interiors_.rest().n)
@@ -146,13 +146,13 @@ public:
     cholmod_l_factorize(&matrix, L_, &workspace_.common);
     workspace_.check();
   }
-  ~Factor() {
+  ~CholeskyFactor() {
     for (cholmod_dense **const dense : {&x_, &y_, &e_})
       cholmod_l_free_dense(dense, &workspace_.common);
     cholmod_l_free_factor(&L_, &workspace_.common);
   }
-  Factor(const Factor &) = delete;
-  Factor &operator=(const Factor &) = delete;
+  CholeskyFactor(const CholeskyFactor &) = delete;
+  CholeskyFactor &operator=(const CholeskyFactor &) = delete;
 
   /** Calls @p visit(i, j, L_ij) for every i ≥ j of the columns from @p first_column on. */
   template <typename Visitor>
@@ -208,9 +208,9 @@ public:
   }
 
 private:
-  static std::vector<bool> marks(const Long n, const std::vector<Index> &last) {
+  static std::vector<bool> marks(const Long n, const std::vector<types::global_dof_index> &last) {
     std::vector<bool> chosen(n, false);
-    for (const Index i : last)
+    for (const auto i : last)
       chosen[i] = true;
     return chosen;
   }
@@ -252,10 +252,19 @@ private:
   cholmod_dense *e_ = nullptr;
 };
 
+SparseCholesky::SparseCholesky(const Rows &A)
+  : factor_(std::make_unique<CholeskyFactor>(A, std::vector<types::global_dof_index>())) {}
+
+SparseCholesky::~SparseCholesky() = default;
+
+void SparseCholesky::solve(std::vector<double> &x) const {
+  factor_->solve(x, 1);
+}
+
 CondensedInverse::CondensedInverse(const TrilinosWrappers::SparseMatrix &matrix, const double unit,
                                    const std::vector<Index> &last)
   : MatrixInverse(matrix, unit)
-  , factor_(std::make_unique<Factor>(Rows(matrix), last)) {
+  , factor_(std::make_unique<CholeskyFactor>(Rows(matrix), last)) {
   const Long first = factor_->first_of_last();
   for (unsigned int row = 0; row < last.size(); ++row)
     rows_[factor_->unknown_at(first + row)] = row;

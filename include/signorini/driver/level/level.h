@@ -16,12 +16,18 @@ struct LevelProblem {
 
 /**
  * Solves (5) on one level and examines the solution: contact by the chosen method, the
- * certificate, the answer, the estimate and the bound of the error. Collective.
+ * certificate, the answer and the estimate of the error. Collective.
  */
 template <int dim>
 LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
                                const Discretization<dim> &discretization, const ContactStart &start,
                                const Progress &progress);
+
+/** Adds the bound of the error, where it is wanted, and releases what nothing needs later.
+ * Collective. */
+template <int dim>
+void finish_level(const LevelProblem<dim> &problem, const Discretization<dim> &discretization,
+                  bool wants_bound, const Progress &progress, LevelSolution<dim> &solution);
 
 /**
  * Adds the errors against the exact solution, as far as the scene has one. Collective.

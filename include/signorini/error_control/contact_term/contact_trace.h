@@ -56,8 +56,10 @@ struct PenetrationFace {
   std::vector<Pressed> pressures;
   /** The components of ũ. */
   std::array<Polynomial, 2> u;
-  /** τ_n at vertex 0 and vertex 1, if it is not p_H. */
-  std::optional<std::array<double, 2>> free_traction;
+  /** τ_n, if it is not p_H. */
+  std::optional<Polynomial> free_traction;
+  /** The places where p_H jumps or data has a kink, with 0 and 1. */
+  std::vector<double> breaks;
   /** The upper interpolant of d. */
   EdgeFunction d;
 
@@ -67,7 +69,7 @@ struct PenetrationFace {
   /** pressure() returns p_H at t, traction() τ_n. */
   double pressure(double t) const;
   double traction(const double t) const {
-    return free_traction ? (1. - t) * (*free_traction)[0] + t * (*free_traction)[1] : pressure(t);
+    return free_traction ? free_traction->value(t) : pressure(t);
   }
   /** Returns whether p_H presses on a part of the face; presses_everywhere() whether on all parts.
    */
@@ -75,8 +77,8 @@ struct PenetrationFace {
   bool presses_everywhere() const;
   /** Returns v.direction on the face for a function of V^h. */
   Polynomial trace(const Displacement &V, const Tensor<1, 2> &direction) const;
-  /** Calls visit(t, weight) for four Gauss points on each part of a function on the face; the
-   * weights are lengths. */
+  /** Calls visit(t, weight) for Gauss points on each part of a function on the face, four for
+   * bilinear elements; the weights are lengths. */
   void for_each_point(const EdgeFunction &function,
                       const std::function<void(double t, double weight)> &visit) const;
 };
@@ -127,6 +129,8 @@ public:
   double penetration(const PenetrationFace &face, double t) const;
   /** Returns what rounding makes of d = 0 on a face. */
   double rounding(const PenetrationFace &face) const;
+  /** Returns an EdgeFunction that is not below d - w_n, for a polynomial w_n of t. */
+  EdgeFunction lacking(const PenetrationFace &face, const PenetrationFace::Polynomial &w_n) const;
   /** The integrals of τ_n - p_H, of (τ_n - p_H) n and of (τ_n - p_H)(g - c_n) over Γ_c,
    * with four Gauss points on every part of d. */
   struct TractionChange {
@@ -158,6 +162,8 @@ private:
   void find_faces(const std::vector<FaceField> &fields);
   PenetrationFace make_face(const ContactFace<2> &contact, const FaceField &field) const;
   void find_conditions();
+  UpperInterpolant sample(const PenetrationFace &face,
+                          const PenetrationFace::Polynomial &w_n) const;
   void sample();
   void require();
 

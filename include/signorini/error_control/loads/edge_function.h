@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
+
+#include <deal.II/base/polynomial.h>
+
 #include <array>
 #include <functional>
 #include <optional>
@@ -93,8 +97,7 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
 struct FaceField {
   /** The coefficient in ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
   double bubble = 0.;
-  /** The traction τ_n at vertex 0 and vertex 1, linear between them. If it is empty, τ_n = p_H.
-   */
-  std::optional<std::array<double, 2>> traction;
+  /** The traction τ_n as a polynomial of t. If it is empty, τ_n = p_H. */
+  std::optional<Polynomials::Polynomial<double>> traction;
 };
 } // namespace Signorini

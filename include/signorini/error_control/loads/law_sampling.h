@@ -61,4 +61,13 @@ private:
   const Material<2> &material_;
   unsigned int intervals_;
 };
+
+/** Returns those of the lines that run through the interior of a cell. */
+std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const CellShape &cell);
+
+/** Returns the parts into which lines cut the triangles of a cell, divided further where Hooke's
+ * tensor varies. @param sampling null for a constant law. */
+std::array<std::vector<TrianglePart>, 4> triangle_parts(const CellShape &shape,
+                                                        const std::vector<KinkLine<2>> &lines,
+                                                        const LawSampling *sampling);
 } // namespace Signorini

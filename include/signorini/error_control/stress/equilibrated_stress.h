@@ -81,6 +81,8 @@ struct StressBound {
   std::vector<double> oscillation;
   /** The sum over K of (misfit_K + osc_K)², with the part that curved sides add. */
   double square = 0.;
+  /** The sum over K of (misfit_K - osc_K)², without negative differences; only for a BestStress. */
+  double smallest_square = 0.;
   /** The sum over K of osc_K². */
   double oscillation_square = 0.;
   /** The sum over K of the squares of the part that curved sides add to osc_K, an estimate; zero
@@ -150,7 +152,11 @@ public:
   }
   /** Returns what ũ, which is π^{2h} u_h if @p interpolated, and τ are on the faces of the contact
    * surface. */
-  std::vector<FaceField> face_fields(bool interpolated) const;
+  std::vector<FaceField> face_fields(bool interpolated = false) const;
+  /** The stress always exists. */
+  static std::string failure() {
+    return {};
+  }
 
 private:
   using CornerValues = std::array<Tensor<1, 2>, 4>;

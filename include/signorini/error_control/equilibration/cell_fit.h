@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/error_control/equilibration/airy_cell.h>
+#include <signorini/error_control/hp/indicators.h>
+#include <signorini/error_control/loads/bound_data.h>
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace Signorini {
+/**
+ * What stresses with given tractions cost on a cell. With y = E x - shift, where E x are the traces
+ * of the tractions,
+ *
+ *     min_τ ‖σ(u_h) - τ‖²_{E⁻¹,K} = size² (rest² + yᵀ S y),   S of @p airy,
+ *
+ * over the τ with these traces and div τ + f_K = 0; f_K is the projection of f onto polynomials.
+ */
+struct CellFit {
+  std::shared_ptr<const AiryCell> airy;
+  /** The longest diagonal (length). */
+  double size;
+  dealii::Vector<double> shift;
+  double rest = 0.;
+  /** The norm ‖f - f_K‖_{L2(K)}; f - f_K has neither force nor moment. */
+  double load_rest = 0.;
+  /** The smallest c with e:E:e ≥ c e:e on the cell. */
+  double min_eigenvalue = 0.;
+};
+
+/** Fits stresses to σ(u_h), cell by cell. Cells with the same shape up to their size share an
+ * AiryCell where the law is constant. */
+class CellFitter {
+public:
+  explicit CellFitter(const BoundData &data);
+
+  CellFit fit(const Triangulation<2>::active_cell_iterator &cell, const TractionCell &place);
+
+private:
+  /** The values of Lagrange's polynomials at the points of a cell, in both coordinates. */
+  struct Tables {
+    LineTable x, y;
+  };
+
+  std::shared_ptr<const AiryCell> find_airy(const CellShape &shape, double size,
+                                            const TractionCell &place);
+  std::array<std::vector<AiryPoint>, 4> make_points(const CellShape &shape, double size,
+                                                    unsigned int degree) const;
+  /** Returns the weighted values of σ(u_h) at the points. */
+  dealii::Vector<double> stress_of_u(const Triangulation<2>::active_cell_iterator &cell,
+                                     const CellShape &shape, const AiryCell &airy);
+  /** Subtracts the stresses of f_K. @return their traces. */
+  dealii::Vector<double> subtract_load(const Triangulation<2>::active_cell_iterator &cell,
+                                       const CellShape &shape, dealii::Vector<double> &values,
+                                       CellFit &fit);
+
+  const BoundData &data_;
+  std::vector<KinkLine<2>> lines_;
+  std::optional<LawSampling> sampling_;
+  CellValues<2> load_values_;
+  /** The AiryCell of each shape, by degree, and the tables by AiryCell and degree of u_h. */
+  std::multimap<unsigned int,
+                std::pair<std::array<Tensor<1, 2>, 3>, std::shared_ptr<const AiryCell>>>
+    known_;
+  std::map<std::pair<const AiryCell *, unsigned int>, Tables> tables_;
+};
+} // namespace Signorini

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/error_control/loads/composite_cell.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <array>
+#include <vector>
+
+namespace Signorini {
+/** Returns the orthonormal Legendre polynomials of degrees 0 to @p degree on [0,1] at s. */
+std::vector<double> legendre_values(unsigned int degree, double s);
+
+/**
+ * A line of the mesh that carries a traction; where a node hangs, the longer line. The traction is
+ * given by its normal component τ_nn and its shear τ_nt, n outwards and t counter-clockwise. Both
+ * are the same seen from either side. Each is a polynomial of the position from start (0) to end
+ * (1), by its coefficients of orthonormal Legendre polynomials.
+ */
+struct TractionEdge {
+  static constexpr unsigned int no_side = static_cast<unsigned int>(-1);
+
+  Point<2> start, end;
+  /** The number of the side in the geometry, on the boundary; else no_side. */
+  unsigned int side = no_side;
+  /** The degree of the polynomials. */
+  unsigned int degree = 1;
+  /** The number of the first coefficient of τ_nn; those of τ_nt follow. */
+  unsigned int first = 0;
+  /** Whether τ_nn and τ_nt are unknown. */
+  std::array<bool, 2> is_free = {{true, true}};
+
+  double length() const {
+    return start.distance(end);
+  }
+  unsigned int n_coefficients() const {
+    return 2 * (degree + 1);
+  }
+  /** Returns the number of a coefficient of τ_nn (component 0) or τ_nt (1). */
+  unsigned int position(const unsigned int component, const unsigned int i) const {
+    return first + component * (degree + 1) + i;
+  }
+};
+
+/** A side of a cell, a whole edge or half of it: the positions of corner k and k + 1 on the edge.
+ */
+struct TractionSide {
+  unsigned int edge;
+  double from, to;
+
+  bool is_half() const {
+    return from + to != 1.;
+  }
+};
+
+/** A quadrilateral with its corners and sides counter-clockwise; side k runs from corner k to
+ * corner k + 1. */
+struct TractionCell {
+  std::array<Point<2>, 4> corners;
+  std::array<TractionSide, 4> sides;
+  /** The degree of the stresses in the cell, at least that of the edges and two. */
+  unsigned int degree = 2;
+};
+
+/**
+ * The edges and cells of a 2-D mesh with straight sides, hanging nodes and elements of any degree.
+ *
+ * The traces of a cell of degree q are the coefficients of τ_nn and τ_nt on its sides in its own
+ * direction: entry (2 k + c)(q + 1) + i belongs to side k, component c and Legendre's degree i.
+ * With the coefficients x of all edges they are E x, which restricts polynomials of edges to
+ * halves. So tractions are continuous also where nodes hang.
+ */
+class TractionMesh {
+public:
+  using Vector = dealii::Vector<double>;
+
+  TractionMesh(const DisplacementSpace<2> &space, const Scene<2> &scene);
+
+  const std::vector<TractionCell> &cells() const {
+    return cells_;
+  }
+  const std::vector<TractionEdge> &edges() const {
+    return edges_;
+  }
+  void set_free(const unsigned int edge, const unsigned int component, const bool is_free) {
+    edges_[edge].is_free[component] = is_free;
+  }
+  /** Raises the degree of the stresses in a cell. */
+  void raise(const unsigned int cell, const unsigned int degree) {
+    cells_[cell].degree = std::max(cells_[cell].degree, degree);
+  }
+  /** Returns the number of the edge that is a line of the triangulation. */
+  unsigned int edge_of_line(const unsigned int line) const {
+    return edge_of_line_[line];
+  }
+  unsigned int n_coefficients() const {
+    return n_coefficients_;
+  }
+  static unsigned int n_traces(const TractionCell &cell) {
+    return 8 * (cell.degree + 1);
+  }
+  /** Returns E x. */
+  Vector traces(const TractionCell &cell, const Vector &x) const;
+  /** Returns the numbers of the coefficients by trace; none where the degree of the edge is lower.
+   */
+  std::vector<unsigned int> numbers(const TractionCell &cell) const;
+  /** Replaces the rows of M, one per trace, by those of Rᵀ M; E = R after numbers(). */
+  void restrict_rows(const TractionCell &cell, FullMatrix<double> &M) const;
+
+  static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+private:
+  using LineIterator = Triangulation<2>::active_line_iterator;
+
+  /** Returns the number of the edge of a line, a new one if there is none. */
+  unsigned int find_edge(const LineIterator &line, const Scene<2> &scene);
+  TractionSide find_side(const Triangulation<2>::active_cell_iterator &cell, unsigned int face_no,
+                         const Point<2> &from, const Scene<2> &scene);
+  /** Returns the coefficients R_ij of L_j(from + s (to - from)) in L_i(s). */
+  const FullMatrix<double> &restriction(const TractionSide &side) const;
+
+  std::vector<TractionCell> cells_;
+  std::vector<TractionEdge> edges_;
+  std::vector<unsigned int> edge_of_line_;
+  unsigned int n_coefficients_ = 0;
+  /** The restrictions to the first and second half, and both reversed. */
+  std::array<FullMatrix<double>, 4> halves_;
+};
+
+/** Returns the forces and the moment of the tractions on a cell by its traces (rows), orthonormal.
+ * They are those of the cell at unit size. */
+FullMatrix<double> balance_rows(const CellShape &shape, unsigned int degree);
+} // namespace Signorini

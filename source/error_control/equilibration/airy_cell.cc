@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Stresses without loads on a quadrilateral, from Airy's functions on its four triangles.
+
+#include <signorini/error_control/equilibration/airy_cell.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace Signorini {
+namespace {
+/** A function with its first and second derivative. */
+using Jet = std::array<double, 3>;
+
+/** Returns f_0, ..., f_n at x, those of the half-axis on which x lies. */
+std::vector<Jet> axis_functions(const unsigned int n, const double x, const double half_axis) {
+  const double t = std::abs(x) / half_axis, z = 2. * t - 1.,
+               scale = (x < 0. ? -1. : 1.) / half_axis;
+  std::vector<Jet> f = {{{1., 0., 0.}}, {{x, 1., 0.}}};
+  // Legendre's polynomials of z with derivatives, and X² times that.
+  std::vector<Jet> P = {{{1., 0., 0.}}, {{z, 1., 0.}}};
+  for (unsigned int k = 2; k + 2 <= n; ++k)
+    P.push_back(
+      {{((2. * k - 1.) * z * P[k - 1][0] - (k - 1.) * P[k - 2][0]) / k,
+        P[k - 2][1] + (2. * k - 1.) * P[k - 1][0], P[k - 2][2] + (2. * k - 1.) * P[k - 1][1]}});
+  for (unsigned int i = 2; i <= n; ++i) {
+    const auto &[p, dp, ddp] = P[i - 2];
+    f.push_back({{t * t * p, scale * (2. * t * p + 2. * t * t * dp),
+                  scale * scale * (2. * p + 8. * t * dp + 4. * t * t * ddp)}});
+  }
+  return f;
+}
+} // namespace
+
+AiryCell::AiryCell(const CellShape &unit_shape, const unsigned int degree,
+                   std::array<std::vector<AiryPoint>, 4> points)
+  : shape_(unit_shape)
+  , degree_(degree)
+  , points_(std::move(points))
+  , balance_(balance_rows(unit_shape, degree)) {
+  const auto &x = shape_.corners;
+  const Tensor<1, 2> a = x[0] - shape_.crossing, b = x[1] - shape_.crossing;
+  F_ = Tensor<2, 2>({{a[0], b[0]}, {a[1], b[1]}});
+  inverse_ = invert(F_);
+  push_forward_ = Tensor<2, 3>({{a[0] * a[0], b[0] * b[0], 2. * a[0] * b[0]},
+                                {a[1] * a[1], b[1] * b[1], 2. * a[1] * b[1]},
+                                {a[0] * a[1], b[0] * b[1], a[0] * b[1] + a[1] * b[0]}});
+  half_axes_ = {
+    {1., 1., x[2].distance(shape_.crossing) / a.norm(), x[3].distance(shape_.crossing) / b.norm()}};
+  number_functions();
+  factorise();
+}
+
+void AiryCell::number_functions() {
+  const unsigned int m = degree_ + 2;
+  // The numbers by i, j, and the half-axes on which functions of i ≥ 2 or j ≥ 2 live.
+  std::map<std::array<unsigned int, 4>, unsigned int> known;
+  for (unsigned int i = 0; i <= m; ++i)
+    for (unsigned int j = i < 2 ? 2 - i : 0; i + j <= m; ++j) {
+      pairs_.push_back({{i, j}});
+      // Triangle k lies between half-axes k and k + 1: on the negative one of X for k = 1, 2.
+      for (unsigned int k = 0; k < 4; ++k)
+        numbers_[k].push_back(
+          known
+            .emplace(
+              std::array<unsigned int, 4>{{i, i < 2 ? 0 : (k + 1) % 4 / 2, j, j < 2 ? 0 : k / 2}},
+              known.size())
+            .first->second);
+    }
+  n_functions_ = known.size();
+}
+
+std::vector<Components> AiryCell::stresses(const unsigned int k, const Point<2> &at) const {
+  const unsigned int m = degree_ + 2;
+  const std::vector<Jet> f = axis_functions(m, at[0], half_axes_[(k + 1) % 4 / 2 * 2]),
+                         g = axis_functions(m, at[1], half_axes_[k / 2 * 2 + 1]);
+  std::vector<Components> stresses;
+  for (const auto &[i, j] : pairs_)
+    stresses.push_back(push_forward_ *
+                       Components({f[i][0] * g[j][2], f[i][2] * g[j][0], -f[i][1] * g[j][1]}));
+  return stresses;
+}
+
+std::vector<AiryCell::TracePoint> AiryCell::trace_points(const unsigned int k) const {
+  const QGauss<1> gauss(degree_ + 2);
+  const Tensor<1, 2> a = shape_.corners[k] - shape_.crossing,
+                     d = shape_.corners[(k + 1) % 4] - shape_.corners[k], t = d / d.norm();
+  const Components on_normal({t[1] * t[1], t[0] * t[0], -2. * t[0] * t[1]}),
+    on_shear({t[0] * t[1], -t[0] * t[1], t[1] * t[1] - t[0] * t[0]});
+  std::vector<TracePoint> points;
+  for (unsigned int q = 0; q < gauss.size(); ++q) {
+    const double s = gauss.point(q)[0];
+    const std::vector<double> L = legendre_values(degree_, s);
+    TracePoint &point = points.emplace_back(TracePoint{on_diagonals(a + s * d), {}});
+    for (unsigned int i = 0; i <= degree_; ++i) {
+      point.factors.emplace_back(2 * k * (degree_ + 1) + i, gauss.weight(q) * L[i] * on_normal);
+      point.factors.emplace_back((2 * k + 1) * (degree_ + 1) + i,
+                                 gauss.weight(q) * L[i] * on_shear);
+    }
+  }
+  return points;
+}
+
+void AiryCell::factorise() {
+  const unsigned int n = n_functions_, n_traces = 8 * (degree_ + 1), n_local = pairs_.size();
+  gram_.reinit(n);
+  traces_.reinit(n_traces, n);
+  for (unsigned int k = 0; k < 4; ++k) {
+    LAPACKFullMatrix<double> &values = values_[k];
+    values.reinit(3 * points_[k].size(), n_local);
+    for (std::size_t q = 0; q < points_[k].size(); ++q) {
+      const std::vector<Components> at_point = stresses(k, points_[k][q].on_diagonals);
+      for (unsigned int l = 0; l < n_local; ++l) {
+        const Components weighted = points_[k][q].of_stress * at_point[l];
+        for (unsigned int c = 0; c < 3; ++c)
+          values(3 * q + c, l) = weighted[c];
+      }
+    }
+    LAPACKFullMatrix<double> local(n_local);
+    values.Tmmult(local, values);
+    for (unsigned int l = 0; l < n_local; ++l)
+      for (unsigned int j = 0; j < n_local; ++j)
+        gram_(numbers_[k][l], numbers_[k][j]) += local(l, j);
+    trace_points_[k] = trace_points(k);
+    for (const TracePoint &point : trace_points_[k]) {
+      const std::vector<Components> at_point = stresses(k, point.on_diagonals);
+      for (const auto &[row, factors] : point.factors)
+        for (unsigned int l = 0; l < n_local; ++l)
+          traces_(row, numbers_[k][l]) += factors * at_point[l];
+    }
+  }
+  norms_.reinit(n);
+  for (unsigned int i = 0; i < n; ++i)
+    norms_[i] = std::sqrt(gram_(i, i));
+  LAPACKFullMatrix<double> solved(n, n_traces);
+  for (unsigned int i = 0; i < n; ++i) {
+    for (unsigned int j = 0; j < n; ++j)
+      gram_(i, j) /= norms_[i] * norms_[j];
+    for (unsigned int r = 0; r < n_traces; ++r)
+      solved(i, r) = traces_(r, i) /= norms_[i];
+  }
+  gram_.set_property(LAPACKSupport::symmetric);
+  gram_.compute_cholesky_factorization();
+  gram_.solve(solved);
+  compliance_.reinit(n_traces, n_traces);
+  FullMatrix<double> plain(n, n_traces);
+  plain = solved;
+  traces_.mmult(compliance_, plain);
+  // S = (N G⁻¹ Nᵀ + weight⁻¹ BᵀB)⁻¹ - weight BᵀB: the rows of B span the kernel.
+  const double share = compliance_.trace() / n_traces;
+  FullMatrix<double> regular(compliance_), unbalanced(3, n_traces);
+  balance_.mmult(unbalanced, compliance_);
+  balance_.Tmmult(regular, balance_, true);
+  for (unsigned int i = 0; i < n_traces; ++i)
+    for (unsigned int j = 0; j < n_traces; ++j)
+      for (unsigned int r = 0; r < 3; ++r)
+        regular(i, j) += (share - 1.) * balance_(r, i) * balance_(r, j);
+  energy_ = regular;
+  energy_.gauss_jordan();
+  constexpr double least_rank = 1e-9;
+  is_regular_ = unbalanced.frobenius_norm() < 1e-10 * compliance_.frobenius_norm() &&
+                energy_.frobenius_norm() * regular.frobenius_norm() < 1. / least_rank;
+  for (unsigned int i = 0; i < n_traces; ++i)
+    for (unsigned int j = 0; j < n_traces; ++j)
+      for (unsigned int r = 0; r < 3; ++r)
+        energy_(i, j) -= balance_(r, i) * balance_(r, j) / share;
+}
+
+AiryCell::Vector AiryCell::project(Vector &values) const {
+  Vector a(n_functions_);
+  std::size_t begin = 0;
+  std::array<Vector, 4> parts;
+  for (unsigned int k = 0; k < 4; begin += 3 * points_[k++].size()) {
+    parts[k].reinit(3 * points_[k].size());
+    std::copy_n(values.begin() + begin, parts[k].size(), parts[k].begin());
+    Vector local(pairs_.size());
+    values_[k].Tvmult(local, parts[k]);
+    for (unsigned int l = 0; l < local.size(); ++l)
+      a[numbers_[k][l]] += local[l] / norms_[numbers_[k][l]];
+  }
+  gram_.solve(a);
+  begin = 0;
+  for (unsigned int k = 0; k < 4; begin += 3 * points_[k++].size()) {
+    Vector local(pairs_.size());
+    for (unsigned int l = 0; l < local.size(); ++l)
+      local[l] = -a[numbers_[k][l]] / norms_[numbers_[k][l]];
+    values_[k].vmult(parts[k], local, true);
+    std::copy(parts[k].begin(), parts[k].end(), values.begin() + begin);
+  }
+  Vector traces(traces_.m());
+  traces_.vmult(traces, a);
+  return traces;
+}
+
+AiryCell::Vector AiryCell::multiply(const Vector &y) const {
+  Vector product(y.size());
+  energy_.vmult(product, y);
+  return product;
+}
+
+double AiryCell::defect(const Vector &y) const {
+  const Vector lambda = multiply(y);
+  Vector rest(y);
+  rest *= -1.;
+  compliance_.vmult(rest, lambda, true);
+  return rest.l2_norm();
+}
+
+FullMatrix<double> AiryCell::penalised_energy(const double weight) const {
+  FullMatrix<double> matrix(energy_), rows(balance_);
+  rows *= weight;
+  balance_.Tmmult(matrix, rows, true);
+  return matrix;
+}
+
+// Body forces.
+
+AiryCell::LoadFactors AiryCell::load_factors(const unsigned int d, const double at) const {
+  // The interval between opposite corners, mapped to [-1,1].
+  const double from = -half_axes_[d + 2], half = 0.5 * (1. - from);
+  const auto values_at = [&](const double x) {
+    const double z = (x - from) / half - 1.;
+    std::array<double, 16> P = {{1., z}};
+    for (unsigned int k = 2; k <= degree_; ++k)
+      P[k] = ((2. * k - 1.) * z * P[k - 1] - (k - 1.) * P[k - 2]) / k;
+    return P;
+  };
+  LoadFactors result = {values_at(at), {{at}}};
+  const std::array<double, 16> P_0 = values_at(0.);
+  const auto rise = [&](const unsigned int k) { return result.values[k] - P_0[k]; };
+  for (unsigned int k = 1; k < degree_; ++k)
+    result.integrals[k] = half * (rise(k + 1) - rise(k - 1)) / (2. * k + 1.);
+  return result;
+}
+
+PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
+                                 const std::vector<double> &weights,
+                                 const std::vector<Tensor<1, 2>> &force) const {
+  const unsigned int q = degree_, n = q * (q + 1) / 2;
+  LAPACKFullMatrix<double> gram(n), moments(n, 2);
+  Vector row(n);
+  for (std::size_t p = 0; p < weights.size(); ++p) {
+    const auto X = load_factors(0, on_diagonals[p][0]).values,
+               Y = load_factors(1, on_diagonals[p][1]).values;
+    const Tensor<1, 2> f = inverse_ * force[p];
+    unsigned int l = 0;
+    for (unsigned int i = 0; i < q; ++i)
+      for (unsigned int j = 0; i + j < q; ++j)
+        row[l++] = X[i] * Y[j];
+    for (unsigned int i = 0; i < n; ++i) {
+      for (unsigned int j = 0; j < n; ++j)
+        gram(i, j) += weights[p] * row[i] * row[j];
+      for (unsigned int c = 0; c < 2; ++c)
+        moments(i, c) += weights[p] * row[i] * f[c];
+    }
+  }
+  gram.set_property(LAPACKSupport::symmetric);
+  gram.compute_cholesky_factorization();
+  gram.solve(moments);
+  PolynomialLoad load = {{FullMatrix<double>(q), FullMatrix<double>(q)}};
+  unsigned int l = 0;
+  for (unsigned int i = 0; i < q; ++i)
+    for (unsigned int j = 0; i + j < q; ++j, ++l)
+      for (unsigned int c = 0; c < 2; ++c)
+        load[c](i, j) = moments(l, c);
+  return load;
+}
+
+Tensor<1, 2> AiryCell::value(const PolynomialLoad &load, const Point<2> &at) const {
+  const auto X = load_factors(0, at[0]).values, Y = load_factors(1, at[1]).values;
+  Tensor<1, 2> f;
+  for (unsigned int i = 0; i < degree_; ++i)
+    for (unsigned int j = 0; i + j < degree_; ++j)
+      for (unsigned int c = 0; c < 2; ++c)
+        f[c] += load[c](i, j) * X[i] * Y[j];
+  return F_ * f;
+}
+
+Components AiryCell::stress(const PolynomialLoad &load, const Point<2> &at) const {
+  const auto X = load_factors(0, at[0]), Y = load_factors(1, at[1]);
+  Components s;
+  for (unsigned int i = 0; i < degree_; ++i)
+    for (unsigned int j = 0; i + j < degree_; ++j) {
+      s[0] -= load[0](i, j) * X.integrals[i] * Y.values[j];
+      s[1] -= load[1](i, j) * X.values[i] * Y.integrals[j];
+    }
+  return push_forward_ * s;
+}
+
+AiryCell::Vector AiryCell::subtract_load(const PolynomialLoad &load, Vector &values) const {
+  std::size_t at = 0;
+  for (const auto &triangle : points_)
+    for (const AiryPoint &point : triangle) {
+      const Components weighted = point.of_stress * stress(load, point.on_diagonals);
+      for (unsigned int c = 0; c < 3; ++c)
+        values[at++] -= weighted[c];
+    }
+  Vector traces(8 * (degree_ + 1));
+  for (const auto &edge : trace_points_)
+    for (const TracePoint &point : edge) {
+      const Components s = stress(load, point.on_diagonals);
+      for (const auto &[row, factors] : point.factors)
+        traces[row] += factors * s;
+    }
+  return traces;
+}
+} // namespace Signorini

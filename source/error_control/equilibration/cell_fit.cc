@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Stresses in equilibrium that fit the stress of u_h on a cell.
+
+#include <signorini/error_control/equilibration/cell_fit.h>
+#include <signorini/error_control/loads/cell_loads.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini {
+namespace {
+/** Returns a rule on the unit triangle that integrates polynomials of the degree exactly. */
+Quadrature<2> triangle_rule(const unsigned int degree) {
+  const unsigned int n = degree / 2 + 1;
+  if (n <= 7)
+    return QWitherdenVincentSimplex<2>(n);
+  return QDuffy(n, 1.);
+}
+
+CellShape at_unit_size(const CellShape &shape, const double size) {
+  std::array<Point<2>, 4> corners;
+  for (unsigned int k = 0; k < 4; ++k)
+    corners[k] = Point<2>((shape.corners[k] - shape.corners[0]) / size);
+  return CellShape(corners);
+}
+} // namespace
+
+CellFitter::CellFitter(const BoundData &data)
+  : data_(data)
+  , load_values_(data.space.mesh().mapping(), data.space, data.scene.kinks, 5,
+                 update_quadrature_points | update_JxW_values) {
+  if (!data.scene.material->is_constant()) {
+    lines_ = data.scene.kinks.lines();
+    sampling_.emplace(*data.scene.material, data.space.mesh().triangulation().n_active_cells());
+  }
+}
+
+std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &shape,
+                                                              const double size,
+                                                              const unsigned int degree) const {
+  const Material<2> &material = *data_.scene.material;
+  // Squares of gradients of u_h have the degree 4 q - 2 on parallelograms; what has more than the
+  // degree q + 3 is small in σ(u_h) - τ. Where they are no polynomials, two degrees more.
+  const bool is_polynomial = shape.affine && !sampling_;
+  const Quadrature<2> rule =
+    triangle_rule(std::min(4 * degree - 2, 2 * degree + 6) + (is_polynomial ? 0 : 4));
+  const auto parts = triangle_parts(shape, lines_, sampling_ ? &*sampling_ : nullptr);
+  const Tensor<2, 2> inverse = invert(Tensor<2, 2>(
+    {{shape.corners[0][0] - shape.crossing[0], shape.corners[1][0] - shape.crossing[0]},
+     {shape.corners[0][1] - shape.crossing[1], shape.corners[1][1] - shape.crossing[1]}}));
+  std::optional<Law> law;
+  if (!sampling_)
+    law.emplace(material.hooke(shape.crossing));
+  std::array<std::vector<AiryPoint>, 4> points;
+  for (unsigned int k = 0; k < 4; ++k)
+    for (const TrianglePart &part : parts[k])
+      for (unsigned int q = 0; q < rule.size(); ++q) {
+        const Triangle &x = part.corners;
+        const Point<2> at =
+          x[0] + rule.point(q)[0] * (x[1] - x[0]) + rule.point(q)[1] * (x[2] - x[0]);
+        AiryPoint &point = points[k].emplace_back();
+        point.reference = shape.reference(at - shape.corners[0]);
+        point.on_diagonals = Point<2>(inverse * (at - shape.crossing));
+        point.weight = rule.weight(q) * twice_area(x) / (size * size);
+        const Law here = law ? *law : Law(material.hooke(at));
+        point.of_strain = std::sqrt(point.weight) * transpose(here.root);
+        point.of_stress = std::sqrt(point.weight) * here.inverse_root;
+        point.min_eigenvalue = here.min_eigenvalue;
+      }
+  return points;
+}
+
+std::shared_ptr<const AiryCell> CellFitter::find_airy(const CellShape &shape, const double size,
+                                                      const TractionCell &place) {
+  const CellShape unit = at_unit_size(shape, size);
+  const auto &x = unit.corners;
+  const std::array<Tensor<1, 2>, 3> edges = {{x[1] - x[0], x[2] - x[0], x[3] - x[0]}};
+  const auto [begin, end] = known_.equal_range(place.degree);
+  for (auto entry = begin; entry != end && !sampling_; ++entry) {
+    const auto &[others, airy] = entry->second;
+    if (std::equal(edges.begin(), edges.end(), others.begin(),
+                   [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; }))
+      return airy;
+  }
+  auto airy =
+    std::make_shared<const AiryCell>(unit, place.degree, make_points(shape, size, place.degree));
+  constexpr unsigned int max_known = 256;
+  if (!sampling_ && known_.size() < max_known)
+    known_.emplace(place.degree, std::make_pair(edges, airy));
+  return airy;
+}
+
+dealii::Vector<double> CellFitter::stress_of_u(const Triangulation<2>::active_cell_iterator &cell,
+                                               const CellShape &shape, const AiryCell &airy) {
+  const CellField u(data_.space.dof_cell(cell), data_.U);
+  const unsigned int n = u.degree() + 1;
+  Tables &tables = tables_[{&airy, n}];
+  if (tables.x.values.empty()) {
+    std::array<std::vector<double>, 2> at;
+    for (const auto &triangle : airy.points())
+      for (const AiryPoint &point : triangle)
+        for (unsigned int d = 0; d < 2; ++d)
+          at[d].push_back(point.reference[d]);
+    tables = {make_line_table(u.degree(), at[0]), make_line_table(u.degree(), at[1])};
+  }
+  dealii::Vector<double> values(3 * airy.n_points());
+  std::size_t q = 0;
+  for (const auto &triangle : airy.points())
+    for (const AiryPoint &point : triangle) {
+      Tensor<2, 2> gradient;
+      for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int j = 0; j < n; ++j) {
+          // Large translations have rounding errors, but no strain.
+          double value = 0., slope = 0.;
+          for (unsigned int i = 0; i < n; ++i) {
+            const double nodal = u(c, i, j) - u(c, 0, 0);
+            value += tables.x.values(q, i) * nodal;
+            slope += tables.x.derivatives(q, i) * nodal;
+          }
+          gradient[c][0] += slope * tables.y.values(q, j);
+          gradient[c][1] += value * tables.y.derivatives(q, j);
+        }
+      gradient = gradient * invert(shape.jacobian(CellFunctions(point.reference), false));
+      const Components weighted = point.of_strain * Components({gradient[0][0], gradient[1][1],
+                                                                gradient[0][1] + gradient[1][0]});
+      for (unsigned int c = 0; c < 3; ++c)
+        values[3 * q + c] = weighted[c];
+      ++q;
+    }
+  return values;
+}
+
+dealii::Vector<double> CellFitter::subtract_load(const Triangulation<2>::active_cell_iterator &cell,
+                                                 const CellShape &shape,
+                                                 dealii::Vector<double> &values, CellFit &fit) {
+  if (data_.scene.body_force == nullptr)
+    return dealii::Vector<double>(8 * (fit.airy->degree() + 1));
+  const FEValues<2> &rule = load_values_.reinit(cell);
+  std::vector<Point<2>> points;
+  std::vector<Tensor<1, 2>> forces;
+  dealii::Vector<double> f(2);
+  for (const Point<2> &x : rule.get_quadrature_points()) {
+    points.push_back(fit.airy->on_diagonals((x - shape.crossing) / fit.size));
+    data_.scene.body_force->vector_value(x, f);
+    forces.emplace_back(Tensor<1, 2>({f[0], f[1]}) * fit.size);
+  }
+  const PolynomialLoad load = fit.airy->project(points, rule.get_JxW_values(), forces);
+  double square = 0.;
+  for (std::size_t q = 0; q < points.size(); ++q)
+    square += rule.JxW(q) * (forces[q] - fit.airy->value(load, points[q])).norm_square();
+  fit.load_rest = std::sqrt(square) / fit.size;
+  return fit.airy->subtract_load(load, values);
+}
+
+CellFit CellFitter::fit(const Triangulation<2>::active_cell_iterator &cell,
+                        const TractionCell &place) {
+  const CellShape shape(place.corners);
+  CellFit fit;
+  fit.size = shape.diameter();
+  fit.airy = find_airy(shape, fit.size, place);
+  dealii::Vector<double> values = stress_of_u(cell, shape, *fit.airy);
+  fit.shift = subtract_load(cell, shape, values, fit);
+  // The second projection removes what rounding left of the first.
+  for (unsigned int pass = 0; pass < 2; ++pass)
+    fit.shift += fit.airy->project(values);
+  fit.rest = values.l2_norm();
+  fit.min_eigenvalue = fit.airy->points()[0][0].min_eigenvalue;
+  for (const auto &triangle : fit.airy->points())
+    for (const AiryPoint &point : triangle)
+      fit.min_eigenvalue = std::min(fit.min_eigenvalue, point.min_eigenvalue);
+  return fit;
+}
+} // namespace Signorini
