@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The bound of the energy error, summed up from stress and contact.
 
+#include <signorini/base/errors.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/bound/error_bound.h>
 #include <signorini/error_control/equilibration/best_stress.h>
@@ -231,8 +232,14 @@ LocatedBound compute_located_bound(const BoundData &data) {
     is_nested_bilinear ? EquilibratedStress::objection(data) : BestStress::objection(data);
   if (!none.bound.missing.empty())
     return none;
-  return is_nested_bilinear ? sum_up(data, EquilibratedStress(data))
-                            : sum_up(data, BestStress(data));
+  if (is_nested_bilinear)
+    return sum_up(data, EquilibratedStress(data));
+  try {
+    return sum_up(data, BestStress(data));
+  } catch (const ComputationError &error) {
+    none.bound.missing = error.what();
+    return none;
+  }
 }
 
 Columns<ErrorBound> ErrorBound::columns() {

@@ -63,18 +63,18 @@ double adjust(const Coupling::Column &a, const double value, const bool only_rai
   return lacking;
 }
 
-/** Moves w at contact nodes until w_n are the targets, or with @p only_raise not below them: along
- * one normal after the other, which takes several rounds where two of them meet in a corner.
+/** Moves w at contact nodes until w_n are not below the targets, and equal to them where w touches:
+ * along one normal after the other, which takes several rounds where two of them meet in a corner.
  * @return whether the rounds were enough. */
-bool impose(const ContactTrace &trace, const Vector &targets, const bool only_raise,
+bool impose(const ContactTrace &trace, const Vector &targets, const std::vector<bool> &touches,
             Displacement &w) {
   constexpr unsigned int max_rounds = 10000;
   const double tolerance = 1e-14 * targets.linfty_norm();
   for (unsigned int round = 0; round < max_rounds; ++round) {
     double largest = 0.;
     for (unsigned int k = 0; k < targets.size(); ++k)
-      largest = std::max(largest,
-                         std::abs(adjust(trace.conditions()[k].column, targets[k], only_raise, w)));
+      largest = std::max(
+        largest, std::abs(adjust(trace.conditions()[k].column, targets[k], !touches[k], w)));
     if (largest <= tolerance)
       return true;
   }
@@ -136,8 +136,10 @@ Displacement relaxed_displacement(const BoundData &data, const Coupling &E, cons
   return result;
 }
 
-/** Returns the solution of the dual problem of nodal_lift(). */
-Displacement pressed_displacement(const BoundData &data, const ContactTrace &trace) {
+/** Returns the solution of the dual problem of nodal_lift(). @param touches receives the nodes at
+ * which w_n is what is required; rounding of A⁻¹ may lift them. */
+Displacement pressed_displacement(const BoundData &data, const ContactTrace &trace,
+                                  std::vector<bool> &touches) {
   DistributedVector forces = data.space.make_vector();
   data.condensed_D.add_product(data.P, forces);
   forces.compress(VectorOperation::add);
@@ -163,6 +165,8 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
     Vector minus_Q =
       solve_dual_problem(make_compliance(data.inverse, nodes.E, seconds), F, start, {}).P;
     minus_Q *= -1.;
+    for (unsigned int i = 0; i < F.size(); ++i)
+      touches[nodes.numbers[i]] = minus_Q[i] > 0.;
     nodes.E.add_product(minus_Q, forces);
   }
   return solve_homogeneous(data.inverse, data.space, forces);
@@ -195,9 +199,10 @@ std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace
   Vector required(trace.conditions().size());
   for (unsigned int k = 0; k < required.size(); ++k)
     required[k] = trace.conditions()[k].required;
-  Displacement w = pressed_displacement(data, trace);
+  std::vector<bool> touches(required.size(), false);
+  Displacement w = pressed_displacement(data, trace, touches);
   // This corrects the remainder of the solver's tolerance, and pins.
-  if (!impose(trace, required, true, w))
+  if (!impose(trace, required, touches, w))
     return {};
   data.space.distribute_without_pins(w);
   return w;
@@ -211,7 +216,7 @@ std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrac
   Vector one(conditions.size());
   one = 1.;
   Displacement z = pushed_displacement(data, MovingNodes(data.space, trace).E);
-  if (!impose(trace, one, false, z))
+  if (!impose(trace, one, std::vector<bool>(one.size(), true), z))
     return {};
   data.space.distribute_without_pins(z);
   const double local = LiftField(data, trace, std::move(z)).cell_energies().l1_norm();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Stresses without loads on a quadrilateral, from Airy's functions on its four triangles.
 
+#include <signorini/base/errors.h>
 #include <signorini/error_control/equilibration/airy_cell.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -13,6 +14,18 @@ namespace Signorini {
 namespace {
 /** A function with its first and second derivative. */
 using Jet = std::array<double, 3>;
+
+const char *const too_flat = "a cell is too flat for stresses in equilibrium";
+
+/** @throws ComputationError if the matrix is singular up to rounding. */
+void factorise_positive(LAPACKFullMatrix<double> &matrix) {
+  matrix.set_property(LAPACKSupport::symmetric);
+  try {
+    matrix.compute_cholesky_factorization();
+  } catch (const ExceptionBase &) {
+    throw ComputationError(too_flat);
+  }
+}
 
 /** Returns f_0, ..., f_n at x, those of the half-axis on which x lies. */
 std::vector<Jet> axis_functions(const unsigned int n, const double x, const double half_axis) {
@@ -141,8 +154,7 @@ void AiryCell::factorise() {
     for (unsigned int r = 0; r < n_traces; ++r)
       solved(i, r) = traces_(r, i) /= norms_[i];
   }
-  gram_.set_property(LAPACKSupport::symmetric);
-  gram_.compute_cholesky_factorization();
+  factorise_positive(gram_);
   gram_.solve(solved);
   compliance_.reinit(n_traces, n_traces);
   FullMatrix<double> plain(n, n_traces);
@@ -159,9 +171,10 @@ void AiryCell::factorise() {
         regular(i, j) += (share - 1.) * balance_(r, i) * balance_(r, j);
   energy_ = regular;
   energy_.gauss_jordan();
-  constexpr double least_rank = 1e-9;
-  is_regular_ = unbalanced.frobenius_norm() < 1e-10 * compliance_.frobenius_norm() &&
-                energy_.frobenius_norm() * regular.frobenius_norm() < 1. / least_rank;
+  // The rank of N is that of the theory.
+  if (!(unbalanced.frobenius_norm() < 1e-10 * compliance_.frobenius_norm() &&
+        energy_.frobenius_norm() * regular.frobenius_norm() < 1e10))
+    throw ComputationError(too_flat);
   for (unsigned int i = 0; i < n_traces; ++i)
     for (unsigned int j = 0; j < n_traces; ++j)
       for (unsigned int r = 0; r < 3; ++r)
@@ -192,6 +205,15 @@ AiryCell::Vector AiryCell::project(Vector &values) const {
   Vector traces(traces_.m());
   traces_.vmult(traces, a);
   return traces;
+}
+
+void AiryCell::forget_points() {
+  for (unsigned int k = 0; k < 4; ++k) {
+    points_[k] = {};
+    trace_points_[k] = {};
+    values_[k].reinit(0);
+  }
+  gram_.reinit(0);
 }
 
 AiryCell::Vector AiryCell::multiply(const Vector &y) const {
@@ -256,8 +278,7 @@ PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
         moments(i, c) += weights[p] * row[i] * f[c];
     }
   }
-  gram.set_property(LAPACKSupport::symmetric);
-  gram.compute_cholesky_factorization();
+  factorise_positive(gram);
   gram.solve(moments);
   PolynomialLoad load = {{FullMatrix<double>(q), FullMatrix<double>(q)}};
   unsigned int l = 0;

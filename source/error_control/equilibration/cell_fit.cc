@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Stresses in equilibrium that fit the stress of u_h on a cell.
 
+#include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/cell_fit.h>
 #include <signorini/error_control/loads/cell_loads.h>
 
@@ -28,9 +29,7 @@ CellShape at_unit_size(const CellShape &shape, const double size) {
 } // namespace
 
 CellFitter::CellFitter(const BoundData &data)
-  : data_(data)
-  , load_values_(data.space.mesh().mapping(), data.space, data.scene.kinks, 5,
-                 update_quadrature_points | update_JxW_values) {
+  : data_(data) {
   if (!data.scene.material->is_constant()) {
     lines_ = data.scene.kinks.lines();
     sampling_.emplace(*data.scene.material, data.space.mesh().triangulation().n_active_cells());
@@ -72,39 +71,43 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
   return points;
 }
 
-std::shared_ptr<const AiryCell> CellFitter::find_airy(const CellShape &shape, const double size,
-                                                      const TractionCell &place) {
+CellFitter::Known &CellFitter::find_known(const CellShape &shape, const double size,
+                                          const TractionCell &place) {
+  constexpr std::size_t max_known = 256;
   const CellShape unit = at_unit_size(shape, size);
   const auto &x = unit.corners;
   const std::array<Tensor<1, 2>, 3> edges = {{x[1] - x[0], x[2] - x[0], x[3] - x[0]}};
-  const auto [begin, end] = known_.equal_range(place.degree);
-  for (auto entry = begin; entry != end && !sampling_; ++entry) {
-    const auto &[others, airy] = entry->second;
-    if (std::equal(edges.begin(), edges.end(), others.begin(),
-                   [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; }))
-      return airy;
-  }
-  auto airy =
-    std::make_shared<const AiryCell>(unit, place.degree, make_points(shape, size, place.degree));
-  constexpr unsigned int max_known = 256;
+  const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known &other) {
+    return other.degree == place.degree &&
+           std::equal(edges.begin(), edges.end(), other.edges.begin(),
+                      [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; });
+  });
+  if (found != known_.end())
+    return *found;
+  const Known added = {
+    place.degree,
+    edges,
+    std::make_shared<AiryCell>(unit, place.degree, make_points(shape, size, place.degree)),
+    {}};
   if (!sampling_ && known_.size() < max_known)
-    known_.emplace(place.degree, std::make_pair(edges, airy));
-  return airy;
+    return known_.emplace_back(added);
+  return alone_ = added;
+}
+
+CellFitter::Tables CellFitter::make_tables(const AiryCell &airy, const unsigned int degree) {
+  std::array<std::vector<double>, 2> at;
+  for (const auto &triangle : airy.points())
+    for (const AiryPoint &point : triangle)
+      for (unsigned int d = 0; d < 2; ++d)
+        at[d].push_back(point.reference[d]);
+  return {make_line_table(degree, at[0]), make_line_table(degree, at[1])};
 }
 
 dealii::Vector<double> CellFitter::stress_of_u(const Triangulation<2>::active_cell_iterator &cell,
-                                               const CellShape &shape, const AiryCell &airy) {
+                                               const CellShape &shape, const AiryCell &airy,
+                                               const Tables &tables) {
   const CellField u(data_.space.dof_cell(cell), data_.U);
   const unsigned int n = u.degree() + 1;
-  Tables &tables = tables_[{&airy, n}];
-  if (tables.x.values.empty()) {
-    std::array<std::vector<double>, 2> at;
-    for (const auto &triangle : airy.points())
-      for (const AiryPoint &point : triangle)
-        for (unsigned int d = 0; d < 2; ++d)
-          at[d].push_back(point.reference[d]);
-    tables = {make_line_table(u.degree(), at[0]), make_line_table(u.degree(), at[1])};
-  }
   dealii::Vector<double> values(3 * airy.n_points());
   std::size_t q = 0;
   for (const auto &triangle : airy.points())
@@ -137,19 +140,30 @@ dealii::Vector<double> CellFitter::subtract_load(const Triangulation<2>::active_
                                                  dealii::Vector<double> &values, CellFit &fit) {
   if (data_.scene.body_force == nullptr)
     return dealii::Vector<double>(8 * (fit.airy->degree() + 1));
-  const FEValues<2> &rule = load_values_.reinit(cell);
+  // Products of f_K with itself, and f of as many degrees more as f_K has.
+  const unsigned int n = fit.airy->degree() + 4;
+  Quadrature<2> &plain = load_rules_[n];
+  if (plain.size() == 0)
+    plain = QGauss<2>(n);
+  const Kinks<2> &kinks = data_.scene.kinks;
+  const bool is_cut = needs_cuts<2>(kinks, cell);
+  const Quadrature<2> &rule = is_cut ? cut_quadrature(kinks, cell, n) : plain;
   std::vector<Point<2>> points;
+  std::vector<double> weights;
   std::vector<Tensor<1, 2>> forces;
   dealii::Vector<double> f(2);
-  for (const Point<2> &x : rule.get_quadrature_points()) {
+  for (unsigned int q = 0; q < rule.size(); ++q) {
+    const CellFunctions functions(rule.point(q));
+    const Point<2> x = shape.corners[0] + shape.offset(functions, false);
     points.push_back(fit.airy->on_diagonals((x - shape.crossing) / fit.size));
+    weights.push_back(rule.weight(q) * determinant(shape.jacobian(functions, false)));
     data_.scene.body_force->vector_value(x, f);
     forces.emplace_back(Tensor<1, 2>({f[0], f[1]}) * fit.size);
   }
-  const PolynomialLoad load = fit.airy->project(points, rule.get_JxW_values(), forces);
+  const PolynomialLoad load = fit.airy->project(points, weights, forces);
   double square = 0.;
   for (std::size_t q = 0; q < points.size(); ++q)
-    square += rule.JxW(q) * (forces[q] - fit.airy->value(load, points[q])).norm_square();
+    square += weights[q] * (forces[q] - fit.airy->value(load, points[q])).norm_square();
   fit.load_rest = std::sqrt(square) / fit.size;
   return fit.airy->subtract_load(load, values);
 }
@@ -159,8 +173,13 @@ CellFit CellFitter::fit(const Triangulation<2>::active_cell_iterator &cell,
   const CellShape shape(place.corners);
   CellFit fit;
   fit.size = shape.diameter();
-  fit.airy = find_airy(shape, fit.size, place);
-  dealii::Vector<double> values = stress_of_u(cell, shape, *fit.airy);
+  Known &known = find_known(shape, fit.size, place);
+  fit.airy = known.airy;
+  const unsigned int degree = data_.space.element(cell).degree;
+  Tables &tables = known.tables[degree];
+  if (tables.x.values.empty())
+    tables = make_tables(*known.airy, degree);
+  dealii::Vector<double> values = stress_of_u(cell, shape, *fit.airy, tables);
   fit.shift = subtract_load(cell, shape, values, fit);
   // The second projection removes what rounding left of the first.
   for (unsigned int pass = 0; pass < 2; ++pass)
@@ -170,6 +189,8 @@ CellFit CellFitter::fit(const Triangulation<2>::active_cell_iterator &cell,
   for (const auto &triangle : fit.airy->points())
     for (const AiryPoint &point : triangle)
       fit.min_eigenvalue = std::min(fit.min_eigenvalue, point.min_eigenvalue);
+  if (&known == &alone_)
+    alone_.airy->forget_points();
   return fit;
 }
 } // namespace Signorini

@@ -48,7 +48,8 @@ class AiryCell {
 public:
   using Vector = dealii::Vector<double>;
 
-  /** Tabulates the stresses. @param points those of the four triangles. */
+  /** Tabulates the stresses. @param points those of the four triangles. @throws ComputationError
+   * if the cell is so flat that rounding hides the rank. */
   AiryCell(const CellShape &unit_shape, unsigned int degree,
            std::array<std::vector<AiryPoint>, 4> points);
 
@@ -75,6 +76,8 @@ public:
    * @param values receives the rest. @return the traces of the projection.
    */
   Vector project(Vector &values) const;
+  /** Releases the points, most of the memory; S remains. */
+  void forget_points();
   /** Returns S y, for y in balance. */
   Vector multiply(const Vector &y) const;
   /** Returns |N a - y| of the stress a with the traces y. */
@@ -88,10 +91,6 @@ public:
   /** Returns B, the rows of balance. */
   const FullMatrix<double> &balance() const {
     return balance_;
-  }
-  /** Returns whether the rank of N is that of the theory. */
-  bool is_regular() const {
-    return is_regular_;
   }
   /** Returns the coordinates along the half-diagonals of a vector from the crossing. */
   Point<2> on_diagonals(const Tensor<1, 2> &from_crossing) const {
@@ -136,6 +135,5 @@ private:
   Vector norms_;
   LAPACKFullMatrix<double> gram_;
   FullMatrix<double> traces_, compliance_, energy_, balance_;
-  bool is_regular_ = true;
 };
 } // namespace Signorini

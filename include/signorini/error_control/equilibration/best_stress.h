@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/equilibration/cell_fit.h>
 #include <signorini/error_control/stress/equilibrated_stress.h>
 

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/equilibration/airy_cell.h>
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/loads/bound_data.h>
 
+#include <list>
 #include <map>
 #include <memory>
-#include <utility>
+#include <optional>
 #include <vector>
 
 namespace Signorini {
@@ -47,13 +47,13 @@ private:
     LineTable x, y;
   };
 
-  std::shared_ptr<const AiryCell> find_airy(const CellShape &shape, double size,
-                                            const TractionCell &place);
   std::array<std::vector<AiryPoint>, 4> make_points(const CellShape &shape, double size,
                                                     unsigned int degree) const;
+  static Tables make_tables(const AiryCell &airy, unsigned int degree);
   /** Returns the weighted values of σ(u_h) at the points. */
   dealii::Vector<double> stress_of_u(const Triangulation<2>::active_cell_iterator &cell,
-                                     const CellShape &shape, const AiryCell &airy);
+                                     const CellShape &shape, const AiryCell &airy,
+                                     const Tables &tables);
   /** Subtracts the stresses of f_K. @return their traces. */
   dealii::Vector<double> subtract_load(const Triangulation<2>::active_cell_iterator &cell,
                                        const CellShape &shape, dealii::Vector<double> &values,
@@ -62,11 +62,18 @@ private:
   const BoundData &data_;
   std::vector<KinkLine<2>> lines_;
   std::optional<LawSampling> sampling_;
-  CellValues<2> load_values_;
-  /** The AiryCell of each shape, by degree, and the tables by AiryCell and degree of u_h. */
-  std::multimap<unsigned int,
-                std::pair<std::array<Tensor<1, 2>, 3>, std::shared_ptr<const AiryCell>>>
-    known_;
-  std::map<std::pair<const AiryCell *, unsigned int>, Tables> tables_;
+  /** Gauss' rules by the number of points per direction. */
+  std::map<unsigned int, Quadrature<2>> load_rules_;
+  /** What cells of the same degree and shape share; tables by the degree of u_h. */
+  struct Known {
+    unsigned int degree;
+    std::array<Tensor<1, 2>, 3> edges;
+    std::shared_ptr<AiryCell> airy;
+    std::map<unsigned int, Tables> tables;
+  };
+  /** Returns what the cell shares, a new one if it is the first; alone_ for others. */
+  Known &find_known(const CellShape &shape, double size, const TractionCell &place);
+  std::list<Known> known_;
+  Known alone_;
 };
 } // namespace Signorini
