@@ -40,12 +40,16 @@ BestStress::BestStress(const BoundData &data)
   : data_(data)
   , mesh_(data.space, data.scene)
   , cells_(cells_in_order(data.space))
+  , lift_(data_, cells_.size(), prescribed_edges())
   , fitter_(data_)
   , x_(mesh_.n_coefficients())
   , normal_rest_(mesh_.edges().size(), 0.)
   , shear_rest_(mesh_.edges().size(), 0.) {
   give_tractions();
   give_contact();
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell)
+    lift_norms_.push_back(lift_.cells()[cell] ? fitter_.lift_norm(lift_, cell, mesh_.cells()[cell])
+                                              : 0.);
   add_plate_conditions();
   for (std::size_t cell = 0; cell < cells_.size(); ++cell)
     fits_.push_back(fitter_.fit(cells_[cell], mesh_.cells()[cell]));
@@ -294,14 +298,19 @@ bool BestStress::raise_degrees() {
 StressBound BestStress::bound() const {
   StressBound result;
   result.algebra = lacking_;
+  result.lift_misfit = lift_.max_misfit();
+  double lift_square = 0.;
   for (std::size_t c = 0; c < fits_.size(); ++c) {
-    const double mesh = misfit(c), rest = oscillation(c);
+    // The misfit is that of u_h, which is at most |||z|||_K away from that of u_h + z.
+    const double mesh = misfit(c), rest = oscillation(c) + lift_norms_[c];
+    lift_square += lift_norms_[c] * lift_norms_[c];
     result.misfit.push_back(mesh);
     result.oscillation.push_back(rest);
     result.square += std::pow(mesh + rest, 2);
     result.oscillation_square += rest * rest;
     result.smallest_square += std::pow(std::max(0., mesh - rest), 2);
   }
+  result.lift = std::sqrt(lift_square);
   return result;
 }
 } // namespace Signorini

@@ -168,6 +168,26 @@ dealii::Vector<double> CellFitter::subtract_load(const Triangulation<2>::active_
   return fit.airy->subtract_load(load, values);
 }
 
+double CellFitter::lift_norm(const PrescribedLift &lift, const unsigned int cell,
+                             const TractionCell &place) const {
+  const CellShape shape(place.corners);
+  std::vector<KinkLine<2>> lines = lift.lines(cell, place.corners);
+  lines.insert(lines.end(), lines_.begin(), lines_.end());
+  const Quadrature<2> rule = triangle_rule(16);
+  double square = 0.;
+  for (const auto &parts : triangle_parts(shape, lines, sampling_ ? &*sampling_ : nullptr))
+    for (const TrianglePart &part : parts)
+      for (unsigned int q = 0; q < rule.size(); ++q) {
+        const Triangle &x = part.corners;
+        const Point<2> at =
+          x[0] + rule.point(q)[0] * (x[1] - x[0]) + rule.point(q)[1] * (x[2] - x[0]);
+        const Components e = lift.strain(cell, shape, shape.reference(at - shape.corners[0]));
+        square += rule.weight(q) * twice_area(x) *
+                  (e * (Law(data_.scene.material->hooke(at)).stiffness * e));
+      }
+  return std::sqrt(square);
+}
+
 CellFit CellFitter::fit(const Triangulation<2>::active_cell_iterator &cell,
                         const TractionCell &place) {
   const CellShape shape(place.corners);

@@ -80,6 +80,31 @@ void BestStress::give_tractions() {
     }
 }
 
+std::vector<PrescribedEdge> BestStress::prescribed_edges() const {
+  std::vector<PrescribedEdge> edges;
+  for (unsigned int c = 0; c < cells_.size(); ++c)
+    for (unsigned int k = 0; k < 4; ++k) {
+      const TractionCell &cell = mesh_.cells()[c];
+      const unsigned int side = mesh_.edges()[cell.sides[k].edge].side;
+      if (side == TractionEdge::no_side || data_.scene.boundary[side].role != Role::displacement)
+        continue;
+      const CellField u(data_.space.dof_cell(cells_[c]), data_.U);
+      // Sides 0 and 2 run along the first reference coordinate, 2 and 3 backwards.
+      edges.push_back(
+        {c, k, side, cell.corners[k], cell.corners[(k + 1) % 4], [u, k](const double s) {
+           const unsigned int p = u.degree();
+           const LineTable line = make_line_table(p, {k < 2 ? s : 1. - s});
+           Tensor<1, 2> value;
+           for (unsigned int d = 0; d < 2; ++d)
+             for (unsigned int i = 0; i <= p; ++i)
+               value[d] += line.values(0, i) *
+                           (k % 2 == 0 ? u(d, i, k == 0 ? 0 : p) : u(d, k == 1 ? p : 0, i));
+           return value;
+         }});
+    }
+  return edges;
+}
+
 void BestStress::press_by_multipliers(const std::size_t face) {
   const ContactSurface<2> &surface = data_.multipliers.surface();
   const unsigned int number = contact_edges_[face];

@@ -31,68 +31,78 @@ Tensor<1, 2> PrescribedLift::EdgeRest::evaluate(const double s, const bool deriv
   return sum;
 }
 
-PrescribedLift::PrescribedLift(const BoundData &data, const EdgeMesh &mesh)
-  : cells_(mesh.cells().size(), false) {
-  constexpr double allowed = 1e-3;
-  constexpr unsigned int max_pieces = 32;
-  const double scale = data.U.linfty_norm();
-  const auto is_prescribed = [&](const Edge &edge) {
-    return edge.side != Edge::no_side && data.scene.boundary[edge.side].role == Role::displacement;
-  };
-  const std::size_t n_edges =
-    std::count_if(mesh.edges().begin(), mesh.edges().end(), is_prescribed);
+namespace {
+/** Returns the edges of bilinear cells on sides with prescribed displacements. */
+std::vector<PrescribedEdge> prescribed_edges(const BoundData &data, const EdgeMesh &mesh) {
+  std::vector<PrescribedEdge> edges;
   for (unsigned int c = 0; c < mesh.cells().size(); ++c)
     for (unsigned int k = 0; k < 4; ++k) {
       const EdgeCell &cell = mesh.cells()[c];
-      const Edge &edge = mesh.edges()[cell.edges[k]];
-      if (!is_prescribed(edge))
+      const unsigned int side = mesh.edges()[cell.edges[k]].side, next = (k + 1) % 4;
+      if (side == Edge::no_side || data.scene.boundary[side].role != Role::displacement)
         continue;
-      const unsigned int next = (k + 1) % 4;
-      const Function<2> &prescribed = *data.scene.boundary[edge.side].data;
-      const auto r = [&](const double s) {
-        dealii::Vector<double> u(2);
-        prescribed.vector_value(cell.corners[k] + s * (cell.corners[next] - cell.corners[k]), u);
-        Tensor<1, 2> rest;
-        for (unsigned int d = 0; d < 2; ++d)
-          rest[d] = u[d] - (1. - s) * data.U[mesh.dofs()[cell.vertices[k]][d]] -
-                    s * data.U[mesh.dofs()[cell.vertices[next]][d]];
-        return rest;
-      };
-      const std::size_t n_scanned =
-        is_constant(prescribed) ? 0 : std::min<std::size_t>(256, 20000 / n_edges);
-      EdgeRest rest = {k, {}};
-      double size = 0., misfit = 0.;
-      for (unsigned int n_pieces = 1; n_pieces <= max_pieces; n_pieces *= 2) {
-        rest.pieces.assign(n_pieces, {});
-        for (unsigned int piece = 0; piece < n_pieces; ++piece)
-          for (const Point<1> &node : nodes()) {
-            rest.pieces[piece].push_back(r((piece + node[0]) / n_pieces));
-            size = std::max(size, rest.pieces[piece].back().norm());
-          }
-        misfit = 0.;
-        for (unsigned int i = 0; i < n_scanned; ++i) {
-          const double s = (i + 0.5) / n_scanned;
-          const Tensor<1, 2> value = r(s);
-          size = std::max(size, value.norm());
-          misfit = std::max(misfit, (rest.evaluate(s, false) - value).norm());
-        }
-        if (misfit <= allowed * size)
-          break;
+      std::array<Tensor<1, 2>, 2> u;
+      for (unsigned int d = 0; d < 2; ++d) {
+        u[0][d] = data.U[mesh.dofs()[cell.vertices[k]][d]];
+        u[1][d] = data.U[mesh.dofs()[cell.vertices[next]][d]];
       }
-      // A smaller rest is rounding.
-      if (size > 1e-10 * scale)
-        max_misfit_ = std::max(max_misfit_, misfit / size);
-      if (size > 1e-13 * scale) {
-        cells_[c] = true;
-        rests_[c].push_back(std::move(rest));
-      }
+      edges.push_back({c, k, side, cell.corners[k], cell.corners[next],
+                       [u](const double s) { return (1. - s) * u[0] + s * u[1]; }});
     }
+  return edges;
+}
+} // namespace
+
+PrescribedLift::PrescribedLift(const BoundData &data, const EdgeMesh &mesh)
+  : PrescribedLift(data, mesh.cells().size(), prescribed_edges(data, mesh)) {}
+
+PrescribedLift::PrescribedLift(const BoundData &data, const std::size_t n_cells,
+                               const std::vector<PrescribedEdge> &edges)
+  : cells_(n_cells, false) {
+  constexpr double allowed = 1e-3;
+  constexpr unsigned int max_pieces = 32;
+  const double scale = data.U.linfty_norm();
+  for (const PrescribedEdge &edge : edges) {
+    const Function<2> &prescribed = *data.scene.boundary[edge.side].data;
+    const auto r = [&](const double s) {
+      dealii::Vector<double> u(2);
+      prescribed.vector_value(edge.start + s * (edge.end - edge.start), u);
+      return Tensor<1, 2>({u[0], u[1]}) - edge.u_h(s);
+    };
+    const std::size_t n_scanned =
+      is_constant(prescribed) ? 0 : std::min<std::size_t>(256, 20000 / edges.size());
+    EdgeRest rest = {edge.k, {}};
+    double size = 0., misfit = 0.;
+    for (unsigned int n_pieces = 1; n_pieces <= max_pieces; n_pieces *= 2) {
+      rest.pieces.assign(n_pieces, {});
+      for (unsigned int piece = 0; piece < n_pieces; ++piece)
+        for (const Point<1> &node : nodes()) {
+          rest.pieces[piece].push_back(r((piece + node[0]) / n_pieces));
+          size = std::max(size, rest.pieces[piece].back().norm());
+        }
+      misfit = 0.;
+      for (unsigned int i = 0; i < n_scanned; ++i) {
+        const double s = (i + 0.5) / n_scanned;
+        const Tensor<1, 2> value = r(s);
+        size = std::max(size, value.norm());
+        misfit = std::max(misfit, (rest.evaluate(s, false) - value).norm());
+      }
+      if (misfit <= allowed * size)
+        break;
+    }
+    // A smaller rest is rounding.
+    if (size > 1e-10 * scale)
+      max_misfit_ = std::max(max_misfit_, misfit / size);
+    if (size > 1e-13 * scale) {
+      cells_[edge.cell] = true;
+      rests_[edge.cell].push_back(std::move(rest));
+    }
+  }
 }
 
 std::vector<KinkLine<2>> PrescribedLift::lines(const unsigned int cell,
-                                               const EdgeCell &place) const {
+                                               const std::array<Point<2>, 4> &x) const {
   std::vector<KinkLine<2>> lines;
-  const auto &x = place.corners;
   for (const EdgeRest &rest : rests_.at(cell))
     for (unsigned int piece = 1; piece < rest.pieces.size(); ++piece) {
       const double s = static_cast<double>(piece) / rest.pieces.size();

@@ -351,7 +351,7 @@ CellPoints CellTable::own_points(const unsigned int cell, const bool divide) con
   const bool has_lift = lift_.cells()[cell];
   std::vector<KinkLine<2>> lines = lines_;
   if (has_lift) {
-    const std::vector<KinkLine<2>> of_lift = lift_.lines(cell, here);
+    const std::vector<KinkLine<2>> of_lift = lift_.lines(cell, here.corners);
     lines.insert(lines.end(), of_lift.begin(), of_lift.end());
   }
   const auto parts = triangle_parts(shape, lines, divide ? &*sampling_ : nullptr);

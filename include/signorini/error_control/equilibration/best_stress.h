@@ -79,12 +79,16 @@ private:
   double misfit(std::size_t cell) const;
   double oscillation(std::size_t cell) const;
   void add_plate_conditions();
+  std::vector<PrescribedEdge> prescribed_edges() const;
 
   BoundData data_;
   TractionMesh mesh_;
   std::vector<Triangulation<2>::active_cell_iterator> cells_;
+  PrescribedLift lift_;
   CellFitter fitter_;
   std::vector<CellFit> fits_;
+  /** The norms |||z|||_K of the PrescribedLift. */
+  std::vector<double> lift_norms_;
   /** The forces and moments on plates. */
   std::vector<TractionCondition> conditions_;
   /** The coefficients of all edges, and the norms of what given tractions leave. */

@@ -5,6 +5,7 @@
 #include <signorini/error_control/equilibration/airy_cell.h>
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/loads/bound_data.h>
+#include <signorini/error_control/loads/prescribed_lift.h>
 
 #include <list>
 #include <map>
@@ -39,6 +40,8 @@ class CellFitter {
 public:
   explicit CellFitter(const BoundData &data);
 
+  /** Returns the energy norm of the PrescribedLift on a cell. */
+  double lift_norm(const PrescribedLift &lift, unsigned int cell, const TractionCell &place) const;
   CellFit fit(const Triangulation<2>::active_cell_iterator &cell, const TractionCell &place);
 
 private:

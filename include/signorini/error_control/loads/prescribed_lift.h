@@ -5,12 +5,22 @@
 #include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/composite_cell.h>
 
+#include <array>
+#include <functional>
 #include <map>
 #include <vector>
 
 namespace Signorini {
+/** Edge k of a cell, from start (corner k) to end, on a side with prescribed displacements. */
+struct PrescribedEdge {
+  unsigned int cell, k, side;
+  Point<2> start, end;
+  /** The displacement u_h at the position s in [0,1] on the edge. */
+  std::function<Tensor<1, 2>(double s)> u_h;
+};
+
 /**
- * The function z with u_h + z = u_D on sides with prescribed displacements that are not linear
+ * The function z with u_h + z = u_D on sides with prescribed displacements that u_h interpolates
  * along edges. On the cell behind such an edge, z = r(s) (1 - depth) in bilinear coordinates, where
  * r = u_D - u_h is a function of the position s on the edge. r is zero at the end points of the
  * edge, and z on all other edges.
@@ -20,6 +30,9 @@ namespace Signorini {
  */
 class PrescribedLift {
 public:
+  PrescribedLift(const BoundData &data, std::size_t n_cells,
+                 const std::vector<PrescribedEdge> &edges);
+  /** Makes the function for a mesh of bilinear elements. */
   PrescribedLift(const BoundData &data, const EdgeMesh &mesh);
 
   /** Returns for every cell whether z is not zero on it. */
@@ -32,7 +45,7 @@ public:
     return max_misfit_;
   }
   /** Returns the lines through the ends of the pieces of edges: z is smooth between them. */
-  std::vector<KinkLine<2>> lines(unsigned int cell, const EdgeCell &place) const;
+  std::vector<KinkLine<2>> lines(unsigned int cell, const std::array<Point<2>, 4> &corners) const;
   /** Returns the strain (e11, e22, 2 e12) of z at a point of [0,1]². */
   Components strain(unsigned int cell, const CellShape &shape, const Point<2> &at) const;
   /** Returns ∫_e t.r over the prescribed edges of a cell, for the linear t with the given
