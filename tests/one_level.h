@@ -44,8 +44,13 @@ struct OneLevel {
     return choose_solvers(parameters, scene, 0, 1);
   }
   Signorini::LevelSolution<2> solve() const {
-    return Signorini::solve_level<2>({parameters, scene, solvers()}, discretization,
-                                     Signorini::ContactStart(), [](const std::string &) {});
+    const auto ignore = [](const std::string &) {};
+    const Signorini::LevelProblem<2> problem = {parameters, scene, solvers()};
+    auto solution =
+      Signorini::solve_level(problem, discretization, Signorini::ContactStart(), ignore);
+    Signorini::finish_level(problem, discretization, parameters.discretization.target_error > 0.,
+                            ignore, solution);
+    return solution;
   }
 
   Signorini::Parameters parameters;

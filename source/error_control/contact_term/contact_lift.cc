@@ -21,7 +21,14 @@ namespace {
 /** Returns the remainder r_F of a face from what is lacking there, q - w_{h,n}. */
 EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking) {
   const bool presses = face.presses_everywhere();
-  const double first = lacking.value(0.), last = lacking.value(1.);
+  double first = lacking.value(0.), last = lacking.value(1.), size = 0.;
+  for (const EdgeFunction::Part &lack : lacking.parts())
+    size = std::max({size, std::abs(lack.first), std::abs(lack.bulge)});
+  // What w_h is too high at the ends spreads along the face, unless it is little: then its energy
+  // is less than what the pressure does on it.
+  const bool follows = presses && std::max(std::abs(first), std::abs(last)) < 0.1 * size;
+  if (follows)
+    first = last = 0.;
   std::vector<EdgeFunction::Part> parts;
   for (const EdgeFunction::Part &lack : lacking.parts()) {
     EdgeFunction::Part bow = lack;
@@ -35,7 +42,7 @@ EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking)
                                             at_end(lack.last, bow.last), lack.bulge});
     // The least bulge with r above what is lacking: A (1 - τ) + B τ ≥ 4 b τ (1 - τ) for τ in [0,1]
     // holds if 4 b ≤ (√A + √B)².
-    if (!presses || bow.largest() > 0.)
+    if (!presses || (!follows && bow.largest() > 0.))
       r.bulge = std::max(
         0., lack.bulge -
               0.25 * std::pow(std::sqrt(r.first - lack.first) + std::sqrt(r.last - lack.last), 2));

@@ -217,8 +217,9 @@ UpperInterpolant ContactTrace::sample(const PenetrationFace &face,
     return condition.held() || condition.presses;
   };
   const Pinned pinned = {is_pinned(0), is_pinned(1)};
+  const double resolution = 1e-15 * std::max(face.start.norm(), face.end.norm()) / face.length;
   return interpolate_from_above([&](const double t) { return penetration(face, t) - w_n.value(t); },
-                                face.breaks, rounding(face), pinned, n_scanned);
+                                face.breaks, rounding(face), pinned, n_scanned, resolution);
 }
 
 EdgeFunction ContactTrace::lacking(const PenetrationFace &face,

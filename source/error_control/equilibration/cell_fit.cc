@@ -29,11 +29,10 @@ CellShape at_unit_size(const CellShape &shape, const double size) {
 } // namespace
 
 CellFitter::CellFitter(const BoundData &data)
-  : data_(data) {
-  if (!data.scene.material->is_constant()) {
+  : data_(data)
+  , is_constant_(data.scene.material->is_constant()) {
+  if (!is_constant_)
     lines_ = data.scene.kinks.lines();
-    sampling_.emplace(*data.scene.material, data.space.mesh().triangulation().n_active_cells());
-  }
 }
 
 std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &shape,
@@ -42,15 +41,15 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
   const Material<2> &material = *data_.scene.material;
   // Squares of gradients of u_h have the degree 4 q - 2 on parallelograms; what has more than the
   // degree q + 3 is small in σ(u_h) - τ. Where they are no polynomials, two degrees more.
-  const bool is_polynomial = shape.affine && !sampling_;
+  const bool is_polynomial = shape.affine && is_constant_;
   const Quadrature<2> rule =
     triangle_rule(std::min(4 * degree - 2, 2 * degree + 6) + (is_polynomial ? 0 : 4));
-  const auto parts = triangle_parts(shape, lines_, sampling_ ? &*sampling_ : nullptr);
+  const auto parts = triangle_parts(shape, lines_, nullptr);
   const Tensor<2, 2> inverse = invert(Tensor<2, 2>(
     {{shape.corners[0][0] - shape.crossing[0], shape.corners[1][0] - shape.crossing[0]},
      {shape.corners[0][1] - shape.crossing[1], shape.corners[1][1] - shape.crossing[1]}}));
   std::optional<Law> law;
-  if (!sampling_)
+  if (is_constant_)
     law.emplace(material.hooke(shape.crossing));
   std::array<std::vector<AiryPoint>, 4> points;
   for (unsigned int k = 0; k < 4; ++k)
@@ -89,7 +88,7 @@ CellFitter::Known &CellFitter::find_known(const CellShape &shape, const double s
     edges,
     std::make_shared<AiryCell>(unit, place.degree, make_points(shape, size, place.degree)),
     {}};
-  if (!sampling_ && known_.size() < max_known)
+  if (is_constant_ && known_.size() < max_known)
     return known_.emplace_back(added);
   return alone_ = added;
 }
@@ -135,19 +134,8 @@ dealii::Vector<double> CellFitter::stress_of_u(const Triangulation<2>::active_ce
   return values;
 }
 
-dealii::Vector<double> CellFitter::subtract_load(const Triangulation<2>::active_cell_iterator &cell,
-                                                 const CellShape &shape,
-                                                 dealii::Vector<double> &values, CellFit &fit) {
-  if (data_.scene.body_force == nullptr)
-    return dealii::Vector<double>(8 * (fit.airy->degree() + 1));
-  // Products of f_K with itself, and f of as many degrees more as f_K has.
-  const unsigned int n = fit.airy->degree() + 4;
-  Quadrature<2> &plain = load_rules_[n];
-  if (plain.size() == 0)
-    plain = QGauss<2>(n);
-  const Kinks<2> &kinks = data_.scene.kinks;
-  const bool is_cut = needs_cuts<2>(kinks, cell);
-  const Quadrature<2> &rule = is_cut ? cut_quadrature(kinks, cell, n) : plain;
+PolynomialLoad CellFitter::project_load(const CellShape &shape, const Quadrature<2> &rule,
+                                        CellFit &fit) const {
   std::vector<Point<2>> points;
   std::vector<double> weights;
   std::vector<Tensor<1, 2>> forces;
@@ -161,10 +149,35 @@ dealii::Vector<double> CellFitter::subtract_load(const Triangulation<2>::active_
     forces.emplace_back(Tensor<1, 2>({f[0], f[1]}) * fit.size);
   }
   const PolynomialLoad load = fit.airy->project(points, weights, forces);
-  double square = 0.;
-  for (std::size_t q = 0; q < points.size(); ++q)
-    square += weights[q] * (forces[q] - fit.airy->value(load, points[q])).norm_square();
-  fit.load_rest = std::sqrt(square) / fit.size;
+  double square = 0., rest = 0.;
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    square += weights[q] * forces[q].norm_square();
+    rest += weights[q] * (forces[q] - fit.airy->value(load, points[q])).norm_square();
+  }
+  fit.load_norm = std::sqrt(square) / fit.size;
+  fit.load_rest = std::sqrt(rest) / fit.size;
+  return load;
+}
+
+dealii::Vector<double> CellFitter::subtract_load(const Triangulation<2>::active_cell_iterator &cell,
+                                                 const CellShape &shape,
+                                                 dealii::Vector<double> &values, CellFit &fit) {
+  if (data_.scene.body_force == nullptr)
+    return dealii::Vector<double>(8 * (fit.airy->degree() + 1));
+  // Products of f_K with itself, and f of as many degrees more as f_K has.
+  const unsigned int n = fit.airy->degree() + 4;
+  Quadrature<2> &plain = load_rules_[n];
+  if (plain.size() == 0)
+    plain = QGauss<2>(n);
+  const bool is_cut = needs_cuts<2>(data_.scene.kinks, cell);
+  PolynomialLoad load =
+    project_load(shape, is_cut ? cut_quadrature(data_.scene.kinks, cell, n) : plain, fit);
+  // A force that is no polynomial at all, such as one that jumps: about 500000 points on the mesh.
+  if (!is_cut && fit.load_rest > 1e-3 * fit.load_norm) {
+    const double n_cells = data_.space.mesh().triangulation().n_active_cells();
+    const auto n_parts = std::clamp<unsigned int>(std::sqrt(5e5 / n_cells) / 4., 4, 24);
+    load = project_load(shape, QIterated<2>(QGauss<1>(4), n_parts), fit);
+  }
   return fit.airy->subtract_load(load, values);
 }
 
@@ -175,7 +188,7 @@ double CellFitter::lift_norm(const PrescribedLift &lift, const unsigned int cell
   lines.insert(lines.end(), lines_.begin(), lines_.end());
   const Quadrature<2> rule = triangle_rule(16);
   double square = 0.;
-  for (const auto &parts : triangle_parts(shape, lines, sampling_ ? &*sampling_ : nullptr))
+  for (const auto &parts : triangle_parts(shape, lines, nullptr))
     for (const TrianglePart &part : parts)
       for (unsigned int q = 0; q < rule.size(); ++q) {
         const Triangle &x = part.corners;

@@ -127,9 +127,13 @@ SampledInterval sample(const std::function<double(double)> &f, const double star
  * jump the limit is the same at both distances; where f is only steep, like the root of the
  * distance, it is not. */
 void take_limit(const std::function<double(double)> &f, const double t, const double inwards,
-                const double rounding, double &value) {
-  const double limit = f(t + 1e-10 * inwards), change = std::abs(limit - value);
-  if (change > rounding && change > 0.5 * std::abs(f(t + 1e-6 * inwards) - value))
+                const double resolution, const double rounding, double &value) {
+  // Data that is computed may jump by more than rounding where its formula changes.
+  constexpr double least_jump = 1e6;
+  const double near = std::copysign(std::max(1e-10 * std::abs(inwards), resolution), inwards),
+               far = std::copysign(std::min(1e4 * std::abs(near), std::abs(inwards)), inwards);
+  const double limit = f(t + near), change = std::abs(limit - value);
+  if (change > least_jump * rounding && change > 0.5 * std::abs(f(t + far) - value))
     value = limit;
 }
 
@@ -185,7 +189,8 @@ EdgeFunction raised(const std::vector<SampledInterval> &intervals, const Pinned 
 
 UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         const std::vector<double> &breaks, const double rounding,
-                                        const Pinned &pinned, const unsigned int n_scanned) {
+                                        const Pinned &pinned, const unsigned int n_scanned,
+                                        const double resolution) {
   std::vector<SampledInterval> intervals;
   for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
     const double length = (breaks[k + 1] - breaks[k]) / n_intervals;
@@ -193,8 +198,9 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
       intervals.push_back(
         sample(f, breaks[k] + length * i,
                i + 1 == n_intervals ? breaks[k + 1] : breaks[k] + length * (i + 1), n_scanned));
-    take_limit(f, breaks[k], length, rounding, intervals[intervals.size() - n_intervals].f.front());
-    take_limit(f, breaks[k + 1], -length, rounding, intervals.back().f.back());
+    take_limit(f, breaks[k], length, resolution, rounding,
+               intervals[intervals.size() - n_intervals].f.front());
+    take_limit(f, breaks[k + 1], -length, resolution, rounding, intervals.back().f.back());
   }
   const double first = intervals.front().f.front(), last = intervals.back().f.back();
   const auto chord = [&](const double t) { return (1. - t) * first + t * last; };

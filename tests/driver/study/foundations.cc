@@ -50,7 +50,7 @@ void test_small_disc(Checks &checks) {
   const std::string things = "circle 0.53,-0.03 radius 0.02 | circle -0.5,-1 radius 1";
   const StudyResult<2> result = solve_on("Foundation", things, graded("1e-3"));
   checks.that("a small disc, the accuracy is reached",
-              result.verdict.outcome == Outcome::accuracy_estimated);
+              result.verdict.outcome == Outcome::certified);
   checks.near("a small disc is found", result.levels.back().answer.zones.size(), 2, 0.);
   // H is a third of the small zone.
   checks.near("force with a small disc, against a nested level",

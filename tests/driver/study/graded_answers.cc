@@ -18,7 +18,7 @@ void check_agreement(Checks &checks) {
     const StudyResult<2> coarse = study(levels(5, 5)), fine = study(levels(6, 6)),
                          found = study(graded("1e-5"));
     checks.that("both are certified", fine.verdict.outcome == Outcome::certified &&
-                                        found.verdict.outcome == Outcome::accuracy_estimated);
+                                        found.verdict.outcome == Outcome::certified);
     const LevelRecord &step = found.levels.back();
     const double J = step.certificate.energy;
     for (const StudyResult<2> *nested : {&coarse, &fine}) {
@@ -58,7 +58,7 @@ void check_missed_contact(Checks &checks) {
     const LevelRecord &first = result.levels.front(), &step = result.levels.back();
     checks.that("missed at first, and no error is claimed",
                 first.contact.normal_force == 0. && !first.estimate);
-    checks.that("found and resolved", result.verdict.outcome == Outcome::accuracy_estimated);
+    checks.that("found and resolved", result.verdict.outcome == Outcome::certified);
     const std::vector<ContactZone> &zones = step.answer.zones;
     checks.near("one zone", zones.size(), 1, 0.);
     checks.near("its middle",

@@ -10,7 +10,6 @@
 #include <list>
 #include <map>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace Signorini {
@@ -28,8 +27,8 @@ struct CellFit {
   double size;
   dealii::Vector<double> shift;
   double rest = 0.;
-  /** The norm ‖f - f_K‖_{L2(K)}; f - f_K has neither force nor moment. */
-  double load_rest = 0.;
+  /** The norms ‖f - f_K‖_{L2(K)} and ‖f‖; f - f_K has neither force nor moment. */
+  double load_rest = 0., load_norm = 0.;
   /** The smallest c with e:E:e ≥ c e:e on the cell. */
   double min_eigenvalue = 0.;
 };
@@ -57,14 +56,19 @@ private:
   dealii::Vector<double> stress_of_u(const Triangulation<2>::active_cell_iterator &cell,
                                      const CellShape &shape, const AiryCell &airy,
                                      const Tables &tables);
+  /** Returns f_K by the points of a rule. */
+  PolynomialLoad project_load(const CellShape &shape, const Quadrature<2> &rule,
+                              CellFit &fit) const;
   /** Subtracts the stresses of f_K. @return their traces. */
   dealii::Vector<double> subtract_load(const Triangulation<2>::active_cell_iterator &cell,
                                        const CellShape &shape, dealii::Vector<double> &values,
                                        CellFit &fit);
 
   const BoundData &data_;
+  /** The lines along which a law that varies has kinks. Graded meshes resolve all else, see
+   * resolve_hidden_data(). */
   std::vector<KinkLine<2>> lines_;
-  std::optional<LawSampling> sampling_;
+  bool is_constant_;
   /** Gauss' rules by the number of points per direction. */
   std::map<unsigned int, Quadrature<2>> load_rules_;
   /** What cells of the same degree and shape share; tables by the degree of u_h. */

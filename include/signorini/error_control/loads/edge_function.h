@@ -88,10 +88,12 @@ struct Pinned {
  * @param rounding absolute rounding errors of f: differences that are not larger are ignored. An f
  * that is linear but for rounding gives one part between breaks: other functions may jump there,
  * and integrals with them are taken part by part.
+ * @param resolution the smallest distance of t that points on the edge show.
  */
 UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         const std::vector<double> &breaks, double rounding,
-                                        const Pinned &pinned = {}, unsigned int n_scanned = 0);
+                                        const Pinned &pinned = {}, unsigned int n_scanned = 0,
+                                        double resolution = 0.);
 
 /** The fields ũ and τ on a contact face, as far as they differ from u_h and p_H. */
 struct FaceField {
