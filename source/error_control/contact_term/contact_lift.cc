@@ -202,8 +202,10 @@ dealii::Vector<double> LiftField::cell_energies() const {
   const std::size_t n_cells = data_.space.mesh().triangulation().n_active_cells();
   const LawSampling sampling(*data_.scene.material, n_cells);
   const auto n_equal_parts = [&](const CellIterator &cell) {
-    return !constant && LawSampling::varies(sampling.scan(
-                          {{cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}}))
+    // Graded meshes resolve data.
+    return !constant && cell->get_fe().degree == 1 &&
+               LawSampling::varies(sampling.scan(
+                 {{cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}}))
              ? (sampling.intervals() + 3) / 4
              : 1;
   };

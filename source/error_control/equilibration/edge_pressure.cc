@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace Signorini {
 namespace {
@@ -124,8 +125,13 @@ void BestStress::press_by_multipliers(const std::size_t face) {
       }
   std::vector<double> b = bernstein_coefficients(p);
   if (std::any_of(b.begin(), b.end(), [](const double value) { return value > 0.; })) {
+    // The same force, where it presses: the mean of the coefficients is that of the polynomial.
+    const double force = std::accumulate(b.begin(), b.end(), 0.);
     for (double &value : b)
       value = std::min(0., value);
+    const double pressing = std::accumulate(b.begin(), b.end(), 0.);
+    for (double &value : b)
+      value *= force < 0. ? force / pressing : 0.;
     p.assign(p.size(), 0.);
     for (unsigned int q = 0; q < gauss.size(); ++q) {
       const auto L = legendre_values(edge.degree, gauss.point(q)[0]);
