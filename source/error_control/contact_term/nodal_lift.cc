@@ -63,18 +63,18 @@ double adjust(const Coupling::Column &a, const double value, const bool only_rai
   return lacking;
 }
 
-/** Moves w at contact nodes until w_n are not below the targets, and equal to them where w touches:
- * along one normal after the other, which takes several rounds where two of them meet in a corner.
+/** Moves w at contact nodes until w_n are the targets, or with @p only_raise not below them: along
+ * one normal after the other, which takes several rounds where two of them meet in a corner.
  * @return whether the rounds were enough. */
-bool impose(const ContactTrace &trace, const Vector &targets, const std::vector<bool> &touches,
+bool impose(const ContactTrace &trace, const Vector &targets, const bool only_raise,
             Displacement &w) {
   constexpr unsigned int max_rounds = 10000;
   const double tolerance = 1e-14 * targets.linfty_norm();
   for (unsigned int round = 0; round < max_rounds; ++round) {
     double largest = 0.;
     for (unsigned int k = 0; k < targets.size(); ++k)
-      largest = std::max(
-        largest, std::abs(adjust(trace.conditions()[k].column, targets[k], !touches[k], w)));
+      largest = std::max(largest,
+                         std::abs(adjust(trace.conditions()[k].column, targets[k], only_raise, w)));
     if (largest <= tolerance)
       return true;
   }
@@ -202,7 +202,10 @@ std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace
   std::vector<bool> touches(required.size(), false);
   Displacement w = pressed_displacement(data, trace, touches);
   // This corrects the remainder of the solver's tolerance, and pins.
-  if (!impose(trace, required, touches, w))
+  for (unsigned int k = 0; k < required.size(); ++k)
+    if (touches[k])
+      adjust(trace.conditions()[k].column, required[k], false, w);
+  if (!impose(trace, required, true, w))
     return {};
   data.space.distribute_without_pins(w);
   return w;
@@ -216,7 +219,7 @@ std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrac
   Vector one(conditions.size());
   one = 1.;
   Displacement z = pushed_displacement(data, MovingNodes(data.space, trace).E);
-  if (!impose(trace, one, std::vector<bool>(one.size(), true), z))
+  if (!impose(trace, one, false, z))
     return {};
   data.space.distribute_without_pins(z);
   const double local = LiftField(data, trace, std::move(z)).cell_energies().l1_norm();

@@ -63,8 +63,9 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
         point.on_diagonals = Point<2>(inverse * (at - shape.crossing));
         point.weight = rule.weight(q) * twice_area(x) / (size * size);
         const Law here = law ? *law : Law(material.hooke(at));
-        point.of_strain = std::sqrt(point.weight) * transpose(here.root);
-        point.of_stress = std::sqrt(point.weight) * here.inverse_root;
+        const Tensor<2, 3> root = here.root();
+        point.of_strain = std::sqrt(point.weight) * transpose(root);
+        point.of_stress = std::sqrt(point.weight) * invert(root);
         point.min_eigenvalue = here.min_eigenvalue;
       }
   return points;

@@ -23,17 +23,6 @@ double min_eigenvalue_of(const Tensor<2, 3> &C) {
     {C[0][0], C[1][1], 2. * C[2][2], C[0][1], root * C[0][2], root * C[1][2]}))[2];
 }
 
-/** Returns the lower triangular L with L Lᵀ = C. */
-Tensor<2, 3> cholesky(const Tensor<2, 3> &C) {
-  Tensor<2, 3> L;
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = 0; j <= i; ++j) {
-      const double rest = C[i][j] - L[i] * L[j];
-      L[i][j] = i == j ? std::sqrt(rest) : rest / L[j][j];
-    }
-  return L;
-}
-
 std::array<std::vector<TrianglePart>, 4> whole_triangles(const CellShape &shape) {
   return {
     {{{shape.triangle(0)}}, {{shape.triangle(1)}}, {{shape.triangle(2)}}, {{shape.triangle(3)}}}};
@@ -47,6 +36,16 @@ Law::Law(const SymmetricTensor<4, 2> &hooke) {
       stiffness[i][j] = hooke[pairs[i][0]][pairs[i][1]][pairs[j][0]][pairs[j][1]];
   compliance = invert(stiffness);
   min_eigenvalue = min_eigenvalue_of(stiffness);
+}
+
+Tensor<2, 3> Law::root() const {
+  Tensor<2, 3> L;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j <= i; ++j) {
+      const double rest = stiffness[i][j] - L[i] * L[j];
+      L[i][j] = i == j ? std::sqrt(rest) : rest / L[j][j];
+    }
+  return L;
 }
 
 CellPoints::CellPoints(const CellShape &shape, const Quadrature<2> &rule,
@@ -235,7 +234,7 @@ CellEnergy CellPoints::energy(const std::vector<Law> &laws) const {
 
 CellMatrix::CellMatrix(const CellPoints &points, const Law &law)
   : min_eigenvalue_(law.min_eigenvalue) {
-  const Tensor<2, 3> root = transpose(cholesky(law.stiffness));
+  const Tensor<2, 3> root = transpose(law.root());
   std::array<std::vector<double>, CellColumns::end> values;
   for (unsigned int j = 0; j < values.size(); ++j) {
     CellVector unit{};

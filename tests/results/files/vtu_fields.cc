@@ -97,7 +97,7 @@ void bound(Checks &checks) {
   const OneLevel level("", 3,
                        {"Boundary/Contact=bottom", "Boundary/Displacement=top: 0; -0.05",
                         "Contact/Gap=(x-0.4)^2/4", "Load/Body force=sin(5*x); 0",
-                        "Discretization/Finest level=3"});
+                        "Discretization/Target error=1e-9"});
   const LevelSolution<2> solution = level.solve();
   const std::string body = body_vtu(level, solution.U, solution.bound_fields);
   std::ostringstream line;

@@ -17,6 +17,9 @@ namespace Signorini {
 struct Law {
   explicit Law(const SymmetricTensor<4, 2> &hooke);
 
+  /** Returns the lower triangular G with G Gᵀ = C. */
+  Tensor<2, 3> root() const;
+
   Tensor<2, 3> stiffness, compliance;
   /** The smallest c with e:C:e ≥ c e:e. */
   double min_eigenvalue;
