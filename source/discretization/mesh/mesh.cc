@@ -98,6 +98,7 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level
                    /*allow_artificial_cells=*/false,
                    parallel::shared::Triangulation<dim>::partition_metis)
   , curved_(geometry.curved)
+  , is_graded_(false)
   , lower_(geometry.lower)
   , size_(geometry.longest_extent())
   , n_nested_ancestors_(geometry.distortion == 0. ? level : level - std::min(coarsest_level, level))
@@ -121,6 +122,7 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int base_level,
                    /*allow_artificial_cells=*/false,
                    parallel::shared::Triangulation<dim>::partition_zorder)
   , curved_(geometry.curved)
+  , is_graded_(true)
   , lower_(geometry.lower)
   , size_(geometry.longest_extent())
   , n_nested_ancestors_(0)

@@ -41,26 +41,6 @@ std::vector<double> roots(const Numbers &squares) {
   return result;
 }
 
-/** Returns the terms of -J*(τ) besides those of StressBound::complementary_energy, where J*(τ)
- * = 1/2 ‖τ‖² - ∫_{Γ_D} τ n.u_D - ∫_{Γ_c} τ_n g. With u_D - c and g - c_n in place
- * of u_D and g, c a translation, there remains c.(∫_{Γ_D} τ n + ∫_{Γ_c} τ_n n),
- * which is the loads' part. So rounding of large translations does not enter. */
-double work_of_contact(const StressBound &stress, const BoundData &data,
-                       const ContactTrace::TractionChange &change) {
-  const MultiplierSpace<2> &multipliers = data.multipliers;
-  const dealii::Vector<double> &P = data.P;
-  dealii::Vector<double> gap(data.G);
-  Tensor<1, 2> force = stress.support_force + change.force;
-  for (const Piece<2> &piece : multipliers.surface().pieces())
-    for (std::size_t q = 0; q < piece.on_mesh.size(); ++q) {
-      const Tensor<1, 2> normal = piece.on_mesh.weights[q] * piece.on_mesh.normals[q];
-      // Multipliers are constant on patches.
-      gap[piece.patch] -= stress.translation * normal;
-      force += P[piece.patch] * normal;
-    }
-  return P * gap + change.work_of_gap + stress.translation * force;
-}
-
 double ratio(const double value, const double scale) {
   if (value == 0.)
     return 0.;
@@ -91,27 +71,6 @@ struct Consequences {
   double stress_error = std::numeric_limits<double>::infinity();
 };
 
-/**
- * Returns whether the bracket and J(u_h) contradict each other. With d = u_{h,n} - g, and η, s
- * and T as in energy_bracket.h,
- *
- *     J(u_h) - η²/2 - ∫ τ_n d ≤ J(u) ≤ J(u_h) + s |||w||| - ∫ τ_n d + T,
- *
- * which uses neither J*(τ) nor the gap's work. The tolerance allows for the different quadrature
- * of loads.
- */
-bool contradicts(const Consequences &known, const StressBound &stress_data, const ContactLift &lift,
-                 const double energy, const double strain_energy) {
-  constexpr double tolerance = 1e-4;
-  const ContactBound &contact = *lift.bound;
-  const double rest = energy - lift.trace.work_of_penetration();
-  const double upper =
-    rest + known.stress_error * std::sqrt(contact.lift_energy) + contact.contact_term;
-  const double allowed = tolerance * strain_energy;
-  return rest - 0.5 * stress_data.square > known.energy.upper + allowed ||
-         upper < known.energy.lower - allowed;
-}
-
 /** Adds the bracket of the energy and the bound of the force.
  * @param change ∫ (τ_n - p_H) over Γ_c. */
 void add_consequences(const BoundData &data, const Consequences &known, const ContactLift &lift,
@@ -122,54 +81,28 @@ void add_consequences(const BoundData &data, const Consequences &known, const Co
     result.force_error = contact_force_bound(known.stress_error, *unit_lift) + std::abs(change);
 }
 
-/**
- * Adds the results for straight sides only: the bound for π^{2h} u_h, the bracket of the energy
- * and the bound of the contact force.
- * @return whether the bracket agrees with J(u_h).
- */
-bool add_guaranteed(const BoundData &data, const EquilibratedStress &stress,
-                    const StressBound &stress_data, const ContactLift &lift, const double scale,
-                    ErrorBound &result) {
+/** Adds the results for straight sides only: the bound for π^{2h} u_h, the bracket of the energy
+ * and the bound of the contact force. A polygon determines neither the last digits of the energy
+ * nor those of the force on a curve. */
+void add_guaranteed(const BoundData &data, const BestStress &stress, const StressBound &stress_data,
+                    const ContactLift &lift, const double scale, ErrorBound &result) {
   if (!stress.is_guaranteed())
-    // A polygon does not determine the last digits of the energy, nor about the force on a curve.
-    return true;
-  const auto change = lift.trace.traction_change(stress_data.translation);
-  const double work = work_of_contact(stress_data, data, change);
-  const Bracket &complementary = stress_data.complementary_energy;
-  Consequences consequences({complementary.lower - work, complementary.upper - work},
+    return;
+  const auto &J = stress_data.complementary_energy;
+  const double work = lift.trace.work_of_penetration();
+  Consequences consequences(J ? Bracket{J->lower + work, J->upper + work} : Bracket{0., 0.},
                             stress_data.square, *lift.bound);
-  if (stress_data.interpolated_part) {
-    const double square = stress_data.interpolated_part->square;
-    const ContactLift interpolated_part(data, stress.face_fields(true));
-    if (interpolated_part.bound && std::isfinite(square + interpolated_part.bound->square())) {
-      result.post_absolute =
-        total(square, stress_data.interpolated_part->lift, *interpolated_part.bound);
+  if (const auto &post = stress_data.interpolated_part) {
+    const ContactLift post_lift(data, stress.face_fields(true));
+    if (post_lift.bound && std::isfinite(post->square + post_lift.bound->square())) {
+      result.post_absolute = total(post->square, post->lift, *post_lift.bound);
       result.post_relative = ratio(*result.post_absolute, scale);
-      consequences.consider(square, *interpolated_part.bound);
+      consequences.consider(post->square, *post_lift.bound);
     }
   }
-  add_consequences(data, consequences, lift, change.normal_force, result);
-  // Where u_h only interpolates what is prescribed, J(u_h) is not that of a function with the
-  // boundary values of u.
-  return stress_data.lift > 1e-10 * stress.energy_norm() ||
-         !contradicts(consequences, stress_data, lift, data.energy, scale * scale);
-}
-
-/** Adds the same for the best stress. With η² = 2 J(u_h) + 2 J*(τ) - 2 ∫ τ_n d, J* loses no
- * digits. */
-bool add_guaranteed(const BoundData &data, const BestStress &stress, const StressBound &stress_data,
-                    const ContactLift &lift, double, ErrorBound &result) {
-  const double rest = lift.trace.work_of_penetration() - data.energy;
-  add_consequences(data,
-                   {{0.5 * stress_data.smallest_square + rest, 0.5 * stress_data.square + rest},
-                    stress_data.square,
-                    *lift.bound},
-                   lift, stress.change_of_force(), result);
-  // J(u_h) must be that of a function with the boundary values of u, under loads that are resolved.
-  if (stress_data.lift > 1e-10 * stress.energy_norm() ||
-      stress_data.oscillation_square > 0.01 * stress_data.square)
+  add_consequences(data, consequences, lift, stress.change_of_force(), result);
+  if (!J)
     result.energy_lower = result.energy_upper = {};
-  return true;
 }
 
 /** Returns the sentence for a bound that would not hold; empty for others. */
@@ -181,9 +114,8 @@ std::string doubt(const StressBound &stress, const ContactLift &lift) {
   return lift.no_bound;
 }
 
-/** Sums up a bound from the stress, an EquilibratedStress or a BestStress. */
-template <typename Stress>
-LocatedBound sum_up(const BoundData &data, const Stress &stress) {
+/** Sums up a bound from the stress. */
+LocatedBound sum_up(const BoundData &data, const BestStress &stress) {
   LocatedBound located;
   ErrorBound &result = located.bound;
   result.missing = stress.failure();
@@ -211,14 +143,7 @@ LocatedBound sum_up(const BoundData &data, const Stress &stress) {
   result.guaranteed = stress.is_guaranteed();
   result.geometry = std::sqrt(stress_data.geometry_square);
   result.relative_geometry = ratio(*result.geometry, scale);
-  if (!add_guaranteed(data, stress, stress_data, lift, scale, result)) {
-    located.bound = {};
-    located.bound.missing = "the bracket of the energy contradicts the energy of u_h, by rounding "
-                            "or by data that vary between the points where they are sampled";
-    located.bound.penetration = lift.trace.max_penetration();
-    located.bound.place_of_penetration = name_of(lift.trace.place_of_largest(), data.scene);
-    return located;
-  }
+  add_guaranteed(data, stress, stress_data, lift, scale, result);
   result.largest_cell = name_of_worst_cell(stress_data, data.space);
   if (!data.scene.contact_sides().empty())
     result.worst_face = name_of(contact.dominant_part, data.scene);
@@ -229,15 +154,10 @@ LocatedBound sum_up(const BoundData &data, const Stress &stress) {
 } // namespace
 
 LocatedBound compute_located_bound(const BoundData &data) {
-  const bool is_nested_bilinear =
-    data.space.max_element_degree() == 1 && !data.space.mesh().triangulation().has_hanging_nodes();
   LocatedBound none;
-  none.bound.missing =
-    is_nested_bilinear ? EquilibratedStress::objection(data) : BestStress::objection(data);
+  none.bound.missing = BestStress::objection(data);
   if (!none.bound.missing.empty())
     return none;
-  if (is_nested_bilinear)
-    return sum_up(data, EquilibratedStress(data));
   try {
     return sum_up(data, BestStress(data));
   } catch (const ComputationError &error) {

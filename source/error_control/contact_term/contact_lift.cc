@@ -4,7 +4,6 @@
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/contact_term/contact_lift.h>
 #include <signorini/error_control/loads/law_sampling.h>
-#include <signorini/error_control/stress/equilibrated_stress.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -204,8 +203,7 @@ dealii::Vector<double> LiftField::cell_energies() const {
   const auto n_equal_parts = [&](const CellIterator &cell) {
     // Graded meshes resolve data.
     return !constant && cell->get_fe().degree == 1 &&
-               LawSampling::varies(sampling.scan(
-                 {{cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}}))
+               LawSampling::varies(sampling.scan(corners_of(cell)))
              ? (sampling.intervals() + 3) / 4
              : 1;
   };

@@ -3,7 +3,8 @@
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/cell_fit.h>
-#include <signorini/error_control/loads/cell_loads.h>
+#include <signorini/error_control/loads/oscillation.h>
+#include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -12,14 +13,6 @@
 
 namespace Signorini {
 namespace {
-/** Returns a rule on the unit triangle that integrates polynomials of the degree exactly. */
-Quadrature<2> triangle_rule(const unsigned int degree) {
-  const unsigned int n = degree / 2 + 1;
-  if (n <= 7)
-    return QWitherdenVincentSimplex<2>(n);
-  return QDuffy(n, 1.);
-}
-
 CellShape at_unit_size(const CellShape &shape, const double size) {
   std::array<Point<2>, 4> corners;
   for (unsigned int k = 0; k < 4; ++k)
@@ -31,8 +24,12 @@ CellShape at_unit_size(const CellShape &shape, const double size) {
 CellFitter::CellFitter(const BoundData &data)
   : data_(data)
   , is_constant_(data.scene.material->is_constant()) {
-  if (!is_constant_)
-    lines_ = data.scene.kinks.lines();
+  if (is_constant_)
+    return;
+  lines_ = data.scene.kinks.lines();
+  // Graded meshes resolve all else, see resolve_hidden_data().
+  if (!data.space.mesh().is_graded())
+    sampling_.emplace(*data.scene.material, data.space.mesh().triangulation().n_active_cells());
 }
 
 std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &shape,
@@ -44,7 +41,7 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
   const bool is_polynomial = shape.affine && is_constant_;
   const Quadrature<2> rule =
     triangle_rule(std::min(4 * degree - 2, 2 * degree + 6) + (is_polynomial ? 0 : 4));
-  const auto parts = triangle_parts(shape, lines_, nullptr);
+  const auto parts = triangle_parts(shape, lines_, sampling_ ? &*sampling_ : nullptr);
   const Tensor<2, 2> inverse = invert(Tensor<2, 2>(
     {{shape.corners[0][0] - shape.crossing[0], shape.corners[1][0] - shape.crossing[0]},
      {shape.corners[0][1] - shape.crossing[1], shape.corners[1][1] - shape.crossing[1]}}));
@@ -53,21 +50,30 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
     law.emplace(material.hooke(shape.crossing));
   std::array<std::vector<AiryPoint>, 4> points;
   for (unsigned int k = 0; k < 4; ++k)
-    for (const TrianglePart &part : parts[k])
+    for (const TrianglePart &part : parts[k]) {
+      const Triangle &x = part.corners;
+      const auto place = [&](const unsigned int q) {
+        return x[0] + rule.point(q)[0] * (x[1] - x[0]) + rule.point(q)[1] * (x[2] - x[0]);
+      };
+      // Where the law is not resolved, the energy of stresses is taken from above.
+      std::optional<Law> softest = law;
+      for (unsigned int q = 0; q < rule.size() && !part.resolved; ++q)
+        if (const Law here(material.hooke(place(q)));
+            !softest || here.compliance.norm() > softest->compliance.norm())
+          softest = here;
       for (unsigned int q = 0; q < rule.size(); ++q) {
-        const Triangle &x = part.corners;
-        const Point<2> at =
-          x[0] + rule.point(q)[0] * (x[1] - x[0]) + rule.point(q)[1] * (x[2] - x[0]);
+        const Point<2> at = place(q);
         AiryPoint &point = points[k].emplace_back();
         point.reference = shape.reference(at - shape.corners[0]);
         point.on_diagonals = Point<2>(inverse * (at - shape.crossing));
         point.weight = rule.weight(q) * twice_area(x) / (size * size);
-        const Law here = law ? *law : Law(material.hooke(at));
+        const Law here = softest ? *softest : Law(material.hooke(at));
         const Tensor<2, 3> root = here.root();
         point.of_strain = std::sqrt(point.weight) * transpose(root);
         point.of_stress = std::sqrt(point.weight) * invert(root);
         point.min_eigenvalue = here.min_eigenvalue;
       }
+    }
   return points;
 }
 
@@ -125,7 +131,7 @@ dealii::Vector<double> CellFitter::stress_of_u(const Triangulation<2>::active_ce
           gradient[c][0] += slope * tables.y.values(q, j);
           gradient[c][1] += value * tables.y.derivatives(q, j);
         }
-      gradient = gradient * invert(shape.jacobian(CellFunctions(point.reference), false));
+      gradient = gradient * invert(shape.jacobian(CellFunctions(point.reference)));
       const Components weighted = point.of_strain * Components({gradient[0][0], gradient[1][1],
                                                                 gradient[0][1] + gradient[1][0]});
       for (unsigned int c = 0; c < 3; ++c)
@@ -143,9 +149,9 @@ PolynomialLoad CellFitter::project_load(const CellShape &shape, const Quadrature
   dealii::Vector<double> f(2);
   for (unsigned int q = 0; q < rule.size(); ++q) {
     const CellFunctions functions(rule.point(q));
-    const Point<2> x = shape.corners[0] + shape.offset(functions, false);
+    const Point<2> x = shape.corners[0] + shape.offset(functions);
     points.push_back(fit.airy->on_diagonals((x - shape.crossing) / fit.size));
-    weights.push_back(rule.weight(q) * determinant(shape.jacobian(functions, false)));
+    weights.push_back(rule.weight(q) * determinant(shape.jacobian(functions)));
     data_.scene.body_force->vector_value(x, f);
     forces.emplace_back(Tensor<1, 2>({f[0], f[1]}) * fit.size);
   }
@@ -167,56 +173,51 @@ dealii::Vector<double> CellFitter::subtract_load(const Triangulation<2>::active_
     return dealii::Vector<double>(8 * (fit.airy->degree() + 1));
   // Products of f_K with itself, and f of as many degrees more as f_K has.
   const unsigned int n = fit.airy->degree() + 4;
-  Quadrature<2> &plain = load_rules_[n];
-  if (plain.size() == 0)
-    plain = QGauss<2>(n);
   const bool is_cut = needs_cuts<2>(data_.scene.kinks, cell);
-  PolynomialLoad load =
-    project_load(shape, is_cut ? cut_quadrature(data_.scene.kinks, cell, n) : plain, fit);
-  // A force that is no polynomial at all, such as one that jumps: about 500000 points on the mesh.
-  if (!is_cut && fit.load_rest > 1e-3 * fit.load_norm) {
-    const double n_cells = data_.space.mesh().triangulation().n_active_cells();
-    const auto n_parts = std::clamp<unsigned int>(std::sqrt(5e5 / n_cells) / 4., 4, 24);
-    load = project_load(shape, QIterated<2>(QGauss<1>(4), n_parts), fit);
+  // About 500000 points on the mesh, and two per direction in a cell of u_h.
+  const auto &of_u = data_.space.mesh();
+  const double per_cell =
+    std::clamp(std::sqrt(5e5 / of_u.triangulation().n_active_cells()), 2., 96.);
+  const auto n_parts = static_cast<unsigned int>(
+    of_u.is_graded() ? std::clamp(per_cell / 4., 4., 24.)
+                     : std::ceil(per_cell / 4. * (1 << (of_u.level() - cell->level()))));
+  const auto finely = [&] {
+    fit.load = project_load(shape, QIterated<2>(QGauss<1>(4), n_parts), fit);
+  };
+  if (is_cut)
+    fit.load = project_load(shape, cut_quadrature(data_.scene.kinks, cell, n), fit);
+  else if (!of_u.is_graded() && !is_constant(*data_.scene.body_force))
+    finely();
+  else {
+    Quadrature<2> &plain = load_rules_[n];
+    if (plain.size() == 0)
+      plain = QGauss<2>(n);
+    fit.load = project_load(shape, plain, fit);
+    // Graded meshes resolve all but a force that is no polynomial at all, such as one that jumps.
+    if (fit.load_rest > 1e-3 * fit.load_norm)
+      finely();
   }
-  return fit.airy->subtract_load(load, values);
-}
-
-double CellFitter::lift_norm(const PrescribedLift &lift, const unsigned int cell,
-                             const TractionCell &place) const {
-  const CellShape shape(place.corners);
-  std::vector<KinkLine<2>> lines = lift.lines(cell, place.corners);
-  lines.insert(lines.end(), lines_.begin(), lines_.end());
-  const Quadrature<2> rule = triangle_rule(16);
-  double square = 0.;
-  for (const auto &parts : triangle_parts(shape, lines, nullptr))
-    for (const TrianglePart &part : parts)
-      for (unsigned int q = 0; q < rule.size(); ++q) {
-        const Triangle &x = part.corners;
-        const Point<2> at =
-          x[0] + rule.point(q)[0] * (x[1] - x[0]) + rule.point(q)[1] * (x[2] - x[0]);
-        const Components e = lift.strain(cell, shape, shape.reference(at - shape.corners[0]));
-        square += rule.weight(q) * twice_area(x) *
-                  (e * (Law(data_.scene.material->hooke(at)).stiffness * e));
-      }
-  return std::sqrt(square);
+  return fit.airy->subtract_load(fit.load, values);
 }
 
 CellFit CellFitter::fit(const Triangulation<2>::active_cell_iterator &cell,
-                        const TractionCell &place) {
+                        const TractionCell &place, const bool of_u) {
   const CellShape shape(place.corners);
   CellFit fit;
   fit.size = shape.diameter();
   Known &known = find_known(shape, fit.size, place);
   fit.airy = known.airy;
-  const unsigned int degree = data_.space.element(cell).degree;
-  Tables &tables = known.tables[degree];
-  if (tables.x.values.empty())
-    tables = make_tables(*known.airy, degree);
-  dealii::Vector<double> values = stress_of_u(cell, shape, *fit.airy, tables);
+  dealii::Vector<double> values(3 * fit.airy->n_points());
+  if (of_u) {
+    const unsigned int degree = data_.space.element(cell).degree;
+    Tables &tables = known.tables[degree];
+    if (tables.x.values.empty())
+      tables = make_tables(*known.airy, degree);
+    values = stress_of_u(cell, shape, *fit.airy, tables);
+  }
   fit.shift = subtract_load(cell, shape, values, fit);
   // The second projection removes what rounding left of the first.
-  for (unsigned int pass = 0; pass < 2; ++pass)
+  for (unsigned int pass = 0; pass < 2 && !values.all_zero(); ++pass)
     fit.shift += fit.airy->project(values);
   fit.rest = values.l2_norm();
   fit.min_eigenvalue = fit.airy->points()[0][0].min_eigenvalue;

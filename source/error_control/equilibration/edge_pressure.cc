@@ -3,13 +3,16 @@
 
 #include <signorini/error_control/equilibration/best_stress.h>
 #include <signorini/postprocessing/fields/forces.h>
+#include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 namespace Signorini {
 namespace {
@@ -45,18 +48,26 @@ double bernstein_value(std::vector<double> b, const double s) {
 } // namespace
 
 void BestStress::give_tractions() {
-  FaceValues<2> values(data_.space.mesh().mapping(), data_.space, data_.scene.kinks, 6,
+  // About 20000 points on all faces, unless t is constant: narrow tractions are seen.
+  const auto is_loaded = [this](const auto &face) {
+    return face->at_boundary() && data_.scene.boundary[face->boundary_id()].role == Role::traction;
+  };
+  unsigned int n_faces = 0;
+  for (const auto &face : data_.space.mesh().triangulation().active_face_iterators())
+    if (is_loaded(face) && !is_constant(*data_.scene.boundary[face->boundary_id()].data))
+      ++n_faces;
+  const unsigned int n_points = n_faces > 0 ? std::clamp(20000 / n_faces, 6U, 96U) : 6;
+  FaceValues<2> values(StaticMappingQ1<2>::mapping, data_.space, data_.scene.kinks, n_points,
                        update_quadrature_points | update_JxW_values | update_normal_vectors);
   dealii::Vector<double> t(2);
-  for (const auto &cell : cells_)
+  rests_.fill(std::vector<double>(mesh_->edges().size(), 0.));
+  for (const auto &cell : data_.space.mesh().triangulation().active_cell_iterators())
     for (const unsigned int f : cell->face_indices()) {
-      if (!cell->at_boundary(f) ||
-          data_.scene.boundary[cell->face(f)->boundary_id()].role != Role::traction)
+      if (!is_loaded(cell->face(f)))
         continue;
-      const unsigned int number = mesh_.edge_of_line(cell->face(f)->index());
-      const TractionEdge &edge = mesh_.edges()[number];
+      const unsigned int number = mesh_->edge_at(cell, f);
+      const TractionEdge &edge = mesh_->edges()[number];
       const FEFaceValues<2> &rule = values.reinit(cell, f);
-      std::array<double, 2> squares = {{0., 0.}};
       for (const unsigned int q : rule.quadrature_point_indices()) {
         data_.scene.boundary[edge.side].data->vector_value(rule.quadrature_point(q), t);
         const Tensor<1, 2> &n = rule.normal_vector(q);
@@ -65,64 +76,46 @@ void BestStress::give_tractions() {
         const auto L = legendre_values(edge.degree, edge.start.distance(rule.quadrature_point(q)) /
                                                       edge.length());
         for (unsigned int c = 0; c < 2; ++c) {
-          squares[c] += rule.JxW(q) * parts[c] * parts[c];
+          rests_[c][number] += rule.JxW(q) * parts[c] * parts[c];
           for (unsigned int i = 0; i <= edge.degree; ++i)
             x_[edge.position(c, i)] += rule.JxW(q) / edge.length() * L[i] * parts[c];
         }
       }
-      for (unsigned int c = 0; c < 2; ++c) {
-        double rest = squares[c];
+    }
+  for (unsigned int c = 0; c < 2; ++c)
+    for (std::size_t number = 0; number < mesh_->edges().size(); ++number)
+      if (double &rest = rests_[c][number]; rest > 0.) {
+        const TractionEdge &edge = mesh_->edges()[number];
+        const double square = rest;
         for (unsigned int i = 0; i <= edge.degree; ++i)
           rest -= edge.length() * std::pow(x_[edge.position(c, i)], 2);
         // The root of rounding is not rounding.
-        (c == 0 ? normal_rest_ : shear_rest_)[number] =
-          rest > 1e-14 * squares[c] ? std::sqrt(rest) : 0.;
+        rest = rest > 1e-14 * square ? std::sqrt(rest) : 0.;
       }
-    }
 }
 
-std::vector<PrescribedEdge> BestStress::prescribed_edges() const {
-  std::vector<PrescribedEdge> edges;
-  for (unsigned int c = 0; c < cells_.size(); ++c)
-    for (unsigned int k = 0; k < 4; ++k) {
-      const TractionCell &cell = mesh_.cells()[c];
-      const unsigned int side = mesh_.edges()[cell.sides[k].edge].side;
-      if (side == TractionEdge::no_side || data_.scene.boundary[side].role != Role::displacement)
-        continue;
-      const CellField u(data_.space.dof_cell(cells_[c]), data_.U);
-      // Sides 0 and 2 run along the first reference coordinate, 2 and 3 backwards.
-      edges.push_back(
-        {c, k, side, cell.corners[k], cell.corners[(k + 1) % 4], [u, k](const double s) {
-           const unsigned int p = u.degree();
-           const LineTable line = make_line_table(p, {k < 2 ? s : 1. - s});
-           Tensor<1, 2> value;
-           for (unsigned int d = 0; d < 2; ++d)
-             for (unsigned int i = 0; i <= p; ++i)
-               value[d] += line.values(0, i) *
-                           (k % 2 == 0 ? u(d, i, k == 0 ? 0 : p) : u(d, k == 1 ? p : 0, i));
-           return value;
-         }});
-    }
-  return edges;
-}
-
-void BestStress::press_by_multipliers(const std::size_t face) {
-  const ContactSurface<2> &surface = data_.multipliers.surface();
-  const unsigned int number = contact_edges_[face];
-  const TractionEdge &edge = mesh_.edges()[number];
+void BestStress::press_by_multipliers(const unsigned int number) {
+  const TractionEdge &edge = mesh_->edges()[number];
   const QGauss<1> gauss(edge.degree + 1);
   std::vector<double> p(edge.degree + 1, 0.);
-  for (const Piece<2> &piece : surface.pieces())
-    if (piece.face == face)
-      for (unsigned int q = 0; q < gauss.size(); ++q) {
-        const double s = gauss.point(q)[0],
-                     length = piece.upper_on_face[0] - piece.lower_on_face[0];
-        const auto L = legendre_values(edge.degree, piece.lower_on_face[0] + s * length);
-        const double value = data_.multipliers.value(data_.P, piece.patch,
-                                                     piece.lower + s * (piece.upper - piece.lower));
-        for (unsigned int i = 0; i < p.size(); ++i)
-          p[i] += gauss.weight(q) * std::abs(length) * L[i] * value;
-      }
+  const auto &pieces = data_.multipliers.surface().pieces();
+  for (const Piece<2> &piece : pieces) {
+    if (contact_edges_[piece.face] != number)
+      continue;
+    const Side<2> &side = data_.scene.geometry.sides[edge.side];
+    const auto position = [&](const Point<1> &s) {
+      return edge.start.distance(side.point(s[0])) / edge.length();
+    };
+    const double from = position(piece.lower), to = position(piece.upper);
+    for (unsigned int q = 0; q < gauss.size(); ++q) {
+      const double s = gauss.point(q)[0];
+      const auto L = legendre_values(edge.degree, from + s * (to - from));
+      const double value = data_.multipliers.value(data_.P, piece.patch,
+                                                   piece.lower + s * (piece.upper - piece.lower));
+      for (unsigned int i = 0; i < p.size(); ++i)
+        p[i] += gauss.weight(q) * std::abs(to - from) * L[i] * value;
+    }
+  }
   std::vector<double> b = bernstein_coefficients(p);
   if (std::any_of(b.begin(), b.end(), [](const double value) { return value > 0.; })) {
     // The same force, where it presses: the mean of the coefficients is that of the polynomial.
@@ -139,32 +132,40 @@ void BestStress::press_by_multipliers(const std::size_t face) {
         p[i] += gauss.weight(q) * L[i] * bernstein_value(b, gauss.point(q)[0]);
     }
   }
-  mesh_.set_free(number, 0, false);
+  mesh_->set_free(number, 0, false);
   for (unsigned int i = 0; i < p.size(); ++i)
     x_[edge.position(0, i)] = p[i];
 }
 
 void BestStress::give_contact() {
   const ContactSurface<2> &surface = data_.multipliers.surface();
+  contact_edges_.clear();
   for (const ContactFace<2> &face : surface.faces())
-    contact_edges_.push_back(mesh_.edge_of_line(face.cell->face(face.face_no)->index()));
+    contact_edges_.push_back(mesh_->edge_at(face.cell, face.face_no));
   const double threshold = pressing_threshold(data_.P);
-  std::vector<bool> presses(surface.faces().size(), true);
-  for (const Piece<2> &piece : surface.pieces())
+  std::map<unsigned int, bool> presses;
+  for (const Piece<2> &piece : surface.pieces()) {
+    bool &on_edge = presses.emplace(contact_edges_[piece.face], true).first->second;
     for (unsigned int k = data_.multipliers.first_of(piece.patch);
          k < data_.multipliers.first_of(piece.patch + 1); ++k)
-      if (!(data_.P[k] < threshold))
-        presses[piece.face] = false;
-  for (std::size_t face = 0; face < presses.size(); ++face) {
-    press_by_multipliers(face);
-    mesh_.set_free(contact_edges_[face], 0, presses[face]);
+      on_edge = on_edge && data_.P[k] < threshold;
+  }
+  // Next to an edge that is open the best traction would pull.
+  std::map<unsigned int, bool> is_free = presses;
+  for (std::size_t i = 0; i + 1 < contact_edges_.size(); ++i)
+    if (const unsigned int here = contact_edges_[i], next = contact_edges_[i + 1];
+        mesh_->edges()[here].side == mesh_->edges()[next].side && !(presses[here] && presses[next]))
+      is_free[here] = is_free[next] = false;
+  for (const auto &[edge, free] : is_free) {
+    press_by_multipliers(edge);
+    mesh_->set_free(edge, 0, free);
   }
 }
 
 bool BestStress::fix_pulling_edges() {
   bool fixed = false;
-  for (std::size_t face = 0; face < contact_edges_.size(); ++face) {
-    const TractionEdge &edge = mesh_.edges()[contact_edges_[face]];
+  for (const unsigned int number : contact_edges_) {
+    const TractionEdge &edge = mesh_->edges()[number];
     if (!edge.is_free[0])
       continue;
     std::vector<double> p;
@@ -173,7 +174,7 @@ bool BestStress::fix_pulling_edges() {
     const std::vector<double> b = bernstein_coefficients(p);
     if (std::none_of(b.begin(), b.end(), [](const double value) { return value > 0.; }))
       continue;
-    press_by_multipliers(face);
+    press_by_multipliers(number);
     fixed = true;
   }
   return fixed;
@@ -182,14 +183,12 @@ bool BestStress::fix_pulling_edges() {
 void BestStress::add_plate_conditions() {
   for (const Plate &plate : data_.scene.plates) {
     TractionCondition force, moment;
-    for (const TractionEdge &edge : mesh_.edges()) {
+    for (const TractionEdge &edge : mesh_->edges()) {
       if (edge.side != plate.side)
         continue;
-      const Side<2> &side = data_.scene.geometry.sides[plate.side];
-      const Point<2> middle = edge.start + 0.5 * (edge.end - edge.start);
       const double length = edge.length();
-      const Tensor<1, 2> n = side.normal(side.arc_length(middle)), t({-n[1], n[0]}),
-                         arm = middle - plate.centre;
+      const Tensor<1, 2> n = edge.normal(data_.scene.geometry), t({-n[1], n[0]}),
+                         arm = edge.start + 0.5 * (edge.end - edge.start) - plate.centre;
       const double slope = (t * (edge.end - edge.start)) / std::sqrt(12.) * length;
       const std::array<Tensor<1, 2>, 2> directions = {{n, t}};
       for (unsigned int c = 0; c < 2; ++c) {
@@ -207,25 +206,35 @@ void BestStress::add_plate_conditions() {
   }
 }
 
-std::vector<FaceField> BestStress::face_fields() const {
+std::vector<FaceField> BestStress::face_fields(const bool interpolated) const {
   std::vector<FaceField> fields;
-  for (const unsigned int number : contact_edges_) {
-    const TractionEdge &edge = mesh_.edges()[number];
+  for (std::size_t i = 0; i < contact_edges_.size(); ++i) {
+    const ContactFace<2> &face = data_.multipliers.surface().faces()[i];
+    const TractionEdge &edge = mesh_->edges()[contact_edges_[i]];
+    const auto line = face.cell->face(face.face_no);
+    const double along =
+                   (edge.end - edge.start) * (line->vertex(1) - line->vertex(0)) > 0. ? 1. : -1.,
+                 share = along * line->vertex(0).distance(line->vertex(1)) / edge.length();
     Polynomials::Polynomial<double> sum(0);
-    for (unsigned int i = 0; i <= edge.degree; ++i) {
-      Polynomials::Polynomial<double> term = Polynomials::Legendre(i);
-      term *= x_[edge.position(0, i)];
+    for (unsigned int k = 0; k <= edge.degree; ++k) {
+      Polynomials::Polynomial<double> term = Polynomials::Legendre(k);
+      term *= x_[edge.position(0, k)];
       sum += term;
     }
-    fields.push_back({0., sum});
+    sum.shift(edge.start.distance(line->vertex(0)) / edge.length());
+    sum.scale(share);
+    FaceField &field = fields.emplace_back(FaceField{0., sum});
+    if (interpolated)
+      field.bubble = fields_->bubbles.at(line->index()) * edge.normal(data_.scene.geometry);
   }
   return fields;
 }
 
 double BestStress::change_of_force() const {
   double change = -(data_.P * data_.multipliers.integrals());
-  for (const unsigned int number : contact_edges_)
-    change += mesh_.edges()[number].length() * x_[mesh_.edges()[number].position(0, 0)];
+  for (const unsigned int number :
+       std::set<unsigned int>(contact_edges_.begin(), contact_edges_.end()))
+    change += mesh_->edges()[number].length() * x_[mesh_->edges()[number].position(0, 0)];
   return change;
 }
 } // namespace Signorini

@@ -42,17 +42,20 @@ FullMatrix<double> make_restriction(const unsigned int degree, const double from
 }
 } // namespace
 
-TractionMesh::TractionMesh(const DisplacementSpace<2> &space, const Scene<2> &scene) {
+TractionMesh::TractionMesh(const StressMesh &mesh, const Scene<2> &scene)
+  : on_side_(scene.geometry.sides.size())
+  , sides_(scene.geometry.sides) {
   constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}},
                                         face_in_circle = {{2, 1, 3, 0}};
-  const auto &triangulation = space.mesh().triangulation();
+  const Triangulation<2> &triangulation = mesh.triangulation();
   edge_of_line_.assign(triangulation.n_raw_lines(), none);
   unsigned int highest = 2;
   for (const auto &cell : triangulation.active_cell_iterators()) {
     TractionCell &here = cells_.emplace_back();
     for (unsigned int k = 0; k < 4; ++k)
       here.corners[k] = cell->vertex(vertex_in_circle[k]);
-    const unsigned int degree = space.element(cell).degree;
+    const unsigned int degree = mesh.degree(cell);
+    here.degree = mesh.inner_degree(cell);
     for (unsigned int k = 0; k < 4; ++k) {
       here.sides[k] = find_side(cell, face_in_circle[k], here.corners[k], scene);
       unsigned int &on_edge = edges_[here.sides[k].edge].degree;
@@ -81,9 +84,20 @@ unsigned int TractionMesh::find_edge(const LineIterator &line, const Scene<2> &s
     if (line->at_boundary()) {
       edge.side = line->boundary_id();
       edge.is_free = freedom_on(scene.boundary[edge.side].role);
+      on_side_[edge.side].emplace(
+        sides_[edge.side].arc_length(edge.start + 0.5 * (edge.end - edge.start)) -
+          0.5 * edge.length(),
+        number);
     }
   }
   return number;
+}
+
+unsigned int TractionMesh::edge_at(const Triangulation<2>::cell_iterator &cell,
+                                   const unsigned int face_no) const {
+  const auto face = cell->face(face_no);
+  const unsigned int side = face->boundary_id();
+  return std::prev(on_side_[side].upper_bound(sides_[side].arc_length(face->center())))->second;
 }
 
 TractionSide TractionMesh::find_side(const Triangulation<2>::active_cell_iterator &cell,

@@ -28,6 +28,16 @@ LineTable make_line_table(const unsigned int degree, const std::vector<double> &
   return make_line_table(basis, points);
 }
 
+Tensor<1, 2> CellField::on_face(const unsigned int face, const double s) const {
+  const LineTable line = make_line_table(degree_, {s});
+  const unsigned int fixed = face % 2 * degree_;
+  Tensor<1, 2> value;
+  for (unsigned int i = 0; i <= degree_; ++i)
+    value += line.values(0, i) *
+             (face < 2 ? values_[fixed + (degree_ + 1) * i] : values_[i + (degree_ + 1) * fixed]);
+  return value;
+}
+
 CellField::CellField(const DoFHandler<2>::active_cell_iterator &cell, const Displacement &U)
   : degree_(cell->get_fe().degree) {
   const FiniteElement<2> &element = cell->get_fe();

@@ -3,6 +3,8 @@
 
 #include <signorini/error_control/loads/law_sampling.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -68,6 +70,13 @@ std::array<std::vector<TrianglePart>, 4> triangle_parts(const CellShape &shape,
   return parts;
 }
 
+Quadrature<2> triangle_rule(const unsigned int degree) {
+  const unsigned int n = degree / 2 + 1;
+  if (n <= 7)
+    return QWitherdenVincentSimplex<2>(n);
+  return QDuffy(n, 1.);
+}
+
 LawSampling::LawSampling(const Material<2> &material, const std::size_t n_cells)
   : material_(material)
   , intervals_(std::clamp<unsigned int>(std::sqrt(5e5 / n_cells), min_intervals, 96)) {}
@@ -90,9 +99,19 @@ LawSampling::Samples LawSampling::scan(const std::array<Point<2>, 4> &corners) c
   for (unsigned int i = 0; i < intervals_; ++i)
     for (unsigned int j = 0; j < intervals_; ++j) {
       const Point<2> at((i + 0.5) / intervals_, (j + 0.5) / intervals_);
-      samples.push_back(sample(corners[0] + shape.offset(CellFunctions(at), false)));
+      samples.push_back(sample(corners[0] + shape.offset(CellFunctions(at))));
     }
   return samples;
+}
+
+bool LawSampling::varies_in(const std::array<Point<2>, 4> &corners,
+                            const std::vector<Point<2>> &points) const {
+  if (intervals_ > min_intervals)
+    return varies(scan(corners));
+  Samples samples;
+  for (const Point<2> &x : points)
+    samples.push_back(sample(x));
+  return varies(samples);
 }
 
 bool LawSampling::varies(const Samples &samples) {

@@ -31,31 +31,6 @@ Tensor<1, 2> PrescribedLift::EdgeRest::evaluate(const double s, const bool deriv
   return sum;
 }
 
-namespace {
-/** Returns the edges of bilinear cells on sides with prescribed displacements. */
-std::vector<PrescribedEdge> prescribed_edges(const BoundData &data, const EdgeMesh &mesh) {
-  std::vector<PrescribedEdge> edges;
-  for (unsigned int c = 0; c < mesh.cells().size(); ++c)
-    for (unsigned int k = 0; k < 4; ++k) {
-      const EdgeCell &cell = mesh.cells()[c];
-      const unsigned int side = mesh.edges()[cell.edges[k]].side, next = (k + 1) % 4;
-      if (side == Edge::no_side || data.scene.boundary[side].role != Role::displacement)
-        continue;
-      std::array<Tensor<1, 2>, 2> u;
-      for (unsigned int d = 0; d < 2; ++d) {
-        u[0][d] = data.U[mesh.dofs()[cell.vertices[k]][d]];
-        u[1][d] = data.U[mesh.dofs()[cell.vertices[next]][d]];
-      }
-      edges.push_back({c, k, side, cell.corners[k], cell.corners[next],
-                       [u](const double s) { return (1. - s) * u[0] + s * u[1]; }});
-    }
-  return edges;
-}
-} // namespace
-
-PrescribedLift::PrescribedLift(const BoundData &data, const EdgeMesh &mesh)
-  : PrescribedLift(data, mesh.cells().size(), prescribed_edges(data, mesh)) {}
-
 PrescribedLift::PrescribedLift(const BoundData &data, const std::size_t n_cells,
                                const std::vector<PrescribedEdge> &edges)
   : cells_(n_cells, false) {
@@ -115,36 +90,33 @@ std::vector<KinkLine<2>> PrescribedLift::lines(const unsigned int cell,
   return lines;
 }
 
+std::array<double, 2> PrescribedLift::EdgeRest::coordinates(const Point<2> &at) const {
+  // The axes along edge k and behind it, with their directions.
+  const double along = at[k % 2], behind = at[1 - k % 2];
+  return {{k < 2 ? along : 1. - along, k % 3 == 0 ? behind : 1. - behind}};
+}
+
+Tensor<1, 2> PrescribedLift::value(const unsigned int cell, const Point<2> &at) const {
+  Tensor<1, 2> z;
+  for (const EdgeRest &rest : rests_.at(cell)) {
+    const auto [s, depth] = rest.coordinates(at);
+    z += (1. - depth) * rest.evaluate(s, false);
+  }
+  return z;
+}
+
 Components PrescribedLift::strain(const unsigned int cell, const CellShape &shape,
                                   const Point<2> &at) const {
-  const Tensor<2, 2> inverse = invert(shape.jacobian(CellFunctions(at), false));
+  const Tensor<2, 2> inverse = invert(shape.jacobian(CellFunctions(at)));
   Components e;
   for (const EdgeRest &rest : rests_.at(cell)) {
-    // The axes along edge k and behind it, with their directions.
-    const unsigned int along = rest.k % 2, behind = 1 - along;
-    const bool forward = rest.k < 2, inward = rest.k % 3 == 0;
-    const double s = forward ? at[along] : 1. - at[along];
-    const double depth = inward ? at[behind] : 1. - at[behind];
-    const Tensor<2, 2> gradient =
-      (forward ? 1. : -1.) * (1. - depth) * outer_product(rest.evaluate(s, true), inverse[along]) -
-      (inward ? 1. : -1.) * outer_product(rest.evaluate(s, false), inverse[behind]);
+    const auto [s, depth] = rest.coordinates(at);
+    const Tensor<2, 2> gradient = (rest.k < 2 ? 1. : -1.) * (1. - depth) *
+                                    outer_product(rest.evaluate(s, true), inverse[rest.k % 2]) -
+                                  (rest.k % 3 == 0 ? 1. : -1.) *
+                                    outer_product(rest.evaluate(s, false), inverse[1 - rest.k % 2]);
     e += Components({gradient[0][0], gradient[1][1], gradient[0][1] + gradient[1][0]});
   }
   return e;
-}
-
-double PrescribedLift::work(const unsigned int cell, const CellMoments &moments) const {
-  if (!cells_[cell])
-    return 0.;
-  const QGauss<1> rule(6);
-  double sum = 0.;
-  for (const EdgeRest &rest : rests_.at(cell))
-    for (unsigned int piece = 0; piece < rest.pieces.size(); ++piece)
-      for (unsigned int i = 0; i < rule.size(); ++i) {
-        const double s = (piece + rule.point(i)[0]) / rest.pieces.size();
-        sum += rule.weight(i) / rest.pieces.size() *
-               (rest.evaluate(s, false) * linear_traction(&moments[4 * rest.k], s));
-      }
-  return sum;
 }
 } // namespace Signorini

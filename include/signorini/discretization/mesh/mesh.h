@@ -88,6 +88,10 @@ public:
   unsigned int n_nested_ancestors() const {
     return n_nested_ancestors_;
   }
+  /** Returns whether the mesh was refined where must_split returned true. */
+  bool is_graded() const {
+    return is_graded_;
+  }
   /** Returns whether T^{2h} exists. */
   bool has_parents() const {
     return n_nested_ancestors_ > 0;
@@ -98,7 +102,7 @@ private:
   void make_mappings(unsigned int degree);
 
   parallel::shared::Triangulation<dim> triangulation_;
-  bool curved_;
+  bool curved_, is_graded_;
   Point<dim> lower_;
   double size_;
   std::unique_ptr<const Mapping<dim>> mapping_, unit_mapping_;

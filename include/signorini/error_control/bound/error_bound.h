@@ -3,7 +3,7 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/error_control/contact_term/contact_lift.h>
-#include <signorini/error_control/stress/equilibrated_stress.h>
+#include <signorini/error_control/equilibration/stress_bound.h>
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/equilibration/traction_mesh.h>
-#include <signorini/error_control/stress/cell_table.h>
+#include <signorini/error_control/loads/law.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/lac/lapack_full_matrix.h>

@@ -4,7 +4,9 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/equilibration/cell_fit.h>
-#include <signorini/error_control/stress/equilibrated_stress.h>
+#include <signorini/error_control/equilibration/field_integrals.h>
+#include <signorini/error_control/equilibration/stress_bound.h>
+#include <signorini/error_control/loads/edge_function.h>
 
 #include <string>
 #include <vector>
@@ -52,49 +54,69 @@ public:
     return failure_;
   }
   StressBound bound() const;
-  static bool is_guaranteed() {
-    return true;
+  /** Returns whether the bound is guaranteed: the body is a polygon. */
+  bool is_guaranteed() const {
+    return !data_.space.mesh().is_curved();
   }
   /** Returns |||u_h|||. */
   double energy_norm() const {
-    return Signorini::energy_norm(data_.space, data_.scene, data_.U);
+    return fields_ ? std::sqrt(fields_->u_h.strain)
+                   : Signorini::energy_norm(data_.space, data_.scene, data_.U);
   }
-  /** Returns the normal tractions on the faces of the contact surface. */
-  std::vector<FaceField> face_fields() const;
+  /** Returns the normal tractions on the faces of the contact surface, and what ũ is there: u_h, or
+   * π^{2h} u_h if @p interpolated. */
+  std::vector<FaceField> face_fields(bool interpolated = false) const;
   /** Returns ∫ τ_n - ∫ p_H over Γ_c. */
   double change_of_force() const;
 
 private:
+  /** Makes everything for the present mesh of the stress. */
+  void set_up();
   void give_tractions();
   void give_contact();
   /** Sets the coefficients of an edge to those of p_H, without positive coefficients of Bernstein.
    */
-  void press_by_multipliers(std::size_t face);
+  void press_by_multipliers(unsigned int edge);
   /** Minimises. @return whether the conditions hold. */
   bool minimise();
   /** Fixes the free contact edges whose traction pulls. @return whether there were any. */
   bool fix_pulling_edges();
-  bool raise_degrees();
+  /** Splits cells whose loads are not resolved, or raises their degree.
+   * @param total ‖σ(u_h) - τ‖, or about that.
+   * @param by_degree whether degrees may rise.
+   * @return whether there is a change. */
+  bool resolve_loads(double total, bool by_degree);
   Vector lacking_traces(std::size_t cell) const;
   double misfit(std::size_t cell) const;
+  double total_misfit() const;
+  /** Returns ‖σ(v) - τ‖, on a mesh of its own. */
+  double distance(const FieldIntegrals &v) const;
   double oscillation(std::size_t cell) const;
+  void integrate_u();
   void add_plate_conditions();
-  std::vector<PrescribedEdge> prescribed_edges() const;
+  void add_own(StressBound &result) const;
+  /** Returns bounds of J*(τ) + ∫ τ_n d on a mesh of its own, d = u_{h,n} - g. */
+  Bracket complementary_energy() const;
+  /** Returns an estimate of what a polygon in place of curved sides adds: shears turn on chords. */
+  double geometry() const;
 
   BoundData data_;
-  TractionMesh mesh_;
-  std::vector<Triangulation<2>::active_cell_iterator> cells_;
-  PrescribedLift lift_;
+  StressMesh stress_mesh_;
   CellFitter fitter_;
-  std::vector<CellFit> fits_;
-  /** The norms |||z|||_K of the PrescribedLift. */
+  PrescribedLift lift_;
   std::vector<double> lift_norms_;
+  std::optional<TractionMesh> mesh_;
+  std::vector<Triangulation<2>::active_cell_iterator> cells_;
+  std::vector<CellFit> fits_;
+  std::vector<CellId> fitted_;
+  /** On a mesh of its own. */
+  std::optional<FieldsOfLevel> fields_;
   /** The forces and moments on plates. */
   std::vector<TractionCondition> conditions_;
   /** The coefficients of all edges, and the norms of what given tractions leave. */
   Vector x_;
-  std::vector<double> normal_rest_, shear_rest_;
-  /** The edges of the faces of the contact surface. */
+  std::array<std::vector<double>, 2> rests_;
+  /** The edges by face of the contact surface. */
   std::vector<unsigned int> contact_edges_;
   double lacking_ = 0.;
   std::string failure_;

@@ -5,11 +5,12 @@
 #include <signorini/error_control/equilibration/airy_cell.h>
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/loads/bound_data.h>
-#include <signorini/error_control/loads/prescribed_lift.h>
+#include <signorini/error_control/loads/law_sampling.h>
 
 #include <list>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Signorini {
@@ -27,6 +28,8 @@ struct CellFit {
   double size;
   dealii::Vector<double> shift;
   double rest = 0.;
+  /** f_K at unit size. */
+  PolynomialLoad load;
   /** The norms ‖f - f_K‖_{L2(K)} and ‖f‖; f - f_K has neither force nor moment. */
   double load_rest = 0., load_norm = 0.;
   /** The smallest c with e:E:e ≥ c e:e on the cell. */
@@ -39,9 +42,9 @@ class CellFitter {
 public:
   explicit CellFitter(const BoundData &data);
 
-  /** Returns the energy norm of the PrescribedLift on a cell. */
-  double lift_norm(const PrescribedLift &lift, unsigned int cell, const TractionCell &place) const;
-  CellFit fit(const Triangulation<2>::active_cell_iterator &cell, const TractionCell &place);
+  /** @param of_u whether the stress is compared with σ(u_h), else with zero. */
+  CellFit fit(const Triangulation<2>::active_cell_iterator &cell, const TractionCell &place,
+              bool of_u);
 
 private:
   /** The values of Lagrange's polynomials at the points of a cell, in both coordinates. */
@@ -65,9 +68,9 @@ private:
                                        CellFit &fit);
 
   const BoundData &data_;
-  /** The lines along which a law that varies has kinks. Graded meshes resolve all else, see
-   * resolve_hidden_data(). */
+  /** The lines along which a law that varies has kinks, and the search for others. */
   std::vector<KinkLine<2>> lines_;
+  std::optional<LawSampling> sampling_;
   bool is_constant_;
   /** Gauss' rules by the number of points per direction. */
   std::map<unsigned int, Quadrature<2>> load_rules_;

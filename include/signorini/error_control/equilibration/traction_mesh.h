@@ -2,12 +2,13 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/error_control/loads/composite_cell.h>
+#include <signorini/error_control/equilibration/stress_mesh.h>
+#include <signorini/error_control/loads/cell_shape.h>
 
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace Signorini {
@@ -35,6 +36,12 @@ struct TractionEdge {
 
   double length() const {
     return start.distance(end);
+  }
+  /** Returns the outward normal of a boundary edge. */
+  Tensor<1, 2> normal(const Geometry<2> &geometry) const {
+    const Tensor<1, 2> n = cross_product_2d(end - start) / length();
+    const Side<2> &on = geometry.sides[side];
+    return n * on.normal(on.arc_length(start + 0.5 * (end - start))) < 0. ? -n : n;
   }
   unsigned int n_coefficients() const {
     return 2 * (degree + 1);
@@ -77,7 +84,7 @@ class TractionMesh {
 public:
   using Vector = dealii::Vector<double>;
 
-  TractionMesh(const DisplacementSpace<2> &space, const Scene<2> &scene);
+  TractionMesh(const StressMesh &mesh, const Scene<2> &scene);
 
   const std::vector<TractionCell> &cells() const {
     return cells_;
@@ -88,14 +95,8 @@ public:
   void set_free(const unsigned int edge, const unsigned int component, const bool is_free) {
     edges_[edge].is_free[component] = is_free;
   }
-  /** Raises the degree of the stresses in a cell. */
-  void raise(const unsigned int cell, const unsigned int degree) {
-    cells_[cell].degree = std::max(cells_[cell].degree, degree);
-  }
-  /** Returns the number of the edge that is a line of the triangulation. */
-  unsigned int edge_of_line(const unsigned int line) const {
-    return edge_of_line_[line];
-  }
+  /** Returns the number of the edge that contains a boundary face of a mesh of the same body. */
+  unsigned int edge_at(const Triangulation<2>::cell_iterator &cell, unsigned int face_no) const;
   unsigned int n_coefficients() const {
     return n_coefficients_;
   }
@@ -125,6 +126,9 @@ private:
   std::vector<TractionCell> cells_;
   std::vector<TractionEdge> edges_;
   std::vector<unsigned int> edge_of_line_;
+  /** The boundary edges of each side by the arc length at which they start. */
+  std::vector<std::map<double, unsigned int>> on_side_;
+  std::vector<Side<2>> sides_;
   unsigned int n_coefficients_ = 0;
   /** The restrictions to the first and second half, and both reversed. */
   std::array<FullMatrix<double>, 4> halves_;

@@ -26,6 +26,8 @@ public:
   double operator()(const unsigned int c, const unsigned int i, const unsigned int j) const {
     return values_[i + (degree_ + 1) * j][c];
   }
+  /** Returns the value on a face of the cell, at s in [0,1] from its vertex 0 to its vertex 1. */
+  Tensor<1, 2> on_face(unsigned int face, double s) const;
   /** Returns the derivatives with respect to the reference coordinates of the cell at the points
    * (x_i, y_j), point i + n_x j; [c][d] is that of component c with respect to coordinate d. */
   std::vector<Tensor<2, 2>> gradients(const LineTable &x, const LineTable &y) const {

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/error_control/loads/composite_cell.h>
+#include <signorini/error_control/loads/cell_shape.h>
+#include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/scene/material.h>
+
+#include <deal.II/base/quadrature.h>
 
 #include <array>
 #include <cstddef>
@@ -45,6 +49,9 @@ public:
     return intervals_;
   }
   Samples scan(const std::array<Point<2>, 4> &corners) const;
+  /** Returns whether the tensor varies by more than a factor of 1.5 in a cell. On meshes of so many
+   * cells that a scan has m = min_intervals, only the given points are looked at. */
+  bool varies_in(const std::array<Point<2>, 4> &corners, const std::vector<Point<2>> &points) const;
   /** Returns whether the tensor varies by more than a factor of 1.5. */
   static bool varies(const Samples &samples);
   /**
@@ -70,4 +77,7 @@ std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const C
 std::array<std::vector<TrianglePart>, 4> triangle_parts(const CellShape &shape,
                                                         const std::vector<KinkLine<2>> &lines,
                                                         const LawSampling *sampling);
+
+/** Returns a rule on the unit triangle that integrates polynomials of the degree exactly. */
+Quadrature<2> triangle_rule(unsigned int degree);
 } // namespace Signorini

@@ -3,7 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/bound_data.h>
-#include <signorini/error_control/loads/composite_cell.h>
+#include <signorini/error_control/loads/cell_shape.h>
 
 #include <array>
 #include <functional>
@@ -32,8 +32,6 @@ class PrescribedLift {
 public:
   PrescribedLift(const BoundData &data, std::size_t n_cells,
                  const std::vector<PrescribedEdge> &edges);
-  /** Makes the function for a mesh of bilinear elements. */
-  PrescribedLift(const BoundData &data, const EdgeMesh &mesh);
 
   /** Returns for every cell whether z is not zero on it. */
   const std::vector<bool> &cells() const {
@@ -48,9 +46,8 @@ public:
   std::vector<KinkLine<2>> lines(unsigned int cell, const std::array<Point<2>, 4> &corners) const;
   /** Returns the strain (e11, e22, 2 e12) of z at a point of [0,1]². */
   Components strain(unsigned int cell, const CellShape &shape, const Point<2> &at) const;
-  /** Returns ∫_e t.r over the prescribed edges of a cell, for the linear t with the given
-   * moments. */
-  double work(unsigned int cell, const CellMoments &moments) const;
+  /** Returns z there. */
+  Tensor<1, 2> value(unsigned int cell, const Point<2> &at) const;
 
 private:
   /** The values of r at the points of interpolation on the equal pieces of edge k, from corner k
@@ -58,6 +55,9 @@ private:
   struct EdgeRest {
     /** Returns r(s), or its derivative. */
     Tensor<1, 2> evaluate(double s, bool derivative) const;
+
+    /** Returns the position along the edge and the depth behind it. */
+    std::array<double, 2> coordinates(const Point<2> &at) const;
 
     unsigned int k;
     std::vector<std::vector<Tensor<1, 2>>> pieces;

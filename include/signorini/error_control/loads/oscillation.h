@@ -3,7 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/bound_data.h>
-#include <signorini/error_control/loads/composite_cell.h>
+#include <signorini/error_control/loads/cell_shape.h>
 
 #include <algorithm>
 #include <array>
@@ -58,61 +58,4 @@ struct OscillationConstants {
  * L. The shear on the edges x = 0 and x = L, which neighbours with the same load take up, is not
  * balanced, so the norm is an estimate. */
 double turning_constant(double L, double d);
-
-/** The body force of a cell: its nodal forces, and the part f_h that stresses balance exactly. */
-struct CellLoad {
-  /** The nodal forces ∫ f φ_i at the four corners, with the quadrature of the system. */
-  std::array<Tensor<1, 2>, 4> nodal;
-  /** The loads d_k, the part of f_h that is constant on triangle k. */
-  std::array<Tensor<1, 2>, 4> constant;
-  /** The linear part of f_h on parallelograms: A slope ξ with A = CellShape::half_edges() and the
-   * coordinates ξ in [-1,1]². */
-  Tensor<2, 2> slope;
-  /** The norm ‖f - f_h‖_{L2(K)}. f - f_h has neither force nor moment. */
-  double rest = 0.;
-
-  /** Returns the components of a stress whose divergence is minus the linear part of f_h, at a
-   * point of [0,1]². */
-  Components stress(const CellShape &shape, const Point<2> &at) const;
-  /** Returns the moments of the tractions of that stress on the edges of the cell. The tractions
-   * are linear along edges. */
-  CellMoments moments(const CellShape &shape) const;
-  /**
-   * Adds a rotation about the centre, constant on triangles, with the given moment.
-   * @return the norm of the rotation in L2(K).
-   */
-  double add_couple(const CellShape &shape, double moment);
-};
-
-/** Returns the loads of all cells, with Gauss points as in the system;
- * empty without a body force. On meshes below 500000/n_points² cells a rule of about 500000 points
- * checks them, with at most 96 per direction and 8 on the parts of cells that are cut, and takes
- * their place in cells where nodal forces differ by more than 10^-4. Then EdgeMoments leave a rest,
- * which balance_cells() removes.
- *
- * f_h is the L2-projection of f onto linear functions on parallelograms. On other cells it is
- * constant on each of the four triangles: the value of that projection at its centre, plus a
- * multiple of the rotation of centres, such that the moment of f_h is that of f. */
-std::vector<CellLoad> make_loads(const BoundData &data, const EdgeMesh &mesh);
-
-/**
- * Returns whether finer quadrature gives the same forces up to 10^-4, and no larger rest.
- * @param measure the length or area on which they act.
- */
-template <std::size_t n>
-bool agree(const std::array<Tensor<1, 2>, n> &forces, const std::array<Tensor<1, 2>, n> &finer,
-           const double rest, const double finer_rest, const double measure) {
-  constexpr double tolerance = 1e-4;
-  double difference = 0., size = 0.;
-  for (std::size_t i = 0; i < n; ++i) {
-    difference = std::max(difference, (forces[i] - finer[i]).norm());
-    size = std::max(size, forces[i].norm());
-  }
-  return difference <= tolerance * size &&
-         finer_rest <= 1.01 * rest + tolerance * size / std::sqrt(measure);
-}
-
-/** Returns all active cells in their order, which is that of EdgeMesh::cells(). */
-std::vector<Triangulation<2>::active_cell_iterator>
-cells_in_order(const DisplacementSpace<2> &space);
 } // namespace Signorini

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/error_control/loads/bound_data.h>
+
+#include <deal.II/grid/cell_id.h>
+#include <deal.II/grid/tria.h>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace Signorini {
+/**
+ * The mesh of a stress in equilibrium, with the degrees of tractions.
+ *
+ * A graded mesh of u_h is that of the stress, too. For u_h on a uniform mesh of level L the stress
+ * has a mesh of its own over the same body: stresses of a high degree need few cells. It is the
+ * mesh of level L - 4, or of a finer one with at least 64 cells, split up to level L where the
+ * stress is less smooth: at corners and ends of sides, at ends of contact, where Hooke's tensor
+ * jumps or varies much, where loads are not resolved, and on curved sides. The degree rises with
+ * the size of the cells.
+ */
+class StressMesh {
+public:
+  using Cell = Triangulation<2>::active_cell_iterator;
+
+  explicit StressMesh(const BoundData &data);
+
+  bool is_own() const {
+    return own_ != nullptr;
+  }
+  const Triangulation<2> &triangulation() const {
+    return own_ ? *own_ : data_.space.mesh().triangulation();
+  }
+  /** Returns the degree of tractions on the sides of a cell, and that of stresses in it. */
+  unsigned int degree(const Cell &cell) const;
+  unsigned int inner_degree(const Cell &cell) const;
+  /** Splits cells that are larger than those of u_h, and raises the degree of stresses in others if
+   * @p by_degree. @return whether there is a change. */
+  bool refine(const std::vector<Cell> &cells, bool by_degree);
+  /** Returns the active cell at the place of an active cell of the mesh of u_h. */
+  Cell find(const Cell &cell_of_u) const;
+
+private:
+  bool is_on_curve(const Cell &cell, unsigned int face_no) const;
+  bool is_rough(const Cell &cell, const std::vector<Point<2>> &singular) const;
+
+  const BoundData &data_;
+  unsigned int finest_;
+  std::unique_ptr<Triangulation<2>> own_;
+  /** What the degree of stresses is raised by. */
+  std::map<CellId, unsigned int> raised_;
+};
+} // namespace Signorini

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/tensor.h>
+#include <deal.II/grid/tria.h>
+
+#include <array>
+
+namespace Signorini {
+/** A 2-D stress (s11, s22, s12) or strain (e11, e22, 2 e12): s * e is their scalar product. */
+using Components = Tensor<1, 3>;
+using Triangle = std::array<Point<2>, 3>;
+
+/** Returns a1 b2 - a2 b1. */
+inline double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+inline double twice_area(const Triangle &x) {
+  return cross(x[1] - x[0], x[2] - x[0]);
+}
+
+/** Returns the barycentric coordinates of a point. */
+inline std::array<double, 3> barycentric(const Triangle &x, const Point<2> &point) {
+  std::array<double, 3> lambda;
+  for (unsigned int v = 0; v < 3; ++v)
+    lambda[v] = twice_area({{point, x[(v + 1) % 3], x[(v + 2) % 3]}}) / twice_area(x);
+  return lambda;
+}
+
+/** The bilinear functions of the corners at a point of [0,1]², as values and gradients. */
+struct CellFunctions {
+  explicit CellFunctions(const Point<2> &at);
+
+  std::array<double, 4> values;
+  std::array<Tensor<1, 2>, 4> gradients;
+};
+
+/** Returns the corners of a cell, counter-clockwise. */
+inline std::array<Point<2>, 4> corners_of(const Triangulation<2>::cell_iterator &cell) {
+  return {{cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}};
+}
+
+/** The corners and diagonals of a convex quadrilateral, and its maps from [0,1]². */
+struct CellShape {
+  explicit CellShape(const std::array<Point<2>, 4> &corners);
+
+  std::array<Point<2>, 4> corners;
+  /** Whether the cell is a parallelogram. */
+  bool affine;
+  /** The point in which the diagonals meet. */
+  Point<2> crossing;
+  /** The areas of the four triangles. */
+  std::array<double, 4> areas;
+
+  double area() const {
+    return areas[0] + areas[1] + areas[2] + areas[3];
+  }
+  /** Returns the longest diagonal or edge. */
+  double diameter() const;
+  /** Returns the triangle (x_k, x_{k+1}, z) with the crossing z. */
+  Triangle triangle(const unsigned int k) const {
+    return {{corners[k], corners[(k + 1) % 4], crossing}};
+  }
+  /** Returns the centre of mass of triangle k. */
+  Point<2> centre(const unsigned int k) const {
+    return crossing + ((corners[k] - crossing) + (corners[(k + 1) % 4] - crossing)) / 3.;
+  }
+  /** Returns the centre of mass of the cell. */
+  Point<2> centre() const;
+  /** Returns the vector from corner 0 to the bilinear image of a point in [0,1]². */
+  Tensor<1, 2> offset(const CellFunctions &functions) const;
+  /** Returns the Jacobian of the same map. */
+  Tensor<2, 2> jacobian(const CellFunctions &functions) const;
+  /** Returns the point in [0,1]² whose bilinear image has the given offset. */
+  Point<2> reference(const Tensor<1, 2> &offset) const;
+};
+
+} // namespace Signorini
