@@ -196,6 +196,16 @@ double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) co
   return energy;
 }
 
+namespace {
+/** Returns points close to the corners of a cell, and its centre. */
+std::vector<Point<2>> near_corners(const LiftField::CellIterator &cell) {
+  std::vector<Point<2>> points = {cell->center()};
+  for (const unsigned int v : cell->vertex_indices())
+    points.push_back(cell->vertex(v) + 0.05 * (cell->center() - cell->vertex(v)));
+  return points;
+}
+} // namespace
+
 dealii::Vector<double> LiftField::cell_energies() const {
   const bool constant = data_.scene.material->is_constant();
   const std::size_t n_cells = data_.space.mesh().triangulation().n_active_cells();
@@ -203,7 +213,7 @@ dealii::Vector<double> LiftField::cell_energies() const {
   const auto n_equal_parts = [&](const CellIterator &cell) {
     // Graded meshes resolve data.
     return !constant && cell->get_fe().degree == 1 &&
-               LawSampling::varies(sampling.scan(corners_of(cell)))
+               sampling.varies_in(corners_of(cell), near_corners(cell))
              ? (sampling.intervals() + 3) / 4
              : 1;
   };

@@ -181,20 +181,6 @@ double ContactTrace::rounding(const PenetrationFace &face) const {
   return 1e-14 * (2. * size_of_U_ + std::abs(penetration(face, 0.)));
 }
 
-ContactTrace::TractionChange ContactTrace::traction_change(const Tensor<1, 2> &c) const {
-  TractionChange change;
-  for (const PenetrationFace &face : faces_)
-    if (face.free_traction)
-      face.for_each_point(face.d, [&](const double t, const double weight) {
-        const double force = (face.traction(t) - face.pressure(t)) * weight;
-        const double g = data_.scene.boundary[face.side].data->value(face.point(t));
-        change.normal_force += force;
-        change.force += force * face.normal;
-        change.work_of_gap += force * (g - c * face.normal);
-      });
-  return change;
-}
-
 double ContactTrace::work_of_penetration() const {
   double work = 0.;
   for (const PenetrationFace &face : faces_)

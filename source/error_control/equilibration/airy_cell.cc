@@ -156,14 +156,13 @@ void AiryCell::factorise() {
   }
   factorise_positive(gram_);
   gram_.solve(solved);
-  compliance_.reinit(n_traces, n_traces);
-  FullMatrix<double> plain(n, n_traces);
+  FullMatrix<double> plain(n, n_traces), compliance(n_traces, n_traces);
   plain = solved;
-  traces_.mmult(compliance_, plain);
+  traces_.mmult(compliance, plain);
   // S = (N G⁻¹ Nᵀ + weight⁻¹ BᵀB)⁻¹ - weight BᵀB: the rows of B span the kernel.
-  const double share = compliance_.trace() / n_traces;
-  FullMatrix<double> regular(compliance_), unbalanced(3, n_traces);
-  balance_.mmult(unbalanced, compliance_);
+  const double share = compliance.trace() / n_traces;
+  FullMatrix<double> regular(compliance), unbalanced(3, n_traces);
+  balance_.mmult(unbalanced, compliance);
   balance_.Tmmult(regular, balance_, true);
   for (unsigned int i = 0; i < n_traces; ++i)
     for (unsigned int j = 0; j < n_traces; ++j)
@@ -172,7 +171,7 @@ void AiryCell::factorise() {
   energy_ = regular;
   energy_.gauss_jordan();
   // The rank of N is that of the theory.
-  if (!(unbalanced.frobenius_norm() < 1e-10 * compliance_.frobenius_norm() &&
+  if (!(unbalanced.frobenius_norm() < 1e-10 * compliance.frobenius_norm() &&
         energy_.frobenius_norm() * regular.frobenius_norm() < 1e10))
     throw ComputationError(too_flat);
   for (unsigned int i = 0; i < n_traces; ++i)
@@ -220,14 +219,6 @@ AiryCell::Vector AiryCell::multiply(const Vector &y) const {
   Vector product(y.size());
   energy_.vmult(product, y);
   return product;
-}
-
-double AiryCell::defect(const Vector &y) const {
-  const Vector lambda = multiply(y);
-  Vector rest(y);
-  rest *= -1.;
-  compliance_.vmult(rest, lambda, true);
-  return rest.l2_norm();
 }
 
 FullMatrix<double> AiryCell::penalised_energy(const double weight) const {

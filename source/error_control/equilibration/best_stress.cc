@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The global minimisation over tractions on edges.
 
+#include <signorini/base/parallel.h>
 #include <signorini/error_control/equilibration/best_stress.h>
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/loads/oscillation.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/problem/scene/corners.h>
-#include <signorini/solvers/stiffness/condensed_inverse.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparse_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +17,13 @@
 
 namespace Signorini {
 namespace {
-/** The weight of the squares of what cells lack in balance, relative to their energies. */
-constexpr double penalty = 1e6;
 /** What may be lacking, relative to the largest trace. */
-constexpr double tolerance = 1e-14, largest_lacking = 1e-9;
+constexpr double largest_lacking = 1e-9;
 
 double norm_of(const std::vector<double> &norms) {
   return std::sqrt(std::inner_product(norms.begin(), norms.end(), norms.begin(), 0.));
 }
 
-double penalty_of(const CellFit &fit) {
-  return penalty * fit.airy->mean_energy();
-}
 } // namespace
 
 std::string BestStress::objection(const BoundData &data) {
@@ -54,10 +46,12 @@ BestStress::BestStress(const BoundData &data)
     do
       set_up();
     while (fields_ && data_.space.mesh().has_parents() &&
-           resolve_loads(0.3 * fields_->distance(), false));
-    do
-      is_balanced = minimise();
-    while (is_balanced && fix_pulling_edges());
+           resolve_loads(0.03 * fields_->distance(), false));
+    do {
+      lacking_ = minimise(*mesh_, fits_, conditions_,
+                          fields_ ? fields_->u_h.moments : Vector(x_.size()), x_);
+      is_balanced = lacking_ <= largest_lacking;
+    } while (is_balanced && fix_pulling_edges());
   } while (is_balanced && resolve_loads(total_misfit(), true));
   if (!is_balanced)
     failure_ =
@@ -75,24 +69,42 @@ void BestStress::set_up() {
   give_contact();
   conditions_.clear();
   add_plate_conditions();
-  std::map<CellId, CellFit> known;
-  for (std::size_t cell = 0; cell < fits_.size(); ++cell)
-    known.emplace(fitted_[cell], std::move(fits_[cell]));
-  fits_.clear();
-  fitted_.clear();
-  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    fitted_.push_back(cells_[cell]->id());
-    const auto found = known.find(fitted_.back());
-    fits_.push_back(found != known.end() &&
-                        found->second.airy->degree() == mesh_->cells()[cell].degree
-                      ? found->second
-                      : fitter_.fit(cells_[cell], mesh_->cells()[cell], !stress_mesh_.is_own()));
-  }
+  fit_cells();
   for (TractionCondition &condition : conditions_)
     condition.weight = penalty_of(fits_[0]) * fits_[0].size * fits_[0].size * condition.row.size() /
                        std::pow(condition.norm(), 2);
   if (stress_mesh_.is_own())
     integrate_u();
+}
+
+void BestStress::fit_cells() {
+  std::map<CellId, CellFit> known;
+  for (std::size_t cell = 0; cell < fits_.size(); ++cell)
+    known.emplace(fitted_[cell], std::move(fits_[cell]));
+  fits_ = std::vector<CellFit>(cells_.size());
+  fitted_.clear();
+  std::vector<std::size_t> fresh;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    fitted_.push_back(cells_[cell]->id());
+    const auto found = known.find(fitted_.back());
+    if (found != known.end() && found->second.airy->degree() == mesh_->cells()[cell].degree)
+      fits_[cell] = found->second;
+    else
+      fresh.push_back(cell);
+  }
+  const auto fit = [&](CellFitter &fitter, const std::size_t begin, const std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      fits_[fresh[i]] =
+        fitter.fit(cells_[fresh[i]], mesh_->cells()[fresh[i]], !stress_mesh_.is_own());
+  };
+  if (data_.scene.material->is_constant())
+    return fit(fitter_, 0, fresh.size());
+  // Without classes of cells that share what they know, threads do not meet.
+  work_on_ranges(n_available_threads(data_.space.mesh().communicator()), fresh.size(),
+                 [&](const std::size_t begin, const std::size_t end) {
+                   CellFitter fitter(data_);
+                   fit(fitter, begin, end);
+                 });
 }
 
 void BestStress::integrate_u() {
@@ -113,15 +125,9 @@ void BestStress::integrate_u() {
   fields_ = integrate_fields(data_, *mesh_, u.on_face(0, 0.), force);
 }
 
-BestStress::Vector BestStress::lacking_traces(const std::size_t cell) const {
-  Vector y = mesh_->traces(mesh_->cells()[cell], x_);
-  y -= fits_[cell].shift;
-  return y;
-}
-
 double BestStress::misfit(const std::size_t cell) const {
   const CellFit &fit = fits_[cell];
-  const Vector y = lacking_traces(cell);
+  const Vector y = lacking_traces(mesh_->cells()[cell], fit, *mesh_, x_);
   return fit.size * std::sqrt(fit.rest * fit.rest + std::max(0., y * fit.airy->multiply(y)));
 }
 
@@ -149,185 +155,6 @@ double BestStress::oscillation(const std::size_t cell) const {
     sum += constants.normal[k] * rests_[0][place.sides[k].edge] +
            constants.edge[k] * rests_[1][place.sides[k].edge];
   return sum / std::sqrt(fit.min_eigenvalue);
-}
-
-namespace {
-/** The unknown coefficients, and the factors of the augmented matrix. */
-class Minimisation {
-public:
-  Minimisation(const TractionMesh &mesh, const std::vector<CellFit> &fits,
-               const std::vector<TractionCondition> &conditions)
-    : mesh_(mesh)
-    , numbers_(mesh.n_coefficients(), TractionMesh::none) {
-    for (const TractionEdge &edge : mesh.edges())
-      for (unsigned int c = 0; c < 2; ++c)
-        for (unsigned int i = 0; i <= edge.degree && edge.is_free[c]; ++i)
-          numbers_[edge.position(c, i)] = n_unknowns_++;
-    if (n_unknowns_ == 0)
-      return;
-    assemble(fits, conditions);
-    factorise();
-  }
-  /** Adds the solution for the forces on all coefficients to x. */
-  void add_solution(const dealii::Vector<double> &forces, dealii::Vector<double> &x) const {
-    if (n_unknowns_ == 0)
-      return;
-    std::vector<double> solution(n_unknowns_);
-    for (std::size_t i = 0; i < numbers_.size(); ++i)
-      if (numbers_[i] != TractionMesh::none)
-        solution[numbers_[i]] = forces[i];
-    factors_->solve(solution);
-    for (std::size_t i = 0; i < numbers_.size(); ++i)
-      if (numbers_[i] != TractionMesh::none)
-        x[i] += solution[numbers_[i]];
-  }
-
-private:
-  /** Returns the traces of a cell that have an unknown, and the numbers of those. */
-  std::pair<std::vector<unsigned int>, std::vector<types::global_dof_index>>
-  unknowns_of(const TractionCell &cell) const {
-    std::pair<std::vector<unsigned int>, std::vector<types::global_dof_index>> unknowns;
-    const std::vector<unsigned int> coefficients = mesh_.numbers(cell);
-    for (unsigned int row = 0; row < coefficients.size(); ++row)
-      if (coefficients[row] != TractionMesh::none &&
-          numbers_[coefficients[row]] != TractionMesh::none) {
-        unknowns.first.push_back(row);
-        unknowns.second.push_back(numbers_[coefficients[row]]);
-      }
-    return unknowns;
-  }
-  void assemble(const std::vector<CellFit> &fits,
-                const std::vector<TractionCondition> &conditions) {
-    const AffineConstraints<double> none;
-    DynamicSparsityPattern entries(n_unknowns_);
-    for (const TractionCell &cell : mesh_.cells())
-      none.add_entries_local_to_global(unknowns_of(cell).second, entries);
-    std::vector<std::vector<types::global_dof_index>> unknowns_in(conditions.size());
-    std::vector<std::vector<double>> rows(conditions.size());
-    for (std::size_t k = 0; k < conditions.size(); ++k) {
-      for (const auto &[i, factor] : conditions[k].row)
-        if (numbers_[i] != TractionMesh::none) {
-          unknowns_in[k].push_back(numbers_[i]);
-          rows[k].push_back(factor);
-        }
-      none.add_entries_local_to_global(unknowns_in[k], entries);
-    }
-    pattern_.copy_from(entries);
-    matrix_.reinit(pattern_);
-    for (std::size_t c = 0; c < fits.size(); ++c) {
-      const auto [rows_of_cell, numbers] = unknowns_of(mesh_.cells()[c]);
-      FullMatrix<double> whole = energy_of_tractions(mesh_.cells()[c], fits[c]),
-                         here(numbers.size(), numbers.size());
-      here.extract_submatrix_from(whole, rows_of_cell, rows_of_cell);
-      none.distribute_local_to_global(here, numbers, matrix_);
-    }
-    for (std::size_t k = 0; k < conditions.size(); ++k) {
-      FullMatrix<double> here(rows[k].size(), rows[k].size());
-      for (std::size_t i = 0; i < rows[k].size(); ++i)
-        for (std::size_t j = 0; j < rows[k].size(); ++j)
-          here(i, j) = conditions[k].weight * rows[k][i] * rows[k][j];
-      none.distribute_local_to_global(here, unknowns_in[k], matrix_);
-    }
-  }
-  void factorise() {
-    std::vector<int> start = {0}, column;
-    std::vector<double> value;
-    for (unsigned int i = 0; i < n_unknowns_; ++i) {
-      // deal.II puts the diagonal first.
-      const std::size_t begin = column.size();
-      for (auto entry = ++matrix_.begin(i); entry != matrix_.end(i); ++entry) {
-        if (entry->column() > i &&
-            (column.size() == begin || column.back() < static_cast<int>(i))) {
-          column.push_back(i);
-          value.push_back(matrix_.diag_element(i));
-        }
-        column.push_back(entry->column());
-        value.push_back(entry->value());
-      }
-      if (column.size() == begin || column.back() < static_cast<int>(i)) {
-        column.push_back(i);
-        value.push_back(matrix_.diag_element(i));
-      }
-      start.push_back(column.size());
-    }
-    Rows rows;
-    rows.n = n_unknowns_;
-    rows.start = start.data();
-    rows.column = column.data();
-    rows.value = value.data();
-    factors_ = std::make_unique<SparseCholesky>(rows);
-  }
-  /** Returns Eᵀ (S + penalty BᵀB) E by traces. */
-  FullMatrix<double> energy_of_tractions(const TractionCell &cell, const CellFit &fit) const {
-    FullMatrix<double> S = fit.airy->penalised_energy(penalty_of(fit)), result;
-    S *= fit.size * fit.size;
-    mesh_.restrict_rows(cell, S);
-    result.copy_transposed(S);
-    mesh_.restrict_rows(cell, result);
-    return result;
-  }
-
-  const TractionMesh &mesh_;
-  std::vector<unsigned int> numbers_;
-  unsigned int n_unknowns_ = 0;
-  SparsityPattern pattern_;
-  SparseMatrix<double> matrix_;
-  std::unique_ptr<const SparseCholesky> factors_;
-};
-} // namespace
-
-bool BestStress::minimise() {
-  Minimisation minimisation(*mesh_, fits_, conditions_);
-  std::vector<Vector> multipliers(fits_.size(), Vector(3));
-  for (TractionCondition &condition : conditions_)
-    condition.multiplier = 0.;
-  constexpr unsigned int max_steps = 8;
-  double scale = 0.;
-  for (unsigned int step = 0; step <= max_steps; ++step) {
-    Vector forces(x_.size());
-    if (fields_)
-      forces = fields_->u_h.moments;
-    double lacking = 0.;
-    for (std::size_t c = 0; c < fits_.size(); ++c) {
-      const CellFit &fit = fits_[c];
-      const TractionCell &cell = mesh_->cells()[c];
-      const Vector y = lacking_traces(c);
-      scale = std::max({scale, fit.shift.linfty_norm(), y.linfty_norm()});
-      Vector unbalanced(3), trace_forces = fit.airy->multiply(y);
-      fit.airy->balance().vmult(unbalanced, y);
-      lacking = std::max(lacking, unbalanced.linfty_norm());
-      unbalanced *= penalty_of(fit);
-      if (step > 0)
-        multipliers[c] += unbalanced;
-      unbalanced += multipliers[c];
-      fit.airy->balance().Tvmult_add(trace_forces, unbalanced);
-      FullMatrix<double> column(y.size(), 1);
-      for (unsigned int i = 0; i < y.size(); ++i)
-        column(i, 0) = -fit.size * fit.size * trace_forces[i];
-      mesh_->restrict_rows(cell, column);
-      const std::vector<unsigned int> numbers = mesh_->numbers(cell);
-      for (unsigned int i = 0; i < y.size(); ++i)
-        if (numbers[i] != TractionMesh::none)
-          forces[numbers[i]] += column(i, 0);
-    }
-    for (TractionCondition &condition : conditions_) {
-      double rest = -condition.value;
-      for (const auto &[i, factor] : condition.row)
-        rest += factor * x_[i];
-      lacking = std::max(lacking, std::abs(rest) / condition.norm());
-      const double force = condition.weight * rest;
-      if (step > 0)
-        condition.multiplier += force;
-      for (const auto &[i, factor] : condition.row)
-        forces[i] -= factor * (condition.multiplier + force);
-    }
-    lacking_ = scale > 0. ? lacking / scale : 0.;
-    // One more step than needed: what rounding left of the first.
-    if (step == max_steps || (step > 1 && lacking_ <= tolerance))
-      break;
-    minimisation.add_solution(forces, x_);
-  }
-  return lacking_ <= largest_lacking;
 }
 
 double BestStress::total_misfit() const {

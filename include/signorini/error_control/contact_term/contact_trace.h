@@ -131,18 +131,6 @@ public:
   double rounding(const PenetrationFace &face) const;
   /** Returns an EdgeFunction that is not below d - w_n, for a polynomial w_n of t. */
   EdgeFunction lacking(const PenetrationFace &face, const PenetrationFace::Polynomial &w_n) const;
-  /** The integrals of τ_n - p_H, of (τ_n - p_H) n and of (τ_n - p_H)(g - c_n) over Γ_c,
-   * with four Gauss points on every part of d. */
-  struct TractionChange {
-    double normal_force = 0.;
-    Tensor<1, 2> force;
-    double work_of_gap = 0.;
-  };
-  /**
-   * Returns these integrals.
-   * @param c a translation.
-   */
-  TractionChange traction_change(const Tensor<1, 2> &c) const;
   /** Returns ∫ τ_n d over Γ_c, by the same points. */
   double work_of_penetration() const;
   /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */

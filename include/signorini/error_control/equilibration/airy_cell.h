@@ -80,8 +80,6 @@ public:
   void forget_points();
   /** Returns S y, for y in balance. */
   Vector multiply(const Vector &y) const;
-  /** Returns |N a - y| of the stress a with the traces y. */
-  double defect(const Vector &y) const;
   /** Returns the mean of the diagonal of S. */
   double mean_energy() const {
     return energy_.trace() / energy_.m();
@@ -134,6 +132,6 @@ private:
   /** The norms of the functions: G and N are those of functions of the norm one. */
   Vector norms_;
   LAPACKFullMatrix<double> gram_;
-  FullMatrix<double> traces_, compliance_, energy_, balance_;
+  FullMatrix<double> traces_, energy_, balance_;
 };
 } // namespace Signorini

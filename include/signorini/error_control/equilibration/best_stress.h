@@ -6,26 +6,13 @@
 #include <signorini/error_control/equilibration/cell_fit.h>
 #include <signorini/error_control/equilibration/field_integrals.h>
 #include <signorini/error_control/equilibration/stress_bound.h>
+#include <signorini/error_control/equilibration/traction_solver.h>
 #include <signorini/error_control/loads/edge_function.h>
 
 #include <string>
 #include <vector>
 
 namespace Signorini {
-/** A condition row · x = value on the coefficients of edges, with the weight of its square and its
- * multiplier. */
-struct TractionCondition {
-  double norm() const {
-    double square = 0.;
-    for (const auto &entry : row)
-      square += entry.second * entry.second;
-    return std::sqrt(square);
-  }
-
-  std::vector<std::pair<unsigned int, double>> row;
-  double value = 0., weight = 0., multiplier = 0.;
-};
-
 /**
  * The stress τ that is closest to σ(u_h), among those of degree q_K on cells (AiryCell) that are in
  * equilibrium: div τ + f_K = 0, continuous tractions, the projection of t on traction sides, no
@@ -77,8 +64,6 @@ private:
   /** Sets the coefficients of an edge to those of p_H, without positive coefficients of Bernstein.
    */
   void press_by_multipliers(unsigned int edge);
-  /** Minimises. @return whether the conditions hold. */
-  bool minimise();
   /** Fixes the free contact edges whose traction pulls. @return whether there were any. */
   bool fix_pulling_edges();
   /** Splits cells whose loads are not resolved, or raises their degree.
@@ -86,12 +71,12 @@ private:
    * @param by_degree whether degrees may rise.
    * @return whether there is a change. */
   bool resolve_loads(double total, bool by_degree);
-  Vector lacking_traces(std::size_t cell) const;
   double misfit(std::size_t cell) const;
   double total_misfit() const;
   /** Returns ‖σ(v) - τ‖, on a mesh of its own. */
   double distance(const FieldIntegrals &v) const;
   double oscillation(std::size_t cell) const;
+  void fit_cells();
   void integrate_u();
   void add_plate_conditions();
   void add_own(StressBound &result) const;
