@@ -132,13 +132,13 @@ double BestStress::misfit(const std::size_t cell) const {
 }
 
 double BestStress::distance(const FieldIntegrals &v) const {
-  double square = v.without_stress(x_), size = v.strain;
+  auto [square, size] = v.without_stress(x_);
+  double stress = 0.;
   for (std::size_t c = 0; c < fits_.size(); ++c)
-    size += std::pow(misfit(c), 2);
-  square += size - v.strain;
-  // The terms cancel, up to rounding.
+    stress += std::pow(misfit(c), 2);
+  // The terms cancel, up to rounding and what cells lack of balance.
   constexpr double rounding = 1e-14;
-  return std::sqrt(std::max(0., square) + rounding * size);
+  return std::sqrt(std::max(0., square + stress) + (rounding + lacking_) * (size + stress));
 }
 
 double BestStress::oscillation(const std::size_t cell) const {

@@ -58,6 +58,8 @@ StressMesh::StressMesh(const BoundData &data)
   while (base > 0 && finest_ - base < most_generations && (n_cells /= 4.) >= least_cells)
     --base;
   own_->refine_global(base);
+  constexpr unsigned int many_cells = 4096;
+  lowest_ = own_->n_active_cells() > many_cells ? 1 : 2;
   const std::vector<Point<2>> singular = singular_points(data);
   for (bool changed = true; changed;) {
     std::vector<Cell> rough;
@@ -115,7 +117,7 @@ unsigned int StressMesh::inner_degree(const Cell &cell) const {
 unsigned int StressMesh::degree(const Cell &cell) const {
   if (!own_)
     return data_.space.element(cell).degree;
-  return std::min(2 + finest_ - cell->level(), most);
+  return std::min(lowest_ + finest_ - cell->level(), most);
 }
 
 StressMesh::Cell StressMesh::find(const Cell &cell_of_u) const {

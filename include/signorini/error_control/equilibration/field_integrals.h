@@ -6,6 +6,7 @@
 #include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/prescribed_lift.h>
 
+#include <array>
 #include <functional>
 #include <map>
 #include <vector>
@@ -27,10 +28,9 @@ struct FieldIntegrals {
   /** |||z|||. */
   double lift = 0.;
 
-  /** Returns |||v|||² - 2 ∫ f_K.(v - c) - 2 ∫_Γ τ n.(v - c) for the τ with the coefficients x. */
-  double without_stress(const dealii::Vector<double> &x) const {
-    return strain - 2. * (load + moments * x);
-  }
+  /** Returns |||v|||² - 2 ∫ f_K.(v - c) - 2 ∫_Γ τ n.(v - c) for the τ with the coefficients x, and
+   * the sum of the sizes of all terms. */
+  std::array<double, 2> without_stress(const dealii::Vector<double> &x) const;
 };
 
 /** The integrals of u_h and of π^{2h} u_h; those of the second are zero where cells have no

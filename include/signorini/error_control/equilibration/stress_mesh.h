@@ -48,7 +48,8 @@ private:
   bool is_rough(const Cell &cell, const std::vector<Point<2>> &singular) const;
 
   const BoundData &data_;
-  unsigned int finest_;
+  /** The level of the mesh of u_h, and the degree of cells of this level. */
+  unsigned int finest_, lowest_ = 2;
   std::unique_ptr<Triangulation<2>> own_;
   /** What the degree of stresses is raised by. */
   std::map<CellId, unsigned int> raised_;
