@@ -46,7 +46,7 @@ BestStress::BestStress(const BoundData &data)
     do
       set_up();
     while (fields_ && data_.space.mesh().has_parents() &&
-           resolve_loads(0.03 * fields_->distance(), false));
+           resolve_loads(allowed_oscillation() * 10., !stress_mesh_.is_aligned()));
     do {
       lacking_ = minimise(*mesh_, fits_, conditions_,
                           fields_ ? fields_->u_h.moments : Vector(x_.size()), x_);
@@ -57,6 +57,13 @@ BestStress::BestStress(const BoundData &data)
     failure_ =
       "no stress in equilibrium was found: the tractions of the contact sides cannot carry "
       "the loads, or rounding";
+}
+
+double BestStress::allowed_oscillation() const {
+  const double distance = fields_->distance();
+  // Where cells of u_h are no parts of cells of the stress, osc_K counts with |||u_h|||_K.
+  return 0.003 * distance *
+         (stress_mesh_.is_aligned() ? 1. : 5. * distance / std::sqrt(fields_->u_h.strain));
 }
 
 void BestStress::set_up() {
@@ -111,10 +118,18 @@ void BestStress::integrate_u() {
   CellForce force;
   if (data_.scene.body_force != nullptr)
     force = [this](const auto &cell, const std::vector<Point<2>> &points) {
+      std::vector<Tensor<1, 2>> f;
+      if (!stress_mesh_.is_aligned()) {
+        dealii::Vector<double> value(2);
+        for (const Point<2> &x : points) {
+          data_.scene.body_force->vector_value(x, value);
+          f.push_back(Tensor<1, 2>({value[0], value[1]}));
+        }
+        return f;
+      }
       const unsigned int number = stress_mesh_.find(cell)->active_cell_index();
       const CellFit &fit = fits_[number];
       const CellShape shape(mesh_->cells()[number].corners);
-      std::vector<Tensor<1, 2>> f;
       for (const Point<2> &x : points)
         f.push_back(
           fit.airy->value(fit.load, fit.airy->on_diagonals((x - shape.crossing) / fit.size)) /
@@ -138,7 +153,18 @@ double BestStress::distance(const FieldIntegrals &v) const {
     stress += std::pow(misfit(c), 2);
   // The terms cancel, up to rounding and what cells lack of balance.
   constexpr double rounding = 1e-14;
-  return std::sqrt(std::max(0., square + stress) + (rounding + lacking_) * (size + stress));
+  square = std::max(0., square + stress) + (rounding + lacking_) * (size + stress);
+  // With f in place of f_K: ∫ (f - f_K).v ≤ Σ osc_K |||v|||_K.
+  if (!stress_mesh_.is_aligned())
+    square += 2. * total_oscillation() * std::sqrt(v.strain);
+  return std::sqrt(square);
+}
+
+double BestStress::total_oscillation() const {
+  double square = 0.;
+  for (std::size_t c = 0; c < fits_.size(); ++c)
+    square += std::pow(oscillation(c), 2);
+  return std::sqrt(square);
 }
 
 double BestStress::oscillation(const std::size_t cell) const {
@@ -167,10 +193,7 @@ double BestStress::total_misfit() const {
 }
 
 bool BestStress::resolve_loads(const double total, const bool by_degree) {
-  double square = 0.;
-  for (std::size_t c = 0; c < fits_.size(); ++c)
-    square += std::pow(oscillation(c), 2);
-  if (square <= 0.01 * total * total)
+  if (total_oscillation() <= 0.1 * total)
     return false;
   const double allowed = 0.1 * total / std::sqrt(fits_.size());
   std::vector<StressMesh::Cell> unresolved;
@@ -181,12 +204,9 @@ bool BestStress::resolve_loads(const double total, const bool by_degree) {
 }
 
 void BestStress::add_own(StressBound &result) const {
-  double rest_square = 0.;
-  for (std::size_t c = 0; c < fits_.size(); ++c)
-    rest_square += std::pow(oscillation(c), 2);
-  const double mesh = distance(fields_->u_h), rest = std::sqrt(rest_square),
+  const double mesh = distance(fields_->u_h), rest = total_oscillation(),
                geometry = this->geometry();
-  result.square = std::pow(mesh + rest, 2) + geometry * geometry;
+  result.square = std::pow(mesh + rest + geometry, 2);
   result.oscillation_square = rest * rest;
   result.geometry_square = geometry * geometry;
   result.complementary_energy = complementary_energy();

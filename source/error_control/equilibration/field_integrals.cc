@@ -7,6 +7,7 @@
 #include <signorini/error_control/loads/law.h>
 #include <signorini/error_control/loads/law_sampling.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
+#include <signorini/problem/scene/functions.h>
 
 #include <deal.II/fe/mapping_q1.h>
 
@@ -28,6 +29,17 @@ void add_points(const Quadrature<2> &rule, const Triangle &x, const CellShape &s
   }
 }
 
+/** Returns the number of points per direction: for products of functions of degree two on
+ * parallelograms. A load that is integrated itself is sampled as densely as elsewhere. */
+unsigned int n_points(const BoundData &data, const unsigned int n_fields) {
+  const unsigned int n = (data.space.element().degree << (n_fields - 1)) + 1;
+  const bool is_nested = !data.space.mesh().is_curved() && data.scene.geometry.distortion == 0.;
+  if (is_nested || data.scene.body_force == nullptr || is_constant(*data.scene.body_force))
+    return n;
+  const double n_cells = data.space.mesh().triangulation().n_active_cells();
+  return std::max<unsigned int>(n, std::min(32., std::sqrt(5e5 / n_cells)));
+}
+
 /** Integrates over cells. Every chunk has its own object. */
 class CellSums {
 public:
@@ -37,10 +49,8 @@ public:
     , force_(force)
     , n_fields_(data.space.mesh().has_parents() ? 2 : 1)
     , is_constant_(data.scene.material->is_constant())
-    // Products of functions of degree two on parallelograms; within a cell of u_h, which is small,
-    // loads and laws have a few degrees.
     , values_(StaticMappingQ1<2>::mapping, data.space.element(),
-              QGauss<2>((data.space.element().degree << (n_fields_ - 1)) + 1),
+              QGauss<2>(n_points(data, n_fields_)),
               update_values | update_gradients | update_inverse_jacobians | update_JxW_values |
                 update_quadrature_points)
     , sampling_(*data.scene.material, data.space.mesh().triangulation().n_active_cells()) {

@@ -96,14 +96,17 @@ bool StressMesh::is_rough(const Cell &cell, const std::vector<Point<2>> &singula
 
 bool StressMesh::refine(const std::vector<Cell> &cells, const bool by_degree) {
   bool splits = false, rises = false;
-  for (const Cell &cell : cells)
-    if (own_ && static_cast<unsigned int>(cell->level()) < finest_) {
+  for (const Cell &cell : cells) {
+    const bool can_split = own_ && static_cast<unsigned int>(cell->level()) < finest_,
+               can_rise = by_degree && inner_degree(cell) + 2 <= max_degree;
+    if (can_split && (is_aligned() || !can_rise)) {
       cell->set_refine_flag();
       splits = true;
-    } else if (by_degree && degree(cell) + raised_[cell->id()] + 2 <= max_degree) {
+    } else if (can_rise) {
       raised_[cell->id()] += 2;
       rises = true;
     }
+  }
   if (splits)
     own_->execute_coarsening_and_refinement();
   return splits || rises;

@@ -76,6 +76,9 @@ private:
   /** Returns ‖σ(v) - τ‖, on a mesh of its own. */
   double distance(const FieldIntegrals &v) const;
   double oscillation(std::size_t cell) const;
+  double total_oscillation() const;
+  /** Returns what the loads' part may be, by the distance of u_h to π^{2h} u_h. */
+  double allowed_oscillation() const;
   void fit_cells();
   void integrate_u();
   void add_plate_conditions();

@@ -31,16 +31,20 @@ public:
   bool is_own() const {
     return own_ != nullptr;
   }
+  /** Returns whether every cell of u_h is a part of one cell of the stress. */
+  bool is_aligned() const {
+    return !own_ || (!data_.space.mesh().is_curved() && data_.scene.geometry.distortion == 0.);
+  }
   const Triangulation<2> &triangulation() const {
     return own_ ? *own_ : data_.space.mesh().triangulation();
   }
   /** Returns the degree of tractions on the sides of a cell, and that of stresses in it. */
   unsigned int degree(const Cell &cell) const;
   unsigned int inner_degree(const Cell &cell) const;
-  /** Splits cells that are larger than those of u_h, and raises the degree of stresses in others if
-   * @p by_degree. @return whether there is a change. */
+  /** Splits cells that are larger than those of an aligned mesh of u_h, and raises the degree of
+   * stresses in others if @p by_degree. @return whether there is a change. */
   bool refine(const std::vector<Cell> &cells, bool by_degree);
-  /** Returns the active cell at the place of an active cell of the mesh of u_h. */
+  /** Returns the active cell that contains an active cell of an aligned mesh of u_h. */
   Cell find(const Cell &cell_of_u) const;
 
 private:
