@@ -72,7 +72,7 @@ ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const Li
                              ? lacking[i].value(t) - r.value(t)
                              : trace.penetration(face, t) - w_n.value(t) - r.value(t);
       if (std::abs(slack) > trace.rounding(face))
-        term += face.traction(t) * slack * weight;
+        term += face.traction.value(t) * slack * weight;
     });
     bound.contact_term += term;
     bound.face_terms.push_back(2. * term);

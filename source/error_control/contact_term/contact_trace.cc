@@ -23,13 +23,6 @@ std::string name_of(const SidePlace &place, const Scene<2> &scene) {
   return name.str();
 }
 
-double PenetrationFace::pressure(const double t) const {
-  for (const Pressed &part : pressures)
-    if (t <= part.to)
-      return part.p;
-  return pressures.empty() ? 0. : pressures.back().p;
-}
-
 bool PenetrationFace::presses() const {
   return std::any_of(pressures.begin(), pressures.end(),
                      [](const Pressed &part) { return part.presses; });
@@ -108,27 +101,23 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact,
     face.u[d] = face.trace(data_.U, Point<2>::unit_vector(d));
     face.u[d] += PenetrationFace::Polynomial({0., height, -height});
   }
-  face.free_traction = field.traction;
+  face.traction = field.traction;
   return face;
 }
 
 void ContactTrace::find_faces(const std::vector<FaceField> &fields) {
   const ContactSurface<2> &surface = data_.multipliers.surface();
   for (std::size_t i = 0; i < surface.faces().size(); ++i)
-    faces_.push_back(make_face(surface.faces()[i], fields.empty() ? FaceField() : fields[i]));
+    faces_.push_back(make_face(surface.faces()[i], fields[i]));
   const double threshold = pressing_threshold(data_.P);
   for (const Piece<2> &piece : surface.pieces()) {
     const auto [from, to] = std::minmax(piece.lower_on_face[0], piece.upper_on_face[0]);
-    const double p = data_.multipliers.value(data_.P, piece.patch, piece.lower);
     bool presses = true;
     for (unsigned int k = data_.multipliers.first_of(piece.patch);
          k < data_.multipliers.first_of(piece.patch + 1); ++k)
       presses = presses && data_.P[k] < threshold;
-    faces_[piece.face].pressures.push_back({from, to, p, presses});
+    faces_[piece.face].pressures.push_back({from, to, presses});
   }
-  for (PenetrationFace &face : faces_)
-    std::sort(face.pressures.begin(), face.pressures.end(),
-              [](const auto &a, const auto &b) { return a.from < b.from; });
 }
 
 void ContactTrace::find_conditions() {
@@ -185,7 +174,7 @@ double ContactTrace::work_of_penetration() const {
   double work = 0.;
   for (const PenetrationFace &face : faces_)
     face.for_each_point(face.d, [&](const double t, const double weight) {
-      if (const double traction = face.traction(t); traction != 0.)
+      if (const double traction = face.traction.value(t); traction != 0.)
         work += traction * penetration(face, t) * weight;
     });
   return work;

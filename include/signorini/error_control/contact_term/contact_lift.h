@@ -126,7 +126,7 @@ struct ContactLift {
    * @param fields see ContactTrace.
    * @throws InputError where g has no value.
    */
-  explicit ContactLift(const BoundData &data, const std::vector<FaceField> &fields = {});
+  explicit ContactLift(const BoundData &data, const std::vector<FaceField> &fields);
 
   /** The penetration d along Γ_c, with its largest value and its place. */
   ContactTrace trace;

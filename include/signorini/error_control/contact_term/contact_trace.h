@@ -47,17 +47,16 @@ struct PenetrationFace {
   std::vector<Polynomial> basis;
   /** The numbers of the conditions at the nodes, see ContactTrace::conditions(). */
   std::vector<unsigned int> conditions;
-  /** An interval on which p_H is constant, and whether p is below pressing_threshold(). The
-   * intervals are sorted. */
+  /** The part of a patch on the face, and whether p_H presses there. */
   struct Pressed {
-    double from, to, p;
+    double from, to;
     bool presses;
   };
   std::vector<Pressed> pressures;
   /** The components of ũ. */
   std::array<Polynomial, 2> u;
-  /** τ_n, if it is not p_H. */
-  std::optional<Polynomial> free_traction;
+  /** τ_n. */
+  Polynomial traction;
   /** The places where p_H jumps or data has a kink, with 0 and 1. */
   std::vector<double> breaks;
   /** The upper interpolant of d. */
@@ -65,11 +64,6 @@ struct PenetrationFace {
 
   Point<2> point(const double t) const {
     return start + t * (end - start) + 4. * t * (1. - t) * bulge;
-  }
-  /** pressure() returns p_H at t, traction() τ_n. */
-  double pressure(double t) const;
-  double traction(const double t) const {
-    return free_traction ? free_traction->value(t) : pressure(t);
   }
   /** Returns whether p_H presses on a part of the face; presses_everywhere() whether on all parts.
    */
@@ -111,10 +105,10 @@ class ContactTrace {
 public:
   /**
    * Samples d. The data must outlive the object.
-   * @param fields in the order of ContactSurface::faces(); empty for u_h and p_H.
+   * @param fields in the order of ContactSurface::faces().
    * @throws InputError where g has no value.
    */
-  explicit ContactTrace(const BoundData &data, const std::vector<FaceField> &fields = {});
+  explicit ContactTrace(const BoundData &data, const std::vector<FaceField> &fields);
 
   const std::vector<PenetrationFace> &faces() const {
     return faces_;

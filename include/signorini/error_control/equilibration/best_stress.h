@@ -18,14 +18,14 @@ namespace Signorini {
  * equilibrium: div τ + f_K = 0, continuous tractions, the projection of t on traction sides, no
  * shear on rollers and contact sides, and τ_n ≤ 0 on contact sides. Nothing is assumed of u_h.
  *
- * 1. Inside of the cells the best stress for given tractions follows cell by cell (CellFit).
- * 2. Tractions on edges minimise the sum of energies. The balances of cells, and of plates that a
- *    force drives, are conditions: an augmented Lagrangian with one Cholesky factor, whose steps
- *    bring what is lacking down to rounding.
- * 3. On contact faces that press everywhere τ_n is unknown. Where the result is positive (a
- *    coefficient of Bernstein is), and on all other contact faces, τ_n is p_H, with positive
- *    coefficients of Bernstein set to zero.
- * 4. The degrees q_K rise in cells where f - f_K counts for more than a tenth.
+ * 1. The cells are those of u_h on graded meshes, else those of a StressMesh of its own.
+ * 2. Inside of the cells the best stress for given tractions follows cell by cell (CellFit).
+ * 3. Tractions on edges minimise the sum of energies; the balances of cells, and of plates that a
+ * force drives, are conditions (minimise()).
+ * 4. On contact edges that press everywhere τ_n is unknown. Where the result is positive (a
+ * coefficient of Bernstein is), and on all other contact edges, τ_n is p_H, with positive
+ * coefficients of Bernstein set to zero.
+ * 5. Cells where f - f_K or t - t_h counts for more than a tenth are split, or their degree rises.
  */
 class BestStress {
 public:

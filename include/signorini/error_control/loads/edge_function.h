@@ -95,11 +95,11 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         const Pinned &pinned = {}, unsigned int n_scanned = 0,
                                         double resolution = 0.);
 
-/** The fields ũ and τ on a contact face, as far as they differ from u_h and p_H. */
+/** The fields ũ and τ on a contact face. */
 struct FaceField {
   /** The coefficient in ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
   double bubble = 0.;
-  /** The traction τ_n as a polynomial of t. If it is empty, τ_n = p_H. */
-  std::optional<Polynomials::Polynomial<double>> traction;
+  /** The traction τ_n as a polynomial of t. */
+  Polynomials::Polynomial<double> traction;
 };
 } // namespace Signorini
