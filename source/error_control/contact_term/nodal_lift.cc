@@ -187,7 +187,7 @@ Displacement pushed_displacement(const BoundData &data, const Coupling &E) {
     y = known->is_explicit() ? known->apply(x) : solved.apply(x);
   };
   // Any Q would do: what is lacking is imposed.
-  IterationNumberControl control(1000, 1e-12 * one.l2_norm());
+  IterationNumberControl control(1000, 1e-4 * one.l2_norm());
   SolverCG<Vector>(control).solve(C, Q, one, PreconditionIdentity());
   DistributedVector forces = data.space.make_vector();
   E.add_product(Q, forces);

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace Signorini {
@@ -45,8 +46,7 @@ BestStress::BestStress(const BoundData &data)
   do {
     do
       set_up();
-    while (fields_ && data_.space.mesh().has_parents() &&
-           resolve_loads(allowed_oscillation() * 10., !stress_mesh_.is_aligned()));
+    while (resolve_loads(likely_misfit(), !stress_mesh_.is_own() || !stress_mesh_.is_aligned()));
     do {
       lacking_ = minimise(*mesh_, fits_, conditions_,
                           fields_ ? fields_->u_h.moments : Vector(x_.size()), x_);
@@ -59,10 +59,18 @@ BestStress::BestStress(const BoundData &data)
       "the loads, or rounding";
 }
 
-double BestStress::allowed_oscillation() const {
-  const double distance = fields_->distance();
+double BestStress::likely_misfit() const {
+  if (!fields_) {
+    double square = 0.;
+    for (const CellFit &fit : fits_)
+      square += std::pow(fit.size * fit.rest, 2);
+    return std::sqrt(square);
+  }
+  if (!data_.space.mesh().has_parents())
+    return std::numeric_limits<double>::infinity();
   // Where cells of u_h are no parts of cells of the stress, osc_K counts with |||u_h|||_K.
-  return 0.003 * distance *
+  const double distance = fields_->distance();
+  return 0.03 * distance *
          (stress_mesh_.is_aligned() ? 1. : 5. * distance / std::sqrt(fields_->u_h.strain));
 }
 
@@ -198,7 +206,8 @@ bool BestStress::resolve_loads(const double total, const bool by_degree) {
   const double allowed = 0.1 * total / std::sqrt(fits_.size());
   std::vector<StressMesh::Cell> unresolved;
   for (std::size_t c = 0; c < fits_.size(); ++c)
-    if (oscillation(c) > (fields_ ? allowed : std::max(allowed, 0.1 * misfit(c))))
+    if (oscillation(c) >
+        (fields_ ? allowed : std::max(allowed, 0.1 * fits_[c].size * fits_[c].rest)))
       unresolved.push_back(cells_[c]);
   return stress_mesh_.refine(unresolved, by_degree);
 }

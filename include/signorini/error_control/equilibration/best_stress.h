@@ -77,8 +77,9 @@ private:
   double distance(const FieldIntegrals &v) const;
   double oscillation(std::size_t cell) const;
   double total_oscillation() const;
-  /** Returns what the loads' part may be, by the distance of u_h to π^{2h} u_h. */
-  double allowed_oscillation() const;
+  /** Returns what total_misfit() will be, or less, before tractions are known: loads that count
+   * beside it are resolved at once. */
+  double likely_misfit() const;
   void fit_cells();
   void integrate_u();
   void add_plate_conditions();
