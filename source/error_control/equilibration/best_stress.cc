@@ -183,7 +183,7 @@ double BestStress::oscillation(const std::size_t cell) const {
   };
   if (fit.load_rest == 0. && std::none_of(place.sides.begin(), place.sides.end(), has_rest))
     return 0.;
-  const OscillationConstants constants{CellShape(place.corners)};
+  const OscillationConstants constants(CellShape(place.corners), fit.airy->degree() - 1);
   double sum = constants.body * fit.load_rest;
   for (unsigned int k = 0; k < 4; ++k)
     sum += constants.normal[k] * rests_[0][place.sides[k].edge] +

@@ -65,10 +65,18 @@ double turning_constant(const double L, const double max_depth) {
   return std::sqrt(4. * L * L * L / (30. * d) + 4. * L * d / 45. + 4. * d * d * d / (105. * L));
 }
 
-OscillationConstants::OscillationConstants(const CellShape &shape)
+OscillationConstants::OscillationConstants(const CellShape &shape, const unsigned int degree)
   : korn(korn_constant(shape))
   , body(korn * shape.diameter() / PI) {
   const auto &x = shape.corners;
+  if (shape.affine) {
+    // |J|_2² is the larger eigenvalue of Jᵀ J.
+    const Tensor<1, 2> a = x[1] - x[0], b = x[3] - x[0];
+    const double sum = a.norm_square() + b.norm_square(), area = cross(a, b);
+    const double largest = 0.5 * (sum + std::sqrt(std::max(0., sum * sum - 4. * area * area)));
+    const unsigned int m = degree / 2;
+    body = std::min(body, korn * 0.5 * std::sqrt(largest / ((m + 1.) * (m + 2.))));
+  }
   for (unsigned int k = 0; k < 4; ++k) {
     const auto &a = x[k], &b = x[(k + 1) % 4];
     edge[k] =

@@ -30,7 +30,12 @@ namespace Signorini {
  * a point and around the disc of radius ρ about it has β ≥ (ρ/(sqrt(2) R)) (1 + (1 -
  * ρ²/R²)^{1/2})^{-1/2} (Costabel and Dauge, Arch. Ration. Mech. Anal. 217 (2015) 873-898, Theorem
  * 2.3).
- * 2. ‖v‖_K ≤ (h_K/π) ‖grad v‖_K (Payne and Weinberger, 1960; K is convex).
+ * 2. ‖v‖_K ≤ (h_K/π) ‖grad v‖_K (Payne and Weinberger, 1960; K is convex). Where r is orthogonal to
+ * polynomials of degree n, v may lose those, too. On an interval of length h, Legendre's equation
+ * gives ‖v - Π_m v‖ ≤ h/(2 ((m + 1) (m + 2))^{1/2}) ‖v'‖. On a parallelogram, the image of [0,1]²
+ * under a map with the matrix J, the polynomials of degree n contain the products of degree m =
+ * floor(n/2) in each direction. Their projection is that in one direction after the other, so that
+ * ‖v - Π v‖_K ≤ |J|_2/(2 ((m + 1) (m + 2))^{1/2}) ‖grad v‖_K.
  * 3. On the triangle T = conv(e, P) with another corner P of K: (x - P).n is 2|T|/|e| on e and zero
  * on the two other edges, so that (2|T|/|e|) ‖v‖_e² = ∫_T div((x - P) |v|²) ≤ 2 ‖v‖_T² + 2 l
  * ‖v‖_T ‖grad v‖_T with l = max_T |x - P|, and ‖v‖_T ≤ (h_T/π) ‖grad v‖_T.
@@ -44,7 +49,8 @@ namespace Signorini {
  * (13/35 d + 12/(5 d) L²/(4 π²) + 12/d³ L⁴/500.56) ‖r_e‖². The best d is close to 0.73 L.
  */
 struct OscillationConstants {
-  explicit OscillationConstants(const CellShape &shape);
+  /** @param degree n: the body force is orthogonal to polynomials up to this degree. */
+  OscillationConstants(const CellShape &shape, unsigned int degree);
 
   double korn;
   double body;
