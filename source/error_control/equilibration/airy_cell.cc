@@ -250,33 +250,41 @@ AiryCell::LoadFactors AiryCell::load_factors(const unsigned int d, const double 
 
 PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
                                  const std::vector<double> &weights,
-                                 const std::vector<Tensor<1, 2>> &force) const {
+                                 const std::vector<Tensor<1, 2>> &force,
+                                 double &rest_square) const {
   const unsigned int q = degree_, n = q * (q + 1) / 2;
-  LAPACKFullMatrix<double> gram(n), moments(n, 2);
-  Vector row(n);
+  // Rows of weighted values: for each point those of the polynomials, and of f' = F⁻¹ f.
+  LAPACKFullMatrix<double> rows(weights.size(), n), values(weights.size(), 2), gram(n),
+    coefficients(n, 2);
   for (std::size_t p = 0; p < weights.size(); ++p) {
+    const double root = std::sqrt(weights[p]);
     const auto X = load_factors(0, on_diagonals[p][0]).values,
                Y = load_factors(1, on_diagonals[p][1]).values;
-    const Tensor<1, 2> f = inverse_ * force[p];
     unsigned int l = 0;
     for (unsigned int i = 0; i < q; ++i)
       for (unsigned int j = 0; i + j < q; ++j)
-        row[l++] = X[i] * Y[j];
-    for (unsigned int i = 0; i < n; ++i) {
-      for (unsigned int j = 0; j < n; ++j)
-        gram(i, j) += weights[p] * row[i] * row[j];
-      for (unsigned int c = 0; c < 2; ++c)
-        moments(i, c) += weights[p] * row[i] * f[c];
-    }
+        rows(p, l++) = root * X[i] * Y[j];
+    const Tensor<1, 2> f = root * (inverse_ * force[p]);
+    for (unsigned int c = 0; c < 2; ++c)
+      values(p, c) = f[c];
   }
+  rows.Tmmult(gram, rows);
+  rows.Tmmult(coefficients, values);
   factorise_positive(gram);
-  gram.solve(moments);
+  gram.solve(coefficients);
+  LAPACKFullMatrix<double> projected(weights.size(), 2);
+  rows.mmult(projected, coefficients);
+  rest_square = 0.;
+  for (std::size_t p = 0; p < weights.size(); ++p)
+    rest_square +=
+      (F_ * Tensor<1, 2>({values(p, 0) - projected(p, 0), values(p, 1) - projected(p, 1)}))
+        .norm_square();
   PolynomialLoad load = {{FullMatrix<double>(q), FullMatrix<double>(q)}};
   unsigned int l = 0;
   for (unsigned int i = 0; i < q; ++i)
     for (unsigned int j = 0; i + j < q; ++j, ++l)
       for (unsigned int c = 0; c < 2; ++c)
-        load[c](i, j) = moments(l, c);
+        load[c](i, j) = coefficients(l, c);
   return load;
 }
 

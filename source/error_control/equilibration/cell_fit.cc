@@ -155,12 +155,10 @@ PolynomialLoad CellFitter::project_load(const CellShape &shape, const Quadrature
     data_.scene.body_force->vector_value(x, f);
     forces.emplace_back(Tensor<1, 2>({f[0], f[1]}) * fit.size);
   }
-  const PolynomialLoad load = fit.airy->project(points, weights, forces);
   double square = 0., rest = 0.;
-  for (std::size_t q = 0; q < points.size(); ++q) {
+  for (std::size_t q = 0; q < points.size(); ++q)
     square += weights[q] * forces[q].norm_square();
-    rest += weights[q] * (forces[q] - fit.airy->value(load, points[q])).norm_square();
-  }
+  const PolynomialLoad load = fit.airy->project(points, weights, forces, rest);
   fit.load_norm = std::sqrt(square) / fit.size;
   fit.load_rest = std::sqrt(rest) / fit.size;
   return load;

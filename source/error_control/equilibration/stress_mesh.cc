@@ -98,7 +98,7 @@ bool StressMesh::refine(const std::vector<Cell> &cells, const bool by_degree) {
   bool splits = false, rises = false;
   for (const Cell &cell : cells) {
     const bool can_split = own_ && static_cast<unsigned int>(cell->level()) < finest_,
-               can_rise = by_degree && inner_degree(cell) + 2 <= max_degree;
+               can_rise = by_degree && inner_degree(cell) + 2 <= (can_split ? 7 : max_degree);
     if (can_split && (is_aligned() || !can_rise)) {
       cell->set_refine_flag();
       splits = true;

@@ -62,11 +62,14 @@ public:
   unsigned int degree() const {
     return degree_;
   }
-  /** Returns the part of a body force that stresses balance, of the degree q - 1: the projection of
-   * a force with the given values at points with weights. */
+  /**
+   * Returns the part of a body force that stresses balance, of the degree q - 1: the projection of
+   * a force with the given values at points with weights.
+   * @param rest_square receives the square of the norm of what is left.
+   */
   PolynomialLoad project(const std::vector<Point<2>> &on_diagonals,
-                         const std::vector<double> &weights,
-                         const std::vector<Tensor<1, 2>> &force) const;
+                         const std::vector<double> &weights, const std::vector<Tensor<1, 2>> &force,
+                         double &rest_square) const;
   Tensor<1, 2> value(const PolynomialLoad &load, const Point<2> &on_diagonals) const;
   /** Subtracts the weighted values of stresses δ with div δ = -f from those at the points, three
    * for each, and returns the traces of δ. */
