@@ -47,12 +47,14 @@ void refuse_unstable_patches(const Parameters &parameters,
                              const Discretization<dim> &discretization) {
   if (!is_unstable(discretization))
     return;
-  if (dim == 3)
+  const bool has_friction = discretization.surface.scene().friction != Friction::none;
+  if (dim == 3 || has_friction)
     throw InputError(parameters.discretization.coarsest_level.where() + ": found '" +
                      std::to_string(parameters.discretization.coarsest_level.value) +
-                     "', where a contact patch is a single face (H = h), which is not stable in "
-                     "space, allowed: levels or Geometry/Cells with at least two faces per patch "
-                     "and direction.");
+                     "', where a contact patch is a single face (H = h), which is not stable " +
+                     (has_friction ? "with friction" : "in space") +
+                     ", allowed: levels or Geometry/Cells with at least two faces per patch"
+                     " and direction.");
   if (parameters.solver.require_stability)
     throw InputError(parameters.solver.require_stability.where() +
                      ": a contact patch is no longer than a face (H = h), which is not inf-sup "
@@ -128,19 +130,36 @@ template <int dim>
 void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim> &scene) {
   const StageTimer timer(times.setup);
   D = assemble_coupling(space, multipliers);
+  K = AdmissibleSet::nonpositive(multipliers.n_multipliers());
+  if (scene.friction != Friction::none) {
+    D = join(D, assemble_coupling(space, multipliers, Component::tangential));
+    const dealii::Vector<double> none(multipliers.n_multipliers()),
+      given = multipliers.project(moments_of(scene, &BoundaryCondition<dim>::friction));
+    K = scene.friction == Friction::tresca ? AdmissibleSet::with_friction(given, none)
+                                           : AdmissibleSet::with_friction(none, given);
+  }
   condensed_D = condense(D, space.constraints());
   G = assemble_gap_of(scene);
   for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
     if (condensed_D.column(k).empty())
       throw InputError(parameters.discretization.coarsest_level.where() + ": contact patch " +
-                       std::to_string(k) +
+                       std::to_string(k % multipliers.n_multipliers()) +
                        " sees no free mesh node on the coarsest level, allowed: a finer coarsest "
                        "level, fewer patches or a larger patch ratio.");
 }
 
 template <int dim>
 dealii::Vector<double> Discretization<dim>::assemble_gap_of(const Scene<dim> &scene) const {
-  return assemble_gap(multipliers, scene.boundary, n_gap_points, gap_grading);
+  const dealii::Vector<double> G = moments_of(scene, &BoundaryCondition<dim>::data);
+  return scene.friction == Friction::none
+           ? G
+           : join(G, moments_of(scene, &BoundaryCondition<dim>::shift));
+}
+
+template <int dim>
+dealii::Vector<double> Discretization<dim>::moments_of(
+  const Scene<dim> &scene, FunctionPointer<dim> BoundaryCondition<dim>::*const data) const {
+  return assemble_gap(multipliers, scene.boundary, n_gap_points, gap_grading, data);
 }
 
 std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space) {

@@ -86,10 +86,12 @@ dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) cons
 template <int dim>
 dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
                                     const std::vector<BoundaryCondition<dim>> &boundary,
-                                    const unsigned int n_points, const Grading grading) {
+                                    const unsigned int n_points, const Grading grading,
+                                    FunctionPointer<dim> BoundaryCondition<dim>::*const data) {
   const auto gap_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
     std::vector<double> g(rule.size());
-    boundary[space.surface().patches()[piece.patch].side].data->value_list(rule.points, g);
+    if (const auto &given = boundary[space.surface().patches()[piece.patch].side].*data)
+      given->value_list(rule.points, g);
     for (std::size_t q = 0; q < rule.size(); ++q)
       if (!std::isfinite(g[q])) {
         std::ostringstream message;
@@ -136,7 +138,7 @@ template dealii::Vector<double> Coupling::transpose_product(const Displacement &
 
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,
-                           const MultiplierSpace<dim> &multipliers) {
+                           const MultiplierSpace<dim> &multipliers, const Component component) {
   const ContactSurface<dim> &surface = multipliers.surface();
   const FEValuesExtractors::Vector displacement(0);
   TraceValues<dim> traces(space);
@@ -152,12 +154,28 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
       for (unsigned int j = 0; j < indices.size(); ++j) {
         double integral = 0.;
         for (std::size_t q = 0; q < rule.size(); ++q)
-          integral += values[displacement].value(j, q) * rule.normals[q] *
+          integral += values[displacement].value(j, q) * direction_of(component, rule.normals[q]) *
                       multipliers.shape_value(k, rule.on_side[q]) * rule.weights[q];
         if (std::abs(integral) > 1e-15 * measure)
           columns[k][indices[j]] += integral;
       }
   }
+  return Coupling(std::move(columns));
+}
+
+dealii::Vector<double> join(const dealii::Vector<double> &normal,
+                            const dealii::Vector<double> &tangential) {
+  dealii::Vector<double> both(normal);
+  both.grow_or_shrink(normal.size() + tangential.size());
+  std::copy(tangential.begin(), tangential.end(), both.begin() + normal.size());
+  return both;
+}
+
+Coupling join(const Coupling &normal, const Coupling &tangential) {
+  std::vector<Coupling::Column> columns;
+  for (const Coupling *const D : {&normal, &tangential})
+    for (unsigned int k = 0; k < D->n_columns(); ++k)
+      columns.push_back(D->column(k));
   return Coupling(std::move(columns));
 }
 

@@ -152,14 +152,15 @@ template <int dim>
 void add_certificate_and_answer(const Discretization<dim> &discretization, const Scene<dim> &scene,
                                 const ContactState<dim> &contact, LevelRecord &record) {
   const DisplacementSpace<dim> &space = discretization.space;
-  const NodalForces forces =
-    nodal_forces(space, scene, contact.system->loads, discretization.D, contact.U, contact.P);
-  record.certificate = certify(space, scene, discretization.multipliers,
-                               {contact, discretization.D, discretization.G, forces});
+  const NodalForces forces = nodal_forces(space, scene, contact.system->loads, discretization.D,
+                                          contact.U, Pressure(contact.multipliers()));
+  record.certificate =
+    certify(space, scene, discretization.multipliers,
+            {contact, discretization.D, discretization.G, forces, discretization.K});
   record.certificate.motion_balance = motion_balance(scene.plates, contact.modes, forces);
   record.motions.plates = plates_of(space, scene, contact, forces);
-  record.answer =
-    compute_answer(space, scene, discretization.multipliers, forces, contact.U, contact.P);
+  record.answer = compute_answer(space, scene, discretization.multipliers, forces, contact.U,
+                                 contact.P, contact.P_t);
 }
 
 /** Computes what follows from U and P: β, the certificate, the answer, and the estimate and the
@@ -178,14 +179,22 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   record.motions.undetermined = contact.undetermined;
   record.contact = summarise_contact(discretization.multipliers, contact.P);
   const StageTimer timer(record.times.postprocess);
-  if (wants_inf_sup<dim>(parameters, contact)) {
+  const bool has_friction = contact.P_t.size() > 0;
+  if constexpr (dim == 2)
+    if (has_friction) {
+      dealii::Vector<double> W = discretization.D.transpose_product(contact.U);
+      W -= discretization.G;
+      record.friction =
+        summarise_friction(discretization.multipliers, discretization.K, contact.multipliers(), W);
+    }
+  if (!has_friction && wants_inf_sup<dim>(parameters, contact)) {
     progress("inf-sup constant");
     record.inf_sup = measure_inf_sup(discretization.space, discretization.multipliers,
                                      discretization.condensed_D, parameters.solver.linear_solver);
   }
   progress("certificate");
   add_certificate_and_answer(discretization, solution.scene, contact, record);
-  if (discretization.mesh.has_parents())
+  if (!has_friction && discretization.mesh.has_parents())
     record.estimate = estimate_of(discretization, solution.scene, contact);
   record.certificate.energy -= work_of_plates(record);
 }
@@ -208,7 +217,7 @@ template <int dim>
 void finish_level(const LevelProblem<dim> &problem, const Discretization<dim> &discretization,
                   const bool wants_bound, const Progress &progress, LevelSolution<dim> &solution) {
   if constexpr (dim == 2)
-    if (wants_bound) {
+    if (wants_bound && solution.P_t.size() == 0) {
       progress("bound of the error");
       add_bound(discretization, solution);
     }
@@ -235,6 +244,11 @@ void add_errors(const Parameters &parameters, const Scene<dim> &scene,
     if constexpr (dim == 2)
       record.endpoint_error = contact_end_error(multipliers, scene, solution.P);
   }
+  if constexpr (dim == 2)
+    if (record.friction && scene.boundary[scene.contact_sides().front()].exact_friction != nullptr)
+      record.friction->l2_error = compute_pressure_errors(multipliers, solution.P_t, n_points,
+                                                          &BoundaryCondition<2>::exact_friction)
+                                    .l2;
   if (pressure != nullptr)
     record.dual_norm_errors = pressure->errors(multipliers, solution.P);
   if constexpr (dim == 2)

@@ -100,6 +100,9 @@ private:
     if (!context_.parameters.solver.warm_start || pressure_.patches.empty())
       return start;
     start.P = transfer_pressure<dim>(pressure_, discretization.surface.patches());
+    if (shear_.size() > 0)
+      start.P_t =
+        transfer_pressure<dim>({pressure_.patches, shear_}, discretization.surface.patches());
     start.scale = scale_;
     start.relative_error = relative_error_;
     if (coarse_ != nullptr)
@@ -112,6 +115,7 @@ private:
   void keep_for_next(const LevelResult<dim> &result) {
     const LevelSolution<dim> &solution = result.solution;
     pressure_ = result.pressure();
+    shear_ = solution.P_t;
     scale_ = solution.cycles ? solution.cycles->scale : 0.;
     relative_error_ = {};
     if (solution.record.estimate)
@@ -130,6 +134,8 @@ private:
   std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
   unsigned int next_level_;
   PatchPressure<dim> pressure_;
+  /** P_t of the same patches; empty without friction. */
+  Pressure shear_;
   /** The last level and its displacement, if V-cycles find contact on the next one; else null. */
   std::shared_ptr<const Discretization<dim>> coarse_;
   Displacement coarse_U_;

@@ -186,6 +186,24 @@ void check_multigrid(const Given<Option> &solver, const std::string &allowed,
             "with it: " + allowed);
 }
 
+/** Refuses what friction cannot do. @throws InputError */
+template <int dim>
+void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
+  if (scene.friction == Friction::none)
+    return;
+  const DiscretizationParameters &given = parameters.discretization;
+  const Given<ContactSolver> &contact = parameters.solver.contact_solver;
+  refuse_if(contact == ContactSolver::mprgp || contact == ContactSolver::multigrid, contact,
+            "with friction", "with it: automatic, psor, active set");
+  refuse_if(given.strategy == Strategy::hp, given.strategy, "with friction", "with it: nested");
+  refuse_if(given.element == Element::q2, given.element, "with friction", "with it: Q1, Q1 B-bar");
+  if (given.target_error > 0.)
+    throw error_at(given.target_error, "found '", given.target_error.value,
+                   "' with friction, for which there is neither a bound nor an estimate of the "
+                   "error, allowed: 0.");
+  if (!scene.load_cases.empty())
+    throw error_at(parameters.load_cases.cases, "found load cases with friction, allowed: none.");
+}
 } // namespace
 
 template <int dim>
@@ -196,6 +214,7 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
   const Given<LinearSolver> &linear = parameters.solver.linear_solver;
   check_multigrid(linear, "automatic, condensed", parameters);
   check_multigrid(contact, "automatic, psor, active set, mprgp", parameters);
+  check_friction(parameters, scene);
   const bool by_cycles = contact == ContactSolver::multigrid;
   refuse_if(n_ranks > 1 && by_cycles, contact, on_several,
             "on several: automatic, psor, active set, mprgp");

@@ -158,15 +158,14 @@ Deformation deformation(const DisplacementSpace<dim> &space, const Displacement 
  * less of it than rounding does. 1e-8 of this share is 50 times the unit roundoff. */
 constexpr double min_share_of_free_state = 1e-6;
 
-/** Checks signs, penetration and complementarity of P and W = Dᵀ U - G. */
+/** Checks signs, penetration and complementarity of P and W = Dᵀ U - G. @param K K(P). */
 template <int dim>
 void check_contact(const MultiplierSpace<dim> &multipliers, const SolvedContact<dim> &solved,
-                   const dealii::Vector<double> &W, const double energy_scale,
-                   Certificate &certificate) {
+                   const AdmissibleSet &K, const dealii::Vector<double> &W,
+                   const double energy_scale, Certificate &certificate) {
   const ContactState<dim> &solution = solved.contact;
-  const unsigned int m = W.size();
-  const dealii::Vector<double> measures = multipliers.integrals();
-  const AdmissibleSet K = multipliers.admissible_set();
+  const dealii::Vector<double> measures = multipliers.integrals(), P = solution.multipliers();
+  const unsigned int m = measures.size();
   double deepest = 0., outside = 0.;
   double length_scale = solution.U.linfty_norm();
   if (solution.dual)
@@ -175,15 +174,16 @@ void check_contact(const MultiplierSpace<dim> &multipliers, const SolvedContact<
   for (unsigned int tau = 0; tau < m; ++tau) {
     deepest = std::max(deepest, W[tau] / measures[tau]);
     length_scale = std::max(length_scale, std::abs(solved.G[tau]) / measures[tau]);
-    // How far P lies outside of the admissible set.
-    outside = std::max(outside, std::abs(K.residual(tau, solution.P[tau], 0.)));
   }
+  // How far P lies outside of the admissible set.
+  for (unsigned int k = 0; k < K.size(); ++k)
+    outside = std::max(outside, std::abs(K.residual(k, P[k], 0.)));
   certificate.penetration = relative(deepest, length_scale);
-  certificate.sign = relative(outside, solution.P.linfty_norm());
-  certificate.complementarity = relative(solution.P * W, energy_scale);
+  certificate.sign = relative(outside, P.linfty_norm());
+  certificate.complementarity = relative(P * W + K.dissipation(W), energy_scale);
   for (unsigned int tau = 0; tau < m; ++tau) {
     // Measured as lengths, so that they are small where all pressures vanish.
-    const double pressed = solution.diagonal_P.size() == m ? solution.diagonal_P[tau] : 0.;
+    const double pressed = solution.diagonal_P.size() > 0 ? solution.diagonal_P[tau] : 0.;
     const double small = 1e-6 * length_scale * measures[tau];
     if (std::abs(pressed) < small && std::abs(W[tau]) < small)
       ++certificate.degenerate_patches;
@@ -192,16 +192,17 @@ void check_contact(const MultiplierSpace<dim> &multipliers, const SolvedContact<
 
 /**
  * Returns the relative duality gap. Energies are differences to Π(U_0) of the body without contact.
- * With V = U - U_0 the primal one is Π(U) - Π(U_0) = a(V,V)/2, where a(V,V) = a(U,V) - f(V); the
- * dual one is Pᵀ F - Pᵀ C P/2.
+ * With V = U - U_0 the primal one is Π(U) - Π(U_0) = a(V,V)/2, where a(V,V) = a(U,V) - f(V), with
+ * friction plus its dissipation; the dual one is Pᵀ F - Pᵀ C P/2.
  */
 template <int dim>
 double duality_gap(const ContactState<dim> &contact, const DualData &data,
-                   const NodalForces &forces, const double energy_scale) {
+                   const NodalForces &forces, const double dissipation, const double energy_scale) {
   Displacement V = contact.U;
   V -= data.free.U;
-  const double primal = 0.5 * (V * forces.internal - V * forces.loads);
-  const double dual = contact.P * data.free.F - 0.5 * (contact.P * data.C_P);
+  const dealii::Vector<double> P = contact.multipliers();
+  const double primal = 0.5 * (V * forces.internal - V * forces.loads) + dissipation;
+  const double dual = P * data.free.F - 0.5 * (P * data.C_P);
   return relative(primal - dual, std::max(energy_scale, std::abs(dual)));
 }
 
@@ -225,7 +226,9 @@ Columns<Certificate> Certificate::columns() {
 template <int dim>
 Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                     const MultiplierSpace<dim> &multipliers, const SolvedContact<dim> &solved) {
-  const auto &[solution, D, G, forces] = solved;
+  const auto &[solution, D, G, forces, admissible] = solved;
+  const dealii::Vector<double> P = solution.multipliers();
+  const AdmissibleSet K = admissible.at(P);
   Certificate certificate;
   certificate.moments_are_exact = !space.mesh().is_curved();
   // |Tᵀ r|₂ relative to the largest term of r.
@@ -237,7 +240,8 @@ Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene
   // Pressures all around a hole have no resultant.
   double size_of_contact = 0.;
   for (const Piece<dim> &piece : multipliers.surface().pieces()) {
-    const Resultant<dim> piece_resultant = contact_resultant(multipliers, solution.P, piece);
+    const Resultant<dim> piece_resultant =
+      contact_resultant(multipliers, solution.P, piece, solution.P_t);
     contact += piece_resultant;
     size_of_contact += piece_resultant.force.norm();
   }
@@ -248,20 +252,28 @@ Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene
   // A translation has no strain energy, but its product with rounding of forces may be large.
   const double strain_energy = 0.5 * (deformed.V * forces.internal);
   const double work_of_loads = solution.U * forces.loads;
-  const double work_of_gap = solution.P * G;
+  const double work_of_gap = P * G;
   double energy_scale = std::max(
     {strain_energy, std::abs(work_of_loads), std::abs(work_of_gap), forces.rigid_energy()});
   if (solution.dual)
-    energy_scale = std::max(energy_scale,
-                            min_share_of_free_state * std::abs(solution.P * solution.dual->free.F));
-  check_contact(multipliers, solved, W, energy_scale, certificate);
+    energy_scale =
+      std::max(energy_scale, min_share_of_free_state * std::abs(P * solution.dual->free.F));
+  check_contact(multipliers, solved, K, W, energy_scale, certificate);
   // The energy J of (22); [p, Bu - g] is Pᵀ W.
-  certificate.energy = strain_energy - work_of_loads - solution.P * W;
+  certificate.energy = strain_energy - work_of_loads - P * W;
+  if (solution.P_t.size() > 0) {
+    double work = solution.U * forces.internal - work_of_loads - work_of_gap + K.dissipation(W);
+    for (const auto support : space.supports())
+      if (forces.residual.in_local_range(support))
+        work -= solution.U(support) * forces.residual(support);
+    certificate.dissipation_balance = relative(work, energy_scale);
+  }
 
   if (solution.cycles)
     certificate.duality_gap = duality_gap(solved, *solution.cycles, W);
   else if (solution.dual && solution.dual->C_P.size() > 0)
-    certificate.duality_gap = duality_gap(solution, *solution.dual, forces, energy_scale);
+    certificate.duality_gap =
+      duality_gap(solution, *solution.dual, forces, K.dissipation(W), energy_scale);
   const double unit_roundoff = std::numeric_limits<double>::epsilon();
   const double noise = unit_roundoff * forces.magnitude;
   certificate.rounding = forces.rigid ? unit_roundoff

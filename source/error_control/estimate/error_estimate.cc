@@ -41,7 +41,7 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multi
   FreeState free;
   free.F = assemble_gap(multipliers, multipliers.surface().scene().boundary, data.n_points);
   free.F -= D.transpose_product(data.U_free);
-  if (free.nothing_touches())
+  if (free.nothing_touches(AdmissibleSet::nonpositive(free.F.size())))
     return dealii::Vector<double>(multipliers.n_multipliers());
   return data.solve_dual(D, condensed_D, free.F,
                          transfer_pressure<dim>({data.multipliers.surface().patches(), data.P},

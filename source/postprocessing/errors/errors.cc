@@ -179,7 +179,8 @@ INSTANTIATE_FUNCTION(compute_displacement_errors);
 
 template <int dim>
 PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space, const Pressure &P,
-                                       const unsigned int n_points) {
+                                       const unsigned int n_points,
+                                       FunctionPointer<dim> BoundaryCondition<dim>::*const exact) {
   const RecoveredPressure<dim> recovered(space, P);
   double l2 = 0.;
   double post_l2 = 0.;
@@ -188,7 +189,7 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space, const 
     const SurfaceRule<dim> rule =
       space.surface().rule(piece, n_points + space.n_of(piece.patch) - 1, Grading::towards_kinks);
     p.resize(rule.size());
-    space.surface().condition(piece).exact_pressure->value_list(rule.points, p);
+    (space.surface().condition(piece).*exact)->value_list(rule.points, p);
     for (std::size_t q = 0; q < rule.size(); ++q) {
       const double difference = p[q] - space.value(P, piece.patch, rule.on_side[q]);
       const double post = p[q] - recovered(piece.patch, rule.on_side[q]);

@@ -250,13 +250,18 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &
 
 template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers, const Pressure &P,
-                                 const Piece<dim> &piece) {
+                                 const Piece<dim> &piece, const Pressure &P_t) {
   Resultant<dim> resultant;
   const SurfaceRule<dim> &rule = piece.on_mesh;
   for (std::size_t q = 0; q < rule.size(); ++q)
     resultant.add(multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q] *
                     rule.normals[q],
                   rule.points[q]);
+  if (P_t.size() > 0)
+    for (std::size_t q = 0; q < rule.size(); ++q)
+      resultant.add(multipliers.value(P_t, piece.patch, rule.on_side[q]) * rule.weights[q] *
+                      direction_of(Component::tangential, rule.normals[q]),
+                    rule.points[q]);
   return resultant;
 }
 

@@ -177,6 +177,32 @@ void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Sce
     scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, given.gap);
 }
 
+/** Reads the law of friction of all contact sides: one expression for all, or one per side. */
+template <int dim>
+void read_friction(const ContactParameters &given, const SceneReader<dim> &reader,
+                   Scene<dim> &scene) {
+  const std::string found = "Friction = " + to_text(given.friction.value);
+  scene.friction = given.friction;
+  refuse_foreign_entries(scene.friction == Friction::coulomb, {&given.friction_coefficient},
+                         "Friction = coulomb", found);
+  refuse_foreign_entries(scene.friction == Friction::tresca, {&given.friction_bound},
+                         "Friction = tresca", found);
+  refuse_foreign_entries(scene.friction != Friction::none, {&given.foundation_shift},
+                         "Friction = tresca or coulomb", found);
+  if (scene.friction == Friction::none)
+    return;
+  const auto read = [&](const Given<std::string> &entry,
+                        FunctionPointer<dim> BoundaryCondition<dim>::*const data) {
+    for (const auto &[side, text] : read_list_for(contact_side_names(scene), entry.value,
+                                                  entry.where(), scene.geometry.side_names()))
+      scene.boundary[scene.geometry.find_side(side)].*data = reader.function(text, 1, entry);
+  };
+  read(scene.friction == Friction::coulomb ? given.friction_coefficient : given.friction_bound,
+       &BoundaryCondition<dim>::friction);
+  if (!given.foundation_shift.value.empty())
+    read(given.foundation_shift, &BoundaryCondition<dim>::shift);
+}
+
 /** Reads one expression for all contact sides, or one per side. */
 template <int dim>
 void read_exact_pressure(const Given<std::string> &given, const SceneReader<dim> &reader,
@@ -221,6 +247,7 @@ Scene<dim> make_described_scene(const Parameters &parameters) {
   scene.material = read_material(parameters.material, reader, scene.geometry);
   read_boundary(parameters.boundary, parameters.load, reader, scene);
   read_gaps(parameters, reader, scene);
+  read_friction(parameters.contact, reader, scene);
   read_exact_pressure(parameters.exact.pressure, reader, scene);
   const Given<std::string> &body_force = parameters.load.body_force;
   if (dim == 2 || body_force.changed) {
@@ -232,7 +259,7 @@ Scene<dim> make_described_scene(const Parameters &parameters) {
       scene.body_force = std::make_shared<ExpressionFunction<dim>>(force);
   }
   read_exact_displacement(parameters.exact, reader, scene);
-  check_described_scene(parameters.exact, scene);
+  check_described_scene(parameters, scene);
   return scene;
 }
 

@@ -104,5 +104,5 @@ void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim
 /** Evaluates everything once where the integrals will, to find data without values and an exact
  * solution that contradicts itself before the computation starts. @throws InputError */
 template <int dim>
-void check_described_scene(const ExactSolutionParameters &exact, const Scene<dim> &scene);
+void check_described_scene(const Parameters &parameters, const Scene<dim> &scene);
 } // namespace Signorini

@@ -104,6 +104,19 @@ void check_pressure(const FunctionPointer<dim> &pressure, const Points<dim> &poi
                    "p = sigma_n <= 0, negative in compression");
 }
 
+/** Refuses a negative coefficient or bound of friction. */
+template <int dim>
+void check_friction(const FunctionPointer<dim> &friction, const Points<dim> &points,
+                    const std::string &where) {
+  if (friction == nullptr)
+    return;
+  check_finite(friction, points, where);
+  for (const Point<dim> &x : points)
+    if (friction->value(x) < 0.)
+      refuse_value(where, "the negative value " + number_text(friction->value(x)), x,
+                   "0 or more on the whole side");
+}
+
 /**
  * Checks a gradient given by expressions against differences of the displacement at points inside
  * the body. Points where two differences do not agree (kinks, singularities) are skipped.
@@ -203,7 +216,12 @@ void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim
 }
 
 template <int dim>
-void check_described_scene(const ExactSolutionParameters &exact, const Scene<dim> &scene) {
+void check_described_scene(const Parameters &parameters, const Scene<dim> &scene) {
+  const ExactSolutionParameters &exact = parameters.exact;
+  const ContactParameters &contact = parameters.contact;
+  const std::string friction = scene.friction == Friction::coulomb
+                                 ? contact.friction_coefficient.where()
+                                 : contact.friction_bound.where();
   const Points<dim> body = sample_body(scene.geometry);
   for (const Point<dim> &x : body)
     scene.material->hooke(x);
@@ -216,6 +234,8 @@ void check_described_scene(const ExactSolutionParameters &exact, const Scene<dim
     const Side<dim> &side = scene.geometry.sides[i];
     check_finite(condition.data, sample_side(side, condition.role != Role::traction), "");
     check_exact_on_side(exact, scene, i, sample_side(side, false));
+    check_friction(condition.friction, sample_side(side, false), friction);
+    check_finite(condition.shift, sample_side(side, false), "");
     check_pressure(condition.exact_pressure, sample_side(side, false), exact.pressure.where());
   }
 }

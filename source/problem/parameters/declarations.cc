@@ -135,6 +135,17 @@ void Declarations::declare_data(Parameters &parameters) {
       "of the body, at most ten diameters of the body.");
   add("Contact/Foundation position", parameters.contact.foundation_position,
       "dx, dy by which the whole foundation is moved (length).");
+  add("Contact/Friction", parameters.contact.friction,
+      "Law of friction of the tangential traction q: none (q = 0), tresca (|q| <= Friction bound), "
+      "coulomb (|q| <= Friction coefficient times the pressure). Nested plane meshes of bilinear "
+      "elements, at least two faces per patch.");
+  add("Contact/Friction coefficient", parameters.contact.friction_coefficient,
+      "Coulomb: f >= 0, an expression for all contact sides, or per side: bottom: ... | left: ...");
+  add("Contact/Friction bound", parameters.contact.friction_bound,
+      "Tresca: s >= 0 (force/area), an expression in the same way.");
+  add("Contact/Foundation shift", parameters.contact.foundation_shift,
+      "With friction: the motion of the foundation along the counter-clockwise tangent of the side "
+      "(length), an expression in the same way; empty: 0.");
   add("Load cases/Cases", parameters.load_cases.cases,
       "Other loads that the finest level is solved for, from the same factorisation: factors of "
       "force (tractions, plates), weight (body force), travel (prescribed displacements) and gap, "

@@ -13,9 +13,15 @@
 
 namespace Signorini {
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels) {
-  stream << csv_header(level_columns()) << "\n";
+  Columns<LevelRecord> columns = level_columns();
+  for (const Column<FrictionSummary> &of_friction : FrictionSummary::columns())
+    if (levels.empty() || !levels.front().friction)
+      columns.erase(std::find_if(columns.begin(), columns.end(), [&](const auto &column) {
+        return column.name == of_friction.name;
+      }));
+  stream << csv_header(columns) << "\n";
   for (const LevelRecord &level : levels)
-    stream << csv_row(level_columns(), level) << "\n";
+    stream << csv_row(columns, level) << "\n";
 }
 
 // The tables on the screen: one line per level as it finishes, and the errors at the end.

@@ -85,8 +85,9 @@ Columns<LevelRecord> columns_of_parts() {
         columns_of(&LevelRecord::dual_norm_errors),
         Columns<LevelRecord>{{"endpoint_error", &LevelRecord::endpoint_error}},
         columns_of(&LevelRecord::lemmas), columns_of(&LevelRecord::bound),
-        columns_of(&LevelRecord::answer), columns_of(&LevelRecord::motions),
-        columns_of(&LevelRecord::times), columns_of(&LevelRecord::resources)})
+        columns_of(&LevelRecord::answer), columns_of(&LevelRecord::friction),
+        columns_of(&LevelRecord::motions), columns_of(&LevelRecord::times),
+        columns_of(&LevelRecord::resources)})
     all.insert(all.end(), columns.begin(), columns.end());
   return all;
 }

@@ -12,15 +12,18 @@ namespace Signorini {
 std::vector<Residual> residuals(const Certificate &certificate) {
   using Origin = Residual::Origin;
   const Certificate &c = certificate;
-  return {{c.stationarity, "stationarity", Origin::equilibrium},
-          {c.penetration, "penetration", Origin::contact},
-          {c.sign, "sign", Origin::contact},
-          {c.complementarity, "complementarity", Origin::contact},
-          {c.duality_gap, "duality_gap", Origin::contact},
-          {c.force_balance, "force_balance", Origin::equilibrium},
-          {c.motion_balance, "motion_balance", Origin::equilibrium},
-          {c.support, "support", Origin::supports},
-          {c.moment_balance, "moment_balance", Origin::equilibrium}};
+  std::vector<Residual> all = {{c.stationarity, "stationarity", Origin::equilibrium},
+                               {c.penetration, "penetration", Origin::contact},
+                               {c.sign, "sign", Origin::contact},
+                               {c.complementarity, "complementarity", Origin::contact},
+                               {c.duality_gap, "duality_gap", Origin::contact},
+                               {c.force_balance, "force_balance", Origin::equilibrium},
+                               {c.motion_balance, "motion_balance", Origin::equilibrium},
+                               {c.support, "support", Origin::supports}};
+  if (c.dissipation_balance)
+    all.push_back({*c.dissipation_balance, "dissipation_balance", Origin::contact});
+  all.push_back({c.moment_balance, "moment_balance", Origin::equilibrium});
+  return all;
 }
 
 Residual max_residual(const Certificate &certificate) {
@@ -74,6 +77,9 @@ std::optional<double> relative_error(const LevelRecord &level) {
 
 std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
   const LevelRecord &finest = levels.back();
+  if (finest.friction)
+    return "with friction there is neither a bound nor an estimate of the error: compare the "
+           "levels";
   std::ostringstream text;
   if (finest.sizes.is_graded() && !bound_of(finest)) {
     if (!finest.estimate)

@@ -129,8 +129,10 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
 
 // F = G - Dᵀ A⁻¹ f of the dual problem.
 
-bool FreeState::nothing_touches() const {
-  return std::none_of(F.begin(), F.end(), [](const double opening) { return opening < 0.; });
+bool FreeState::nothing_touches(const AdmissibleSet &K) const {
+  const auto all = all_indices(K.size());
+  return std::all_of(all.begin(), all.end(),
+                     [&](const unsigned int i) { return K.residual(i, 0., -F[i]) == 0.; });
 }
 
 template <int dim>

@@ -171,13 +171,14 @@ double BoundConstrainedQP::energy(const Vector &P) const {
 }
 
 double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const Vector &W) const {
+  const AdmissibleSet K_P = K.at(P);
   double residual = 0., size_of_P = 0., size_of_F = 0., size_of_b = 0.;
   for (const double r : imbalance(P, z))
     residual += r * r;
   for (const double b : balances.b)
     size_of_b += b * b;
   for (unsigned int i = 0; i < size(); ++i) {
-    const double r = K.residual(i, P[i], W[i] / diagonal[i]);
+    const double r = K_P.residual(i, P[i], W[i] / diagonal[i]);
     residual += r * r;
     size_of_P += P[i] * P[i];
     if (balances.size() == 0 || P[i] != 0. || r != 0.)

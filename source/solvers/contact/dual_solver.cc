@@ -50,10 +50,12 @@ QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C, 
     result.unique = !options.may_be_singular || qp.has_unique_solution(result.P, result.z);
     return result;
   };
+  const bool has_friction = options.K.size() > 0;
   if (options.method != ContactSolver::psor && options.method != ContactSolver::mprgp &&
-      !C->is_explicit())
+      !C->is_explicit() && !has_friction)
     return solve_on_growing_set(*C, F, start, solve, balances);
-  return solve(BoundConstrainedQP(C, F, AdmissibleSet::nonpositive(F.size()), balances), start);
+  const AdmissibleSet K = has_friction ? options.K : AdmissibleSet::nonpositive(F.size());
+  return solve(BoundConstrainedQP(C, F, K, balances), start);
 }
 
 // The dual problem on a growing set of patches.
@@ -151,6 +153,60 @@ struct Iterate {
   Vector P, z;
 };
 
+/** A bound that follows a pressure: P_t changes by the factor times the change of P_n. */
+struct Follower {
+  unsigned int P_t;
+  /** The place of P_n among the active unknowns. */
+  unsigned int P_n;
+  double factor;
+};
+
+/** The active unknowns A, the bounds that follow them, and the rest of P. */
+struct ActiveSet {
+  ActiveSet(const AdmissibleSet &K, const States &states)
+    : P(K.size()) {
+    std::vector<unsigned int> place(K.size());
+    const unsigned int n_patches = K.size() / 2;
+    for (unsigned int i = 0; i < K.size(); ++i)
+      if (states[i] == State::inside) {
+        place[i] = A.size();
+        A.push_back(i);
+      } else {
+        P[i] = states[i] == State::upper ? K[i].upper : K[i].lower;
+        if (const double f = K.coefficient(i); f > 0. && states[i - n_patches] == State::inside)
+          followers.push_back({i, place[i - n_patches], states[i] == State::upper ? -f : f});
+      }
+  }
+  /** Adds a change of the active unknowns to a P. */
+  void add(const double factor, const Vector &change, Vector &to) const {
+    for (unsigned int r = 0; r < A.size(); ++r)
+      to[A[r]] += factor * change[r];
+    for (const Follower &follower : followers)
+      to[follower.P_t] += factor * follower.factor * change[follower.P_n];
+  }
+
+  Indices A;
+  std::vector<Follower> followers;
+  Vector P;
+};
+
+/** Returns C_AA, which contains the columns of followers. */
+FullMatrix<double> matrix_of(const ComplianceOperator &C, const ActiveSet &set) {
+  FullMatrix<double> C_AA = submatrix(C, set.A);
+  for (const Follower &follower : set.followers)
+    for (unsigned int r = 0; r < set.A.size(); ++r)
+      C_AA(r, follower.P_n) += follower.factor * C.dense()(set.A[r], follower.P_t);
+  return C_AA;
+}
+
+/** Factorises a matrix that is not symmetric. @throws LACExceptions::ExcSingular */
+LAPACKFullMatrix<double> lu(const FullMatrix<double> &M) {
+  LAPACKFullMatrix<double> factor(M.m());
+  factor = M;
+  factor.compute_lu_factorization();
+  return factor;
+}
+
 /**
  * Solves C_AA P_A + B_A z = F_A - C_AI e_I, P_I = e_I, K z - Bᵀ P = b by block elimination, with
  * the Schur complement S of the motions, and three times more for what rounding leaves of both
@@ -159,19 +215,21 @@ struct Iterate {
  */
 Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
   const unsigned int n = qp.balances.size();
-  Indices A;
-  Iterate x = {Vector(qp.size()), Vector(n)};
-  for (unsigned int i = 0; i < qp.size(); ++i)
-    if (states[i] == State::inside)
-      A.push_back(i);
-    else
-      x.P[i] = states[i] == State::upper ? qp.K[i].upper : qp.K[i].lower;
+  const ActiveSet set(qp.K, states);
+  const Indices &A = set.A;
+  Iterate x = {set.P, Vector(n)};
   if (A.empty() && n == 0)
     return x;
-  const LAPACKFullMatrix<double> C_AA = cholesky(submatrix(*qp.C, A));
-  const MotionResistance resistance(qp.balances, A, C_AA);
+  const LAPACKFullMatrix<double> C_AA =
+    set.followers.empty() ? cholesky(matrix_of(*qp.C, set)) : lu(matrix_of(*qp.C, set));
+  MotionResistance resistance(qp.balances, A, C_AA);
   LAPACKFullMatrix<double> S(n);
   if (n > 0) {
+    for (const Follower &follower : set.followers)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          resistance.S(i, j) +=
+            qp.balances.B(follower.P_t, i) * follower.factor * resistance.X[j][follower.P_n];
     constexpr double rounding = 1e-13;
     S = resistance.S;
     S.compute_inverse_svd(rounding);
@@ -183,30 +241,26 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
       dP[r] = -W[A[r]];
     if (!A.empty())
       C_AA.solve(dP);
-    for (unsigned int r = 0; r < A.size(); ++r)
-      x.P[A[r]] += dP[r];
+    set.add(1., dP, x.P);
     if (n == 0)
       continue;
     S.vmult(dz, qp.imbalance(x.P, x.z));
     x.z += dz;
-    for (unsigned int r = 0; r < A.size(); ++r)
-      for (unsigned int j = 0; j < n; ++j)
-        x.P[A[r]] -= resistance.X[j][r] * dz[j];
+    for (unsigned int j = 0; j < n; ++j)
+      set.add(-dz[j], resistance.X[j], x.P);
   }
   return x;
 }
 
-/** Returns the states that the solution x for @p states predicts. In x, W vanishes inside of the
- * intervals. */
+/** Returns the states of P - W/diag C, which the solution x for @p states predicts. In x, W
+ * vanishes on active unknowns. */
 States improve(const BoundConstrainedQP &qp, const States &states, const Iterate &x) {
   const Vector W = qp.gradient(x.P, x.z);
-  States next(states);
+  Vector predicted(x.P);
   for (unsigned int i = 0; i < qp.size(); ++i)
-    if (states[i] == State::inside)
-      next[i] = state_of(qp.K, i, x.P[i]);
-    else if (qp.K.inward(i, x.P[i], W[i]) != 0.)
-      next[i] = State::inside;
-  return next;
+    if (states[i] != State::inside)
+      predicted[i] -= W[i] / qp.diagonal[i];
+  return states_of(qp.K.at(predicted), predicted);
 }
 
 /** Returns the residual that rounding leaves after a solve with C_AA. */
@@ -272,7 +326,8 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
   const bool moves = qp.balances.size() > 0;
   QPResult result;
   Iterate x;
-  States states = start.size() == 0 ? States(qp.size(), State::inside) : states_of(qp.K, start);
+  States states =
+    start.size() == 0 ? States(qp.size(), State::inside) : states_of(qp.K.at(start), start);
   std::set<States> visited;
   const unsigned int max_solves = std::min(options.maximum_iterations, 20 * qp.size() + 100);
   for (bool settled = false; !settled && result.iterations < max_solves;) {
@@ -281,7 +336,7 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
     // Where P and W vanish together, rounding changes the set each time, although P is the
     // solution.
     Vector projected = wanted.P;
-    qp.K.project(projected);
+    qp.K.at(projected).project(projected);
     const double residual = qp.kkt_residual(projected, wanted.z);
     if (!result.cycled) {
       x = wanted;
@@ -293,7 +348,13 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
                 (came_back && residual <= 1e-3 * options.tolerance);
       result.cycled = came_back && !settled;
       states = next;
-      if (result.cycled) {
+      if (result.cycled && qp.K.moves()) {
+        // No energy falls here.
+        for (unsigned int sweep = 0; sweep < visited.size(); ++sweep)
+          psor_sweep(qp, 1., projected);
+        states = states_of(qp.K.at(projected), projected);
+        result.cycled = false;
+      } else if (result.cycled) {
         if (moves)
           x.P = qp.balances.P;
         qp.K.project(x.P);
@@ -307,7 +368,7 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
       }
     }
   }
-  qp.K.project(x.P);
+  qp.K.at(x.P).project(x.P);
   result.P = x.P;
   result.z = x.z;
   result.kkt_residual = qp.kkt_residual(result.P, result.z);

@@ -13,6 +13,7 @@ using Vector = dealii::Vector<double>;
 
 double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, Vector &P) {
   const FullMatrix<double> &C = qp.C->dense();
+  const AdmissibleSet K = qp.K.at(P);
   double squared_increment = 0.;
   for (unsigned int i = 0; i < qp.size(); ++i) {
     const double *row = &C(i, 0);
@@ -21,7 +22,7 @@ double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, Vector 
       CP_i += row[j] * P[j];
     const double lambda = P[i] - (CP_i - qp.F[i]) / row[i];
     const double relaxed = (1. - relaxation) * P[i] + relaxation * lambda;
-    const double projected = qp.K.project(i, relaxed);
+    const double projected = K.project(i, relaxed);
     squared_increment += (projected - P[i]) * (projected - P[i]);
     P[i] = projected;
   }
@@ -34,7 +35,7 @@ QPResult sweep_until_settled(const BoundConstrainedQP &qp, const Vector &start,
                              const IterationOptions &options) {
   QPResult result;
   result.P = start.size() > 0 ? start : Vector(qp.size());
-  qp.K.project(result.P);
+  qp.K.at(result.P).project(result.P);
   result.converged = qp.size() == 0; // nothing to do
   double last_increment = 0.;
   while (result.iterations < options.maximum_iterations && !result.converged) {
@@ -62,8 +63,9 @@ QPResult sweep_until_settled(const BoundConstrainedQP &qp, const Vector &start,
 FullMatrix<double> proximal_stiffness(const BoundConstrainedQP &qp, const Vector &P) {
   constexpr double part = 0.3, small = 1e-4, regular = 1e-8;
   ComplianceOperator::Indices A;
+  const AdmissibleSet K = qp.K.at(P);
   for (unsigned int i = 0; i < qp.size(); ++i)
-    if (qp.K.is_inside(i, P[i]))
+    if (K.is_inside(i, P[i]))
       A.push_back(i);
   if (A.empty())
     A = all_indices(qp.size());

@@ -34,7 +34,7 @@ bool may_iterate(const Parameters &parameters, const Scene<dim> &scene,
   return solver_fits && n_ranks == 1 && discretization.strategy == Strategy::nested &&
          discretization.element == Element::q1 && discretization.patch_ratio > 1 &&
          discretization.patches == 0 && !parameters.output.compliance && scene.load_cases.empty() &&
-         scene.plates.empty() && !scene.is_held_by_contact;
+         scene.plates.empty() && !scene.is_held_by_contact && scene.friction == Friction::none;
 }
 } // namespace
 

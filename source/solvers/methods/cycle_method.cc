@@ -110,9 +110,8 @@ private:
     state.diagonal_P.scale(diagonal);
     Vector W = discretization.D.transpose_product(state.U);
     W -= discretization.G;
-    state.algebraic_error = std::hypot(
-      algebraic_error(discretization.multipliers.admissible_set(), result.P, W, diagonal),
-      std::sqrt(2. * std::abs(result.energy_of_residual)));
+    state.algebraic_error = std::hypot(algebraic_error(discretization.K, result.P, W, diagonal),
+                                       std::sqrt(2. * std::abs(result.energy_of_residual)));
   }
 
   ContactIterationOptions options_for(const ContactStart &start) const {

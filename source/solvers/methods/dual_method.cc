@@ -145,13 +145,14 @@ public:
     factorise_stiffness(discretization, progress, state);
     find_free_state(discretization, state);
     DualData &dual = *state.dual;
-    state.P = Pressure(discretization.multipliers.n_multipliers());
-    if (state.modes.size() == 0 && dual.free.nothing_touches())
+    state.set_multipliers(Vector(discretization.K.size()),
+                          discretization.multipliers.n_multipliers());
+    if (state.modes.size() == 0 && dual.free.nothing_touches(discretization.K))
       state.U = dual.free.U;
     else {
       form_compliance(discretization, progress, state);
       progress("dual problem");
-      find_pressure(discretization, start.P, state);
+      find_pressure(discretization, join(start.P, start.P_t), state);
       recover(discretization, state);
       correct_rounding(discretization, state);
       state.algebraic_error = algebraic_part(discretization, state);
@@ -237,16 +238,16 @@ private:
         refuse_undetermined(parameters_, state.modes, dual.motions, found.qp.P);
     state.q = found.q;
     state.report = summary_of(found.qp, choice_.contact);
-    state.P = Pressure(found.qp.P);
-    state.dual->C_P = dual.C->apply(state.P);
-    state.diagonal_P = dual.C->diagonal_times(state.P);
+    state.set_multipliers(found.qp.P, discretization.multipliers.n_multipliers());
+    state.dual->C_P = dual.C->apply(found.qp.P);
+    state.diagonal_P = dual.C->diagonal_times(found.qp.P);
   }
 
   /** Computes U = A⁻¹(f + D P) + Z q. */
   void recover(const Discretization<dim> &discretization, ContactState<dim> &state) const {
     const StageTimer timer(state.times.recovery);
     state.U = recover_displacement(*state.inverse, discretization.space, discretization.condensed_D,
-                                   state.P, state.system->f);
+                                   state.multipliers(), state.system->f);
     state.modes.add_to(state.U, state.q);
   }
 
@@ -272,7 +273,7 @@ private:
       if (r.l2_norm() <= negligible * measure * state.U.linfty_norm())
         break;
       state.dual->F = corrected;
-      find_pressure(discretization, state.P, state);
+      find_pressure(discretization, state.multipliers(), state);
       recover(discretization, state);
     }
     state.dual->F = F;
@@ -281,14 +282,14 @@ private:
   /** Returns the estimated algebraic error in the energy norm. */
   double algebraic_part(const Discretization<dim> &discretization,
                         const ContactState<dim> &state) const {
-    const AdmissibleSet K = discretization.multipliers.admissible_set();
+    const Vector P = state.multipliers();
     Vector W = discretization.D.transpose_product(state.U);
     W -= discretization.G;
     // Where nothing presses nor penetrates, a column of C may cost a solve.
-    Vector counted(state.P.size());
+    Vector counted(P.size());
     for (unsigned int k = 0; k < counted.size(); ++k)
-      counted[k] = state.P[k] != 0. || W[k] > 0. ? 1. : 0.;
-    return algebraic_error(K, state.P, W, state.dual->C->diagonal_times(counted));
+      counted[k] = P[k] != 0. || W[k] > 0. ? 1. : 0.;
+    return algebraic_error(discretization.K.at(P), P, W, state.dual->C->diagonal_times(counted));
   }
 
   /** Adds the free motions to the free state: U_0 + Z q is then the body without contact. */
@@ -315,7 +316,8 @@ private:
     DualSolverOptions options = {
       {solver.tolerance, solver.maximum_iterations, solver.relaxation, {}},
       choice_.contact,
-      is_unstable(discretization)};
+      is_unstable(discretization),
+      scene_.friction == Friction::none ? AdmissibleSet() : discretization.K};
     if (const auto model = boundary_model(discretization))
       options.preconditioner = [model](const std::vector<unsigned int> &set, const Vector &r) {
         return model->solve(set, r);

@@ -30,7 +30,8 @@ struct Solved : public SolvedLevel {
     contact.dual->C = C;
     const NodalForces forces =
       nodal_forces(space(), scene, linear_system.loads, discretization.D, displacement, pressure);
-    return certify(space(), scene, multipliers(), {contact, discretization.D, G, forces});
+    return certify(space(), scene, multipliers(),
+                   {contact, discretization.D, G, forces, discretization.K});
   }
   Certificate judge(const Displacement &displacement, const Pressure &pressure) const {
     return judge(displacement, pressure, system, discretization.G);

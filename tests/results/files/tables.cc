@@ -43,8 +43,12 @@ std::vector<LevelRecord> two_levels() {
 }
 
 void convergence_csv(Checks &checks) {
-  std::ostringstream stream;
-  write_convergence_csv(stream, two_levels());
+  std::ostringstream stream, without_friction;
+  std::vector<LevelRecord> levels = two_levels();
+  write_convergence_csv(without_friction, levels);
+  checks.that("no friction", without_friction.str().find("dissipation") == std::string::npos);
+  levels.front().friction.emplace();
+  write_convergence_csv(stream, levels);
   const std::string text = stream.str();
   std::vector<std::string> names;
   for (const Column<LevelRecord> &column : level_columns())

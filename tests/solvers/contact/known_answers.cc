@@ -84,7 +84,7 @@ int main() {
       descend(problem, checks);
     }
     for (const Problem &problem : two_components)
-      solve(problem, make_qp(problem, AdmissibleSet(1, {Interval(), {-1., 1.}})), checks);
+      solve(problem, make_qp(problem, AdmissibleSet({Interval(), {-1., 1.}})), checks);
     const BoundConstrainedQP qp = make_qp(problems[0]);
     const dealii::Vector<double> zero(2);
     for (const double omega : {-1., 0., 2., 2.05})

@@ -7,7 +7,8 @@
 #include <signorini/problem/parameters/parameters.h>
 
 namespace Signorini {
-/** The mesh T^h, the spaces V^h and Q^H, Γ_c^H, D and G of one level. */
+/** The mesh T^h, the spaces V^h and Q^H, Γ_c^H, D, G and K of one level. With friction D = (D_n,
+ * D_t) has 2m columns, and G = (G_n, G_t), where G_t is the tangential motion of the foundation. */
 template <int dim>
 struct Discretization {
   /**
@@ -41,12 +42,17 @@ struct Discretization {
   unsigned int n_gap_points;
   Grading gap_grading;
   dealii::Vector<double> G;
+  /** The set of admissible multipliers. */
+  AdmissibleSet K;
 
   /** Returns G for the gap of another scene with the same contact sides. */
   dealii::Vector<double> assemble_gap_of(const Scene<dim> &scene) const;
 
 private:
-  /** Computes D, condensed D and G. @throws InputError for a multiplier without a free node. */
+  /** Returns ∫ g ψ_k for functions g of the contact sides. */
+  dealii::Vector<double> moments_of(const Scene<dim> &scene,
+                                    FunctionPointer<dim> BoundaryCondition<dim>::*data) const;
+  /** Computes D, condensed D, G and K. @throws InputError for a multiplier without a free node. */
   void assemble(const Parameters &parameters, const Scene<dim> &scene);
 };
 

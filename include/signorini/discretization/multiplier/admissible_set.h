@@ -4,6 +4,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -16,9 +17,9 @@ struct Interval {
 
 /**
  * The closed convex set K of multipliers among which the dual problem seeks P: a product of
- * intervals, one per unknown. Each patch has c unknowns, which stand one after the other. Contact
- * without friction has c = 1 and K = {P ≤ 0}. A tangential unknown with a friction bound s has the
- * interval from -s to s.
+ * intervals, one per unknown. Contact without friction has K = {P ≤ 0}. With friction P is
+ * (P_n, P_t), one of each per patch, and K(P) = {P_n ≤ 0, |P_t| ≤ s + f |P_n|}: for f = 0 (Tresca)
+ * a product of intervals; else (Coulomb) the intervals of P_t move with P_n.
  *
  * P in K solves the dual problem if W = C P - F lies in the dual cone of K at P: Wᵀ(Q - P) ≥ 0 for
  * all Q in K. That is P = projection of P - W/c onto K for any c > 0, which residual() measures.
@@ -27,17 +28,41 @@ class AdmissibleSet {
 public:
   using Vector = dealii::Vector<double>;
 
-  /** Makes the set with the same c intervals for every patch. */
-  AdmissibleSet(const unsigned int n_patches, const std::vector<Interval> &components) {
-    for (unsigned int k = 0; k < n_patches; ++k)
-      intervals_.insert(intervals_.end(), components.begin(), components.end());
-  }
+  AdmissibleSet() = default;
   /** Makes the set with one interval per unknown. */
   explicit AdmissibleSet(std::vector<Interval> intervals)
     : intervals_(std::move(intervals)) {}
   /** Returns {P ≤ 0} for n unknowns. */
   static AdmissibleSet nonpositive(const unsigned int n) {
-    return AdmissibleSet(n, {Interval()});
+    return AdmissibleSet(std::vector<Interval>(n));
+  }
+  /** Returns the set of contact with friction for P_n = 0. @param s, f of every patch. */
+  static AdmissibleSet with_friction(const Vector &s, const Vector &f) {
+    AdmissibleSet K = nonpositive(s.size());
+    for (const double bound : s)
+      K.intervals_.push_back({-bound, bound});
+    if (!f.all_zero())
+      K.f_.assign(f.begin(), f.end());
+    return K;
+  }
+
+  /** Returns whether the set moves with P. */
+  bool moves() const {
+    return !f_.empty();
+  }
+  /** Returns the set K(P), which does not move. */
+  AdmissibleSet at(const Vector &P) const {
+    AdmissibleSet K(intervals_);
+    for (unsigned int k = 0; k < f_.size(); ++k) {
+      Interval &interval = K.intervals_[f_.size() + k];
+      interval.upper += f_[k] * std::max(0., -P[k]);
+      interval.lower = -interval.upper;
+    }
+    return K;
+  }
+  /** Returns f of the patch to which the unknown P_t,i belongs; 0 for others. */
+  double coefficient(const unsigned int i) const {
+    return i < f_.size() || f_.empty() ? 0. : f_[i - f_.size()];
   }
 
   unsigned int size() const {
@@ -71,6 +96,16 @@ public:
       return w;
     return p >= intervals_[i].upper ? std::max(w, 0.) : std::min(w, 0.);
   }
+  /** Returns Σ s_i |W_i| over the intervals from -s_i to s_i: the work of friction in the slip W.
+   * With it Wᵀ P ≥ -Σ s_i |W_i| for all P in K where W_n ≤ 0, and equality means that P, W is a
+   * solution. */
+  double dissipation(const Vector &W) const {
+    double work = 0.;
+    for (unsigned int i = 0; i < size(); ++i)
+      if (std::isfinite(intervals_[i].lower))
+        work += intervals_[i].upper * std::abs(W[i]);
+    return work;
+  }
   /** Returns the set for the unknowns with these numbers. */
   AdmissibleSet restrict_to(const std::vector<unsigned int> &numbers) const {
     std::vector<Interval> part;
@@ -82,5 +117,7 @@ public:
 
 private:
   std::vector<Interval> intervals_;
+  /** Coulomb's coefficient of every patch; empty where no interval moves. */
+  std::vector<double> f_;
 };
 } // namespace Signorini

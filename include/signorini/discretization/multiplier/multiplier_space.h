@@ -60,10 +60,6 @@ public:
   unsigned int n_multipliers() const {
     return patch_of_.size();
   }
-  /** Returns the set of admissible P: pressures, P ≤ 0. */
-  AdmissibleSet admissible_set() const {
-    return AdmissibleSet::nonpositive(n_multipliers());
-  }
   /** Returns the first unknown of a patch, which has first_of(patch), ..., first_of(patch + 1) - 1.
    */
   unsigned int first_of(const unsigned int patch) const {
@@ -127,14 +123,15 @@ dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> 
 
 /**
  * Returns G_k = ∫ g ψ_k (length^dim), with @p n_points Gauss points per direction and part of a
- * piece for constants; @p grading of the rules. @p boundary holds the gap of every side.
+ * piece for constants; @p grading of the rules. @p boundary holds the gap of every side, or another
+ * function in its place; one that is missing is zero.
  * @throws InputError where g has no value.
  */
 template <int dim>
-dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
-                                    const std::vector<BoundaryCondition<dim>> &boundary,
-                                    unsigned int n_points,
-                                    Grading grading = Grading::towards_kinks);
+dealii::Vector<double>
+assemble_gap(const MultiplierSpace<dim> &space, const std::vector<BoundaryCondition<dim>> &boundary,
+             unsigned int n_points, Grading grading = Grading::towards_kinks,
+             FunctionPointer<dim> BoundaryCondition<dim>::*data = &BoundaryCondition<dim>::data);
 
 /** The coupling D, n x m: one sparse column per multiplier, nonzero at the degrees of freedom near
  * its patch. It is small, and every rank stores all of it. */
@@ -161,10 +158,30 @@ private:
   std::vector<Column> columns_;
 };
 
-/** Assembles D_jk = ∫_{Γ_c} φ_j.n ψ_k, integrated exactly on the pieces face ∩ patch. */
+/** A component of a vector on Γ_c: along the outward normal n, or along the tangent t, which is n
+ * turned counter-clockwise (2-D only). */
+enum class Component { normal, tangential };
+
+/** Returns n or t. */
+template <int dim>
+Tensor<1, dim> direction_of(const Component component, const Tensor<1, dim> &normal) {
+  if constexpr (dim == 2)
+    if (component == Component::tangential)
+      return -cross_product_2d(normal);
+  return normal;
+}
+
+/** Assembles D_jk = ∫_{Γ_c} φ_j.n ψ_k, integrated exactly on the pieces face ∩ patch; with t in the
+ * place of n if the component is tangential. */
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,
-                           const MultiplierSpace<dim> &multipliers);
+                           const MultiplierSpace<dim> &multipliers,
+                           Component component = Component::normal);
+
+/** Returns (P_n, P_t), or (D_n, D_t). */
+dealii::Vector<double> join(const dealii::Vector<double> &normal,
+                            const dealii::Vector<double> &tangential);
+Coupling join(const Coupling &normal, const Coupling &tangential);
 
 /** Returns Tᵀ D: the coupling of the unconstrained degrees of freedom. */
 Coupling condense(const Coupling &D, const AffineConstraints<double> &constraints);

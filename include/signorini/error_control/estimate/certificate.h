@@ -16,10 +16,11 @@ struct Certificate {
   double stationarity = 0.;
   /** The largest mean penetration max (W_k)₊ / ∫ψ_k, relative to displacement and gap. */
   double penetration = 0.;
-  /** The largest distance of a P_k from the admissible set, relative to max |P|. Without friction
-   * it is max(P)₊ / max |P|. */
+  /** The largest distance of a P_k from K(P), relative to max |P|. Without friction it is
+   * max(P)₊ / max |P|. */
   double sign = 0.;
-  /** The product |Pᵀ W| relative to the energies. */
+  /** The product |Pᵀ W| relative to the energies; with friction Pᵀ W + Σ s |W_t|, de Saxcé's
+   * bipotential gap, which is never negative and vanishes at solutions only. */
   double complementarity = 0.;
   /** The primal minus the dual objective, relative to the energies. */
   double duality_gap = 0.;
@@ -30,6 +31,9 @@ struct Certificate {
   /** The forces and moments on free motions of plates and of the body that nothing balances,
    * relative to the largest force. */
   double motion_balance = 0.;
+  /** With friction: U.(A U - f - reactions) - P.G + Σ s |W_t|, the work of loads that is neither
+   * stored nor dissipated, relative to the energies. */
+  std::optional<double> dissipation_balance;
   /** Whether moments must balance exactly: V^h of curved cells contains rotations up to O(h²) only.
    */
   bool moments_are_exact = true;
@@ -63,6 +67,7 @@ struct SolvedContact {
   const dealii::Vector<double> &G;
   /** The nodal forces of U and P, see nodal_forces(). */
   const NodalForces &forces;
+  const AdmissibleSet &K;
 };
 
 /**

@@ -51,12 +51,13 @@ struct PressureErrors {
 
 /**
  * Integrates with at least @p n_points Gauss points per direction on every piece, refined towards
- * kinks. Needs Scene::has_exact_pressure().
+ * kinks. Needs Scene::has_exact_pressure(), or the other exact functions of all contact sides.
  * @throws InputError where p has no value.
  */
 template <int dim>
-PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space, const Pressure &P,
-                                       unsigned int n_points);
+PressureErrors compute_pressure_errors(
+  const MultiplierSpace<dim> &space, const Pressure &P, unsigned int n_points,
+  FunctionPointer<dim> BoundaryCondition<dim>::*exact = &BoundaryCondition<dim>::exact_pressure);
 
 /**
  * Returns the largest distance between an end of the exact contact zones and the nearest end of a

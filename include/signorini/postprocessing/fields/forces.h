@@ -176,10 +176,11 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &
                          const DistributedVector &loads, const Coupling &D, const Displacement &U,
                          const Pressure &P);
 
-/** Returns ∫ p_H n and ∫ p_H x × n over a piece of Γ_c. */
+/** Returns ∫ p_H n and ∫ p_H x × n over a piece of Γ_c; with friction p_H n + q_H t in the place of
+ * p_H n. @param P_t is empty without friction. */
 template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers, const Pressure &P,
-                                 const Piece<dim> &piece);
+                                 const Piece<dim> &piece, const Pressure &P_t = {});
 
 /** Returns u_{h,n} - g at the points of a rule on a piece, positive where the body penetrates.
  * @throws InputError where g has no value. */

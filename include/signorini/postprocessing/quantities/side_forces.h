@@ -30,11 +30,13 @@ template <int dim>
 SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
                      const Point<dim> &centre, double scale);
 
-/** Returns ∫ p_H n over contact sides, with the name of a single one. The line of action is given
- * by its point nearest to the centre of pressure, which lies on a straight side. */
+/** Returns ∫ p_H n, with friction ∫ p_H n + q_H t, over contact sides, with the name of a single
+ * one. The line of action is given by its point nearest to the centre of pressure, which lies on a
+ * straight side. */
 template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,
-                        const std::vector<unsigned int> &sides, const Pressure &P);
+                        const std::vector<unsigned int> &sides, const Pressure &P,
+                        const Pressure &P_t = {});
 
 /**
  * Returns the reaction of every clamped, prescribed and roller side: the sum of

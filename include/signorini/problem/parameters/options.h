@@ -79,6 +79,15 @@ enum class Element {
   q2
 };
 
+/** The law of friction on the contact sides. */
+enum class Friction {
+  none,
+  /** |P_t| ≤ s with a given bound s. */
+  tresca,
+  /** |P_t| ≤ f |P_n|. */
+  coulomb
+};
+
 /** The levels for which VTU files are written. */
 enum class VtuLevels { none, finest, all };
 

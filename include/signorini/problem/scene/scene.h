@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/parameters/options.h>
 #include <signorini/problem/scene/foundation.h>
 #include <signorini/problem/scene/material.h>
 
@@ -101,7 +102,7 @@ enum class Role {
   displacement,
   /** sigma n is given. */
   traction,
-  /** u.n <= g, sigma_n <= 0, sigma_n (u.n - g) = 0, sigma_T = 0. */
+  /** u.n <= g, sigma_n <= 0, sigma_n (u.n - g) = 0; sigma_T = 0, or the law of friction. */
   contact
 };
 
@@ -120,6 +121,12 @@ struct BoundaryCondition {
   /** The obstacles of a contact side whose gap is the distance to them; foundation_gap(side,
    * foundation, position) computes the gap for another position of theirs. Else empty. */
   std::shared_ptr<const Foundation> foundation = nullptr;
+  /** With friction: Coulomb's coefficient f or Tresca's bound s, and the tangential motion g_t of
+   * the foundation, empty where it rests. The tangent t is n turned counter-clockwise. */
+  FunctionPointer<dim> friction = nullptr;
+  FunctionPointer<dim> shift = nullptr;
+  /** The exact tangential traction q = σn·t of a contact side, if known. */
+  FunctionPointer<dim> exact_friction = nullptr;
 };
 
 /** Problem (1): a body, its material, its supports, its loads and its foundation. */
@@ -141,6 +148,8 @@ struct Scene {
   bool is_held_by_contact = false;
   /** Other loads for which the finest level is solved, too. */
   std::vector<LoadCase> load_cases;
+  /** The law of friction of all contact sides. */
+  Friction friction = Friction::none;
   std::shared_ptr<const Material<dim>> material;
   /** The body force f of (1), dim components; empty means zero. */
   FunctionPointer<dim> body_force;

@@ -10,6 +10,7 @@
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/load_cases/case_solver.h>
 #include <signorini/postprocessing/quantities/answer.h>
+#include <signorini/postprocessing/quantities/friction.h>
 #include <signorini/problem/parameters/options.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/methods/contact_method.h>
@@ -96,6 +97,8 @@ struct LevelRecord {
   DualSolve dual;
   ContactSummary contact;
   Answer answer;
+  /** Friction, if the scene has it. There is neither an estimate nor a bound of the error then. */
+  std::optional<FrictionSummary> friction;
   MotionRecord motions;
   Certificate certificate;
   std::optional<ErrorEstimate> estimate;

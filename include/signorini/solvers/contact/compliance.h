@@ -90,8 +90,9 @@ struct FreeState {
    * (length^dim). */
   dealii::Vector<double> F;
 
-  /** Returns whether F ≥ 0: then P = 0 solves the dual problem, and C is not needed. */
-  bool nothing_touches() const;
+  /** Returns whether P = 0 solves the dual problem over K, without friction whether F ≥ 0. Then C
+   * is not needed. */
+  bool nothing_touches(const AdmissibleSet &K) const;
 };
 
 /** Computes F = G - Dᵀ A⁻¹ f by one solve. Collective. */

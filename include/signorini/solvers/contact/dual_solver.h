@@ -15,10 +15,12 @@ struct DualSolverOptions : public IterationOptions {
   ContactSolver method = ContactSolver::active_set;
   /** Whether C may be singular: then QPResult::unique is determined. */
   bool may_be_singular = false;
+  /** The set of admissible P; without unknowns: P ≤ 0. */
+  AdmissibleSet K = {};
 };
 
 /**
- * Solves the dual problem over P ≤ 0 by the chosen method. Where columns of C cost linear solves,
+ * Solves the dual problem over P in K by the chosen method. Where columns of C cost linear solves,
  * the active set method works on a growing set of patches. Where it fails because C is singular
  * (patches finer than the mesh: many pressures give the same displacement), projected SOR finds one
  * of the solutions, and QPResult::active_set_failure is set.
@@ -54,6 +56,10 @@ QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<
  *
  * It ends when a set predicts itself, or when the residual is at the level of rounding (where P and
  * W vanish together on many patches, the sets could differ for ever).
+ *
+ * Where K moves (Coulomb's friction), the ends of P_t are ±(s - f P_n), so that with a slipping
+ * patch the column of its P_n is that of C minus ±f times that of its P_t, and C_AA gets a factor
+ * LU. When a set comes back there, sweeps of projected SOR lead to other sets.
  *
  * When a set comes back, or a set that predicts itself cannot carry the loads, a primal active set
  * method ends the search. It begins with an admissible pressure in balance, and solves on the

@@ -4,7 +4,8 @@
 #include <signorini/solvers/contact/dual_problem.h>
 
 namespace Signorini {
-/** Performs one sweep (ii) of the algorithm in place. @return |P^{k+1} - P^k|₂. */
+/** Performs one sweep (ii) of the algorithm in place; a set that moves is K(P) of the beginning.
+ * @return |P^{k+1} - P^k|₂. */
 double psor_sweep(const BoundConstrainedQP &qp, double relaxation, dealii::Vector<double> &P);
 
 /**

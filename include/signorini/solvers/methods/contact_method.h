@@ -64,6 +64,8 @@ struct ContactStart {
     : P(std::move(P)) {}
 
   Pressure P;
+  /** The tangential tractions of the same patches; empty without friction. */
+  Pressure P_t;
   /** Nodal values of a displacement; empty: none. Only V-cycles use it. */
   Displacement U;
   /** The scale t of the level before, see ContactIterationOptions; zero: none. */
@@ -99,6 +101,8 @@ template <int dim>
 struct ContactState {
   Displacement U;
   Pressure P;
+  /** The tangential tractions of the patches; empty without friction. */
+  Pressure P_t;
   /** The coordinates q of the free motions; empty if there are none. */
   dealii::Vector<double> q;
   /** The products C_kk P_k, how far each multiplier opens its own patch; empty if nothing touches.
@@ -119,6 +123,16 @@ struct ContactState {
   MotionModes<dim> modes;
   std::optional<DualData> dual;
   std::optional<CycleData> cycles;
+
+  /** Returns (P, P_t), the vector that D, G and C belong to. */
+  dealii::Vector<double> multipliers() const {
+    return join(P, P_t);
+  }
+  /** Divides that vector; @p m is the number of patches' pressures. */
+  void set_multipliers(const dealii::Vector<double> &all, const unsigned int m) {
+    P = Pressure(dealii::Vector<double>(all.begin(), all.begin() + m));
+    P_t = Pressure(dealii::Vector<double>(all.begin() + m, all.end()));
+  }
 };
 
 /** A callback that gets the name of the current stage, for the user to watch. */

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/columns.h>
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/postprocessing/quantities/contact_zones.h>
+
+#include <optional>
+#include <vector>
+
+namespace Signorini {
+/** What a patch does. The numbers are those of contact-LL.csv. */
+enum class FrictionState { open = 0, stick = 1, slip = 2 };
+
+/** Returns the state of every patch: it is open where nothing presses, and sticks where P_t is
+ * inside of its interval. @param P the vector (P_n, P_t). */
+std::vector<FrictionState> friction_states(const AdmissibleSet &K, const dealii::Vector<double> &P);
+
+/** Friction on one level (force per thickness, work per thickness, lengths). */
+struct FrictionSummary {
+  /** The force ∫ p_t along the tangents of the sides. */
+  double tangential_force = 0.;
+  /** The work Σ s |w_t| of friction on the slip w_t = D_tᵀ U - G_t. */
+  double dissipation = 0.;
+  /** The lengths of the patches that stick and that slip. */
+  double stick_length = 0.;
+  double slip_length = 0.;
+  /** The same patches as zones. */
+  std::vector<ContactZone> stick_zones, slip_zones;
+  /** The error ‖q - q_H‖_{0,Γ_c}; empty where q is not known. */
+  std::optional<double> l2_error;
+
+  static Columns<FrictionSummary> columns();
+};
+
+/** Summarises friction. @param P the vector (P_n, P_t). @param W the vector Dᵀ U - G. */
+FrictionSummary summarise_friction(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
+                                   const dealii::Vector<double> &P,
+                                   const dealii::Vector<double> &W);
+} // namespace Signorini
