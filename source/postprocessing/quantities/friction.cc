@@ -38,11 +38,12 @@ FrictionSummary summarise_friction(const MultiplierSpace<2> &multipliers, const 
   Pressure stick(m), slip(m);
   for (unsigned int k = 0; k < m; ++k) {
     summary.tangential_force += P[m + k] * lengths[k];
-    stick[k] = states[k] == FrictionState::stick ? -1. : 0.;
-    slip[k] = states[k] == FrictionState::slip ? -1. : 0.;
+    if (states[k] == FrictionState::open)
+      continue;
+    const bool sticks = states[k] == FrictionState::stick;
+    (sticks ? stick : slip)[k] = -1.;
+    (sticks ? summary.stick_length : summary.slip_length) += lengths[k];
   }
-  summary.stick_length = -(stick * lengths);
-  summary.slip_length = -(slip * lengths);
   summary.stick_zones = contact_zones(multipliers, stick);
   summary.slip_zones = contact_zones(multipliers, slip);
   return summary;

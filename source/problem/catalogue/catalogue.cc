@@ -72,7 +72,7 @@ template <>
 const std::vector<CatalogueEntry<2>> &catalogue() {
   static const std::vector<CatalogueEntry<2>> sorted = []() {
     std::vector<CatalogueEntry<2>> entries = square_scenes();
-    for (const auto &more : {westergaard_scenes(), round_scenes()})
+    for (const auto &more : {westergaard_scenes(), round_scenes(), friction_scenes()})
       entries.insert(entries.end(), more.begin(), more.end());
     std::sort(entries.begin(), entries.end(),
               [](const auto &a, const auto &b) { return a.name < b.name; });

@@ -9,6 +9,8 @@ namespace Signorini {
 std::vector<CatalogueEntry<2>> square_scenes();
 /** Returns the scenes of Westergaard's stress function. */
 std::vector<CatalogueEntry<2>> westergaard_scenes();
+/** Returns the scenes with friction. */
+std::vector<CatalogueEntry<2>> friction_scenes();
 /** Returns the scenes of round bodies. */
 std::vector<CatalogueEntry<2>> round_scenes();
 } // namespace Signorini

@@ -193,6 +193,9 @@ void read_friction(const ContactParameters &given, const SceneReader<dim> &reade
     return;
   const auto read = [&](const Given<std::string> &entry,
                         FunctionPointer<dim> BoundaryCondition<dim>::*const data) {
+    if (entry.value.empty())
+      throw error_at(entry, "found nothing with ", found,
+                     ", allowed: an expression for all contact sides, or one per side.");
     for (const auto &[side, text] : read_list_for(contact_side_names(scene), entry.value,
                                                   entry.where(), scene.geometry.side_names()))
       scene.boundary[scene.geometry.find_side(side)].*data = reader.function(text, 1, entry);

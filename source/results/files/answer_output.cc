@@ -121,16 +121,15 @@ public:
   void add_zones(const Json &answer) {
     if (answer.contains("contact_area"))
       add("Contact area", digits(answer["contact_area"]));
-    for (std::size_t i = 0; i < answer["contact_zones"].size(); ++i) {
-      const Json &zone = answer["contact_zones"][i];
-      const auto &[start, end, length] = level_.answer.zones[i];
-      const std::string side = start.place.side;
-      const bool all_around = start.place.point.distance(end.place.point) <= 1e-10 * size_;
-      add("Contact zone", (all_around ? "all around " + side
-                                      : side + " from " + end_text(zone["start"]) + " to " +
-                                          end_text(zone["end"])) +
-                            ", length " + digits(length));
-    }
+    add_zones("Contact zone", answer["contact_zones"], level_.answer.zones);
+    if (!level_.friction)
+      return;
+    const Json &friction = answer["friction"];
+    add("Friction", "T = " + digits(friction["tangential_force"]) +
+                      ", T/N = " + digits(friction["ratio"]) + ", dissipation " +
+                      digits(friction["dissipation"]));
+    add_zones("  stick zone", friction["stick_zones"], level_.friction->stick_zones);
+    add_zones("  slip zone", friction["slip_zones"], level_.friction->slip_zones);
   }
 
   void add_penetration(const Json &deepest) {
@@ -167,6 +166,18 @@ public:
   }
 
 private:
+  void add_zones(const std::string &label, const Json &json,
+                 const std::vector<ContactZone> &zones) {
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+      const auto &[start, end, length] = zones[i];
+      const std::string side = start.place.side;
+      const bool all_around = start.place.point.distance(end.place.point) <= 1e-10 * size_;
+      add(label, (all_around ? "all around " + side
+                             : side + " from " + end_text(json[i]["start"]) + " to " +
+                                 end_text(json[i]["end"])) +
+                   ", length " + digits(length));
+    }
+  }
   std::string force_text(const Json &force) const {
     const std::string text = number_text(force["force"], scale_);
     if (force["through"].is_null())

@@ -46,7 +46,7 @@ struct ContactRow {
 };
 
 template <int dim>
-Columns<ContactRow<dim>> contact_columns() {
+Columns<ContactRow<dim>> contact_columns(const bool has_friction) {
   using Row = ContactRow<dim>;
   Columns<Row> columns;
   if (dim == 2)
@@ -67,6 +67,17 @@ Columns<ContactRow<dim>> contact_columns() {
     {dim == 2 ? "patch_length" : "patch_area",
      [](const Row &row) { return row.piece.patch_measure; }}};
   columns.insert(columns.end(), others.begin(), others.end());
+  if (!has_friction)
+    return columns;
+  const auto add = [&](const char *name, const auto part) {
+    columns.push_back({name, [part](const Row &row) { return (*row.point.friction).*part; }});
+  };
+  add("q_H", &FrictionPoint::q_H);
+  add("s_H", &FrictionPoint::s_H);
+  add("slip", &FrictionPoint::slip);
+  add("q_exact", &FrictionPoint::q_exact);
+  columns.push_back(
+    {"state", [](const Row &row) { return static_cast<int>(row.point.friction->state); }});
   return columns;
 }
 } // namespace
@@ -75,10 +86,27 @@ template <int dim>
 TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                                  const MultiplierSpace<dim> &multipliers,
                                  const std::vector<BoundaryCondition<dim>> &boundary,
-                                 const Displacement &U, const Pressure &P) {
+                                 const Displacement &U, const Pressure &P, const AdmissibleSet &K,
+                                 const Pressure &P_t) {
   const ContactSurface<dim> &surface = multipliers.surface();
   const RecoveredPressure<dim> recovered(multipliers, P);
+  const dealii::Vector<double> all = join(P, P_t);
+  const AdmissibleSet K_P = K.at(all);
+  std::vector<FrictionState> states;
+  if (P_t.size() > 0)
+    states = friction_states(K, all);
   TraceValues<dim> traces(space);
+  const auto friction_at = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule,
+                               const std::size_t q, const Tensor<1, dim> &u) {
+    const BoundaryCondition<dim> &condition = boundary[surface.patches()[piece.patch].side];
+    const auto value = [&](const FunctionPointer<dim> &f) {
+      return f == nullptr ? std::nullopt : std::optional<double>(f->value(rule.points[q]));
+    };
+    return FrictionPoint{P_t[piece.patch], K_P[P.size() + piece.patch].upper,
+                         u * direction_of(Component::tangential, rule.normals[q]) -
+                           value(condition.shift).value_or(0.),
+                         states[piece.patch], value(condition.exact_friction)};
+  };
   const auto trace = [&](const Piece<dim> &piece, const std::vector<Point<dim - 1>> &positions) {
     const BoundaryCondition<dim> &condition = boundary[surface.patches()[piece.patch].side];
     const SurfaceRule<dim> rule = surface.at(piece, positions);
@@ -92,7 +120,10 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                         u[q],
                         u[q] * rule.normals[q],
                         condition.data->value(rule.points[q]),
+                        {},
                         {}});
+      if (P_t.size() > 0)
+        points.back().friction = friction_at(piece, rule, q, u[q]);
       if (condition.exact_pressure != nullptr)
         points.back().p_exact = condition.exact_pressure->value(rule.points[q]);
     }
@@ -114,7 +145,8 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
 
 template <int dim>
 void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact) {
-  const Columns<ContactRow<dim>> columns = contact_columns<dim>();
+  const bool has_friction = !contact.empty() && contact.front().rows.front().friction;
+  const Columns<ContactRow<dim>> columns = contact_columns<dim>(has_friction);
   stream << "side," << csv_header(columns) << "\n";
   for (const ContactPiece<dim> &piece : contact)
     for (const ContactPoint<dim> &point : piece.rows)
@@ -144,6 +176,12 @@ void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
            {"opening", point.g - point.u_n},
            {"patch", piece.patch},
            {"side", piece.side_number}});
+        if (const auto &friction = point.friction)
+          fields.back().insert(fields.back().end(),
+                               {{"friction_traction", friction->q_H},
+                                {"friction_limit", friction->s_H},
+                                {"slip", friction->slip},
+                                {"friction_state", static_cast<int>(friction->state)}});
         if (!bound.empty())
           fields.back().emplace_back("bound_contact", bound[piece.face]);
       }

@@ -51,6 +51,12 @@ static void to_json(Json &json, const ContactZone &zone) {
   json = {{"start", zone.start}, {"end", zone.end}, {"length", zone.length}};
 }
 
+static void to_json(Json &json, const FrictionSummary &friction) {
+  json = {{"tangential_force", friction.tangential_force}, {"dissipation", friction.dissipation},
+          {"stick_length", friction.stick_length},         {"slip_length", friction.slip_length},
+          {"stick_zones", friction.stick_zones},           {"slip_zones", friction.slip_zones}};
+}
+
 static void to_json(Json &json, const PressureMaximum &peak) {
   json = {{"value", peak.value}};
   json.update(Json(peak.place));
@@ -191,6 +197,10 @@ Json answer_of(const std::vector<LevelRecord> &levels, const StudyVerdict &verdi
       {"lower", bound.energy_lower},
       {"upper", bound.energy_upper}}},
     {"seconds", seconds}};
+  if (finest.friction) {
+    json["friction"] = *finest.friction;
+    json["friction"]["ratio"] = finest.friction->tangential_force / finest.contact.normal_force;
+  }
   if (answer.dimension == 3)
     json["contact_area"] = finest.contact.length;
   return json;

@@ -86,7 +86,7 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
   TracedContact<dim> traced;
   on_first_rank([&]() {
     traced = trace_contact(space, level.discretization->multipliers, scene.boundary, solution.U,
-                           solution.P);
+                           solution.P, level.discretization->K, solution.P_t);
   });
   write(level_file("contact", number, ".csv"),
         [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
@@ -154,7 +154,7 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   write_vector("f", f);
   write_vector("G", G);
   write_vector("F", dual.F);
-  write_vector("P", solution.P);
+  write_vector("P", solution.multipliers());
   if (solution.q.size() > 0) {
     write_vector("b", dual.motions.b);
     write_vector("q", solution.q);

@@ -114,7 +114,16 @@ void test_sides(Checks &checks, const Scene<2> &scene) {
       if (condition.role != Role::contact)
         continue;
       const double p = condition.exact_pressure->value(x), w = u * n - condition.data->value(x);
-      checks.near("sigma n = p n", t, p * n, 1e-13);
+      const dealii::Tensor<1, 2> along({-n[1], n[0]});
+      const double q = scene.friction == Friction::none ? 0. : condition.exact_friction->value(x);
+      checks.near("sigma n = p n + q t", t, p * n + q * along, 1e-13);
+      if (scene.friction != Friction::none) {
+        const double given = condition.friction->value(x),
+                     slip = u * along - condition.shift->value(x),
+                     s = scene.friction == Friction::coulomb ? -given * p : given;
+        checks.that("|q| <= s", std::abs(q) <= s + 1e-14);
+        checks.near("q w = -s |w|", q * slip + s * std::abs(slip), 0., 1e-14);
+      }
       checks.near("p w = 0", p * w, 0., 1e-14);
       checks.that("p <= 0, w <= 0", std::max(p, w) <= 1e-14);
     }

@@ -4,6 +4,7 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/postprocessing/quantities/friction.h>
 
 #include <optional>
 #include <ostream>
@@ -11,6 +12,16 @@
 #include <vector>
 
 namespace Signorini {
+/** What friction does at one point. */
+struct FrictionPoint {
+  /** The tangential traction q_H, and the largest one that is allowed. */
+  double q_H, s_H;
+  /** The slip u_t - g_t (length). */
+  double slip;
+  FrictionState state;
+  std::optional<double> q_exact;
+};
+
 /** The fields at one point of the contact boundary. Pressures are those of the formulas, sigma_n:
  * negative in compression. */
 template <int dim>
@@ -24,6 +35,7 @@ struct ContactPoint {
   double u_n;
   double g;
   std::optional<double> p_exact;
+  std::optional<FrictionPoint> friction;
 };
 
 /** A piece face ∩ patch with some of its points. */
@@ -48,12 +60,13 @@ template <int dim>
 using TracedContact = std::vector<ContactPiece<dim>>;
 
 /** Returns the contact boundary for tables and files. @param boundary the gap and the exact
- * pressure of every side. */
+ * pressure of every side. @param K, P_t with friction; else empty. */
 template <int dim>
 TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                                  const MultiplierSpace<dim> &multipliers,
                                  const std::vector<BoundaryCondition<dim>> &boundary,
-                                 const Displacement &U, const Pressure &P);
+                                 const Displacement &U, const Pressure &P,
+                                 const AdmissibleSet &K = {}, const Pressure &P_t = {});
 
 /** Writes contact-LL.csv. */
 template <int dim>

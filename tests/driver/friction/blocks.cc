@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Blocks with friction against numbers of an independent program: forces, energies, dissipation,
+// displacements; and all solvers against one another.
+
+#include <tuple>
+
+#include "one_level.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace {
+using Entries = std::vector<std::string>;
+
+/** SSNV128 of Code_Aster, with E = 1 and lengths relative to 40 mm. */
+const std::string ssnv128 = "Material/Poisson's ratio = 0.2\nBoundary/Rollers = right\n"
+                            "Boundary/Traction = left: 150/130000; 0 | top: 0; -50/130000\n"
+                            "Boundary/Contact = bottom\nContact/Friction = coulomb\n"
+                            "Contact/Friction coefficient = 1\n";
+/** Hild's block, relative to E. */
+const std::string hild = "Boundary/Clamped = left\nLoad/Body force = 0; -0.076518\n"
+                         "Boundary/Contact = bottom\nContact/Friction = coulomb\n"
+                         "Contact/Friction coefficient = 0.2\n";
+const std::string long_block = "Geometry/Upper right = 2, 1\nGeometry/Cells = 2, 1\n"
+                               "Boundary/Rollers = left\nBoundary/Traction = top: 0.02; -0.05\n"
+                               "Boundary/Contact = bottom\nContact/Friction = coulomb\n"
+                               "Contact/Friction coefficient = 0.3\n";
+
+/** Returns U at a vertex of the mesh. */
+dealii::Point<2> displacement_at(const OneLevel &level, const Displacement &U,
+                                 const dealii::Point<2> &x) {
+  dealii::Point<2> u;
+  for (const auto &cell : level.space().dofs().active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      if (cell->vertex(v).distance(x) < 1e-12)
+        for (unsigned int d = 0; d < 2; ++d)
+          u[d] = U(cell->vertex_dof_index(v, d));
+  return u;
+}
+
+struct Reference {
+  std::string name, text;
+  unsigned int level, iterations;
+  double N, T, strain_energy, dissipation;
+};
+
+const std::vector<Reference> references = {{"SSNV128, n = 32", ssnv128, 5, 9, -3.8461538462e-04,
+                                            -2.7073399674e-04, 5.2040880018e-07, 4.2381546598e-08},
+                                           {"SSNV128, n = 128", ssnv128, 7, 14, -3.8461538462e-04,
+                                            -2.7030216394e-04, 5.2046700536e-07, 4.2316490519e-08},
+                                           {"Hild, n = 32", hild, 5, 3, -5.6537069252e-02,
+                                            -8.0139940624e-04, 5.6799196428e-04, 2.3863039944e-06},
+                                           {"Hild, n = 128", hild, 7, 5, -5.6452776395e-02,
+                                            -8.4000041845e-04, 5.6849430126e-04, 2.5983036096e-06},
+                                           {"long block", long_block, 4, 3, -1.0000000000e-01,
+                                            -2.4942956723e-02, 3.3253299686e-03, 6.1876738404e-07}};
+
+void test_references(Checks &checks) {
+  for (const Reference &expected : references) {
+    checks.about(expected.name);
+    const OneLevel level(expected.text, expected.level);
+    const LevelSolution<2> found = level.solve();
+    const LevelRecord &record = found.record;
+    const double E = 0.5 * std::pow(energy_norm(level.space(), level.scene, found.U), 2);
+    const auto digits = [&](const std::string &name, const double value, const double exact) {
+      checks.near(name, value, exact, 2e-10 * std::abs(exact));
+    };
+    digits("N", -record.contact.normal_force, expected.N);
+    digits("T", record.friction->tangential_force, expected.T);
+    digits("strain energy", E, expected.strain_energy);
+    digits("dissipation", record.friction->dissipation, expected.dissipation);
+    checks.near("active sets", record.dual.iterations, expected.iterations, 0.);
+    checks.between("KKT residual", record.dual.kkt, 0., 1e-13);
+    checks.between("balance of dissipation", *record.certificate.dissipation_balance, 0., 1e-11);
+    checks.between("bipotential gap", record.certificate.complementarity, 0., 1e-11);
+    checks.between("duality gap", record.certificate.duality_gap, 0., 1e-11);
+  }
+}
+
+void test_displacements(Checks &checks) {
+  const auto at = [&](const std::string &text, const unsigned int n, const dealii::Point<2> &x,
+                      const dealii::Point<2> &u) {
+    const OneLevel level(text, n);
+    checks.near("displacement of a corner", displacement_at(level, level.solve().U, x), u,
+                1e-10 * u.norm());
+  };
+  at(ssnv128, 5, {0., 0.}, {7.1465280843e-04, 1.5349198875e-05});
+  at(hild, 5, {1., 1.}, {9.4919279254e-03, -3.3038809462e-02});
+  at(long_block, 4, {2., 1.}, {9.2614425537e-02, -8.3802337906e-02});
+  const OneLevel level(hild, 5);
+  const Pressure P_t = level.solve().P_t;
+  checks.near("first and last P_t of Hild's block", {P_t[0], P_t[P_t.size() - 1]},
+              {0.00378063, -0.01908483}, 1e-8);
+}
+
+/** SSNV128 within 0.2 % of the published u_x in 1e-5 m, and its zones. */
+void test_published(Checks &checks) {
+  const OneLevel level(ssnv128, 7);
+  const LevelSolution<2> found = level.solve();
+  const std::vector<std::pair<double, double>> published = {
+    {0., 2.86}, {1.25, 2.72}, {5., 2.28}, {7.5, 1.98}, {11.25, 1.54}};
+  for (const auto &[x, u_x] : published)
+    checks.near("SSNV128: published displacements",
+                4000. * displacement_at(level, found.U, {x / 40., 0.})[0] / u_x, 1., 3e-3);
+  checks.near("SSNV128: open, slip and stick",
+              {1. - found.record.friction->slip_length - found.record.friction->stick_length,
+               found.record.friction->slip_length, found.record.friction->stick_length},
+              {5. / 64., 43. / 64., 16. / 64.}, 1e-12);
+}
+
+/** Projected SOR finds what the active set method finds; so do columns of C by linear solves, and
+ * a warm start needs few sets. */
+void test_solvers(Checks &checks) {
+  for (const std::string &text : {hild, long_block}) {
+    const LevelSolution<2> exact = OneLevel(text, 4).solve();
+    for (const Entries &solver :
+         {Entries{"Solver/Contact solver=psor"}, Entries{"Solver/Linear solver=amesos_klu"}}) {
+      const LevelSolution<2> found = OneLevel(text, 4, solver).solve();
+      checks.that("converged", found.report.converged);
+      checks.near("P_n", distance(found.P, exact.P), 0., 1e-8 * exact.P.linfty_norm());
+      checks.near("P_t", distance(found.P_t, exact.P_t), 0., 1e-8 * exact.P.linfty_norm());
+    }
+  }
+}
+
+/** Constant strain: u = (0.05 (1-y), 0.125 (1-y)), sticking and slipping, exact on every partition.
+ */
+void test_patch(Checks &checks) {
+  const std::string patch = "Material/Young's modulus = 2.5\nMaterial/Poisson's ratio = 0.25\n"
+                            "Boundary/Clamped = top\nBoundary/Contact = bottom\n"
+                            "Boundary/Traction = left: 0.125; 0.05 | right: -0.125; -0.05\n"
+                            "Contact/Gap = -0.125\nContact/Friction = coulomb\n"
+                            "Exact solution/Displacement = 0.05*(1-y); 0.125*(1-y)\n"
+                            "Exact solution/Pressure = -0.375\n";
+  for (const auto &[f, shift] : {std::pair("0.3", "0.05"), {"0.05/0.375", "0.07"}})
+    for (const std::string partition : {"Patch ratio=2", "Patch ratio=3", "Patches=3"}) {
+      const OneLevel level(patch, 3,
+                           {std::string("Contact/Friction coefficient=") + f,
+                            std::string("Contact/Foundation shift=") + shift,
+                            "Discretization/" + partition, "Geometry/Distortion=0.2"});
+      const LevelSolution<2> found = level.solve();
+      const Displacement exact =
+        interpolate_at_nodes(level.space(), *level.scene.exact_displacement);
+      checks.near("patch test: u", distance(found.U, exact), 0., 1e-13);
+      for (unsigned int k = 0; k < found.P.size(); ++k)
+        checks.near("patch test: P_n, P_t", {found.P[k], found.P_t[k]}, {-0.375, 0.05}, 1e-12);
+    }
+}
+
+/** With f = 0 friction changes nothing. */
+void test_no_friction(Checks &checks) {
+  const LevelSolution<2>
+    smooth = OneLevel(hild, 4, {"Contact/Friction coefficient=0"}).solve(),
+    none = OneLevel(hild, 4, {"Contact/Friction=none", "Contact/Friction coefficient="}).solve();
+  checks.near("f = 0", distance(smooth.P, none.P), 0., 1e-13);
+}
+} // namespace
+
+int main(int argc, char **argv) {
+  return run_tests(argc, argv,
+                   {test_references, test_displacements, test_published, test_solvers, test_patch,
+                    test_no_friction});
+}
