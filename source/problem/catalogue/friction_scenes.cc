@@ -311,62 +311,63 @@ const std::string lifted_frame =
           "Friction  ";
 const std::string singular =
   "Exact u   fields of complex functions times 1 - y^2 (doc/friction.md)\n";
-const std::string singular_frame = frame + singular + "Gap       0\n"
-                                           "Friction  ";
+const std::string singular_frame = frame + singular +
+                                   "Gap       0\n"
+                                   "Friction  ";
 } // namespace
 
 std::vector<CatalogueEntry<2>> friction_scenes() {
   const std::string tresca = "|q| <= s = 0.5 + 0.3 x\n", coulomb = "|q| <= f |p|, f = 0.5\n";
   const std::string ends = "Exact q   -s + 10 (xs-x)_+^3, xs = 1/sqrt(5); V = (x-xs)_+^4\n";
-  return {
-    {"T1", "Tresca's friction: smooth stick, slip and opening",
-     lifted_frame + tresca + "Exact p   -10 (xi-x)_+^3\n" + ends, make_t1},
-    {"T2", "Tresca's friction: smooth stick and slip",
-     lifted_frame + tresca + "Exact p   -2 - cos(pi x)\n" + ends, make_t2},
-    {"T3", "Tresca's friction: slip everywhere",
-     lifted_frame + tresca + "Exact p   -2 - cos(pi x)\nExact q   -s; V = 0.1 + 0.05 sin x\n",
-     make_t3},
-    {"T4", "Tresca's friction: stick everywhere",
-     lifted_frame + tresca + "Exact p   -2 - cos(pi x)\nExact q   0.4 cos(2 x); V = 0\n", make_t4},
-    {"K1", "Coulomb's friction: smooth stick, slip and opening",
-     lifted_frame + "|q| <= s = f |p|, f = 0.3\nExact p   -10 (xi-x)_+^3\n" + ends, make_k1},
-    {"TS", "Tresca's friction: the true singularity between stick and slip",
-     singular_frame + "|q| <= 1\n"
-                      "Exact p   -1 - 3/4 (x-xi)_+^(1/2), xi = 1/sqrt(2)\n"
-                      "Exact q   -1 + 9/4 (xi-x)_+^(1/2)\n",
-     []() { return make_ts(end_of_contact); }},
-    {"TSq", "as TS, stick ends at x = 1/2",
-     singular_frame + "|q| <= 1\n"
-                      "Exact p   -1 - 3/4 (x-xi)_+^(1/2), xi = 1/2\n"
-                      "Exact q   -1 + 9/4 (xi-x)_+^(1/2)\n",
-     []() { return make_ts(0.5); }},
-    {"KS", "Coulomb's friction: slip away from the zone of stick",
-     singular_frame + coulomb +
-       "Exact q   -f |p| + 0.9 (1+e) (xi-x)_+^e, e = 1/2 + arctan(f/3)/pi, xi = 1/sqrt(2)\n"
-       "Exact p   -2 - 0.3 (1+e) cos(arctan(f/3)) (x-xi)_+^e\n",
-     []() { return make_ks(1.); }},
-    {"KSr", "Coulomb's friction: slip towards the zone of stick",
-     singular_frame + coulomb +
-       "Exact q   f |p| - 0.9 (1+e) (xi-x)_+^e, e = 1/2 - arctan(f/3)/pi, xi = 1/sqrt(2)\n"
-       "Exact p   -2 + 0.3 (1+e) cos(arctan(f/3)) (x-xi)_+^e\n",
-     []() { return make_ks(-1.); }},
-    {"KO", "Coulomb's friction: sliding contact ends",
-     singular_frame + coulomb +
-       "Exact p   -sin(pi e) (xi-x)_+^e, e = 1/2 - arctan(f/3)/pi, xi = 1/sqrt(2)\n"
-       "Exact q   f p\n",
-     []() { return make_ko(1.); }},
-    {"KOr", "Coulomb's friction: sliding contact ends, the other direction",
-     singular_frame + coulomb +
-       "Exact p   -sin(pi e) (xi-x)_+^e, e = 1/2 + arctan(f/3)/pi, xi = 1/sqrt(2)\n"
-       "Exact q   -f p\n",
-     []() { return make_ko(-1.); }},
-    {"CM", "Cattaneo's and Mindlin's contact: Hertz' pressure with stick and slip",
-     frame + singular +
-       "Gap       3/4 (x-m)^2 plus u_n of q, m = (a+b)/2; the foundation moves by u_t of p "
+  return {{"T1", "Tresca's friction: smooth stick, slip and opening",
+           lifted_frame + tresca + "Exact p   -10 (xi-x)_+^3\n" + ends, make_t1},
+          {"T2", "Tresca's friction: smooth stick and slip",
+           lifted_frame + tresca + "Exact p   -2 - cos(pi x)\n" + ends, make_t2},
+          {"T3", "Tresca's friction: slip everywhere",
+           lifted_frame + tresca + "Exact p   -2 - cos(pi x)\nExact q   -s; V = 0.1 + 0.05 sin x\n",
+           make_t3},
+          {"T4", "Tresca's friction: stick everywhere",
+           lifted_frame + tresca + "Exact p   -2 - cos(pi x)\nExact q   0.4 cos(2 x); V = 0\n",
+           make_t4},
+          {"K1", "Coulomb's friction: smooth stick, slip and opening",
+           lifted_frame + "|q| <= s = f |p|, f = 0.3\nExact p   -10 (xi-x)_+^3\n" + ends, make_k1},
+          {"TS", "Tresca's friction: the true singularity between stick and slip",
+           singular_frame + "|q| <= 1\n"
+                            "Exact p   -1 - 3/4 (x-xi)_+^(1/2), xi = 1/sqrt(2)\n"
+                            "Exact q   -1 + 9/4 (xi-x)_+^(1/2)\n",
+           []() { return make_ts(end_of_contact); }},
+          {"TSq", "as TS, stick ends at x = 1/2",
+           singular_frame + "|q| <= 1\n"
+                            "Exact p   -1 - 3/4 (x-xi)_+^(1/2), xi = 1/2\n"
+                            "Exact q   -1 + 9/4 (xi-x)_+^(1/2)\n",
+           []() { return make_ts(0.5); }},
+          {"KS", "Coulomb's friction: slip away from the zone of stick",
+           singular_frame + coulomb +
+             "Exact q   -f |p| + 0.9 (1+e) (xi-x)_+^e, e = 1/2 + arctan(f/3)/pi, xi = 1/sqrt(2)\n"
+             "Exact p   -2 - 0.3 (1+e) cos(arctan(f/3)) (x-xi)_+^e\n",
+           []() { return make_ks(1.); }},
+          {"KSr", "Coulomb's friction: slip towards the zone of stick",
+           singular_frame + coulomb +
+             "Exact q   f |p| - 0.9 (1+e) (xi-x)_+^e, e = 1/2 - arctan(f/3)/pi, xi = 1/sqrt(2)\n"
+             "Exact p   -2 + 0.3 (1+e) cos(arctan(f/3)) (x-xi)_+^e\n",
+           []() { return make_ks(-1.); }},
+          {"KO", "Coulomb's friction: sliding contact ends",
+           singular_frame + coulomb +
+             "Exact p   -sin(pi e) (xi-x)_+^e, e = 1/2 - arctan(f/3)/pi, xi = 1/sqrt(2)\n"
+             "Exact q   f p\n",
+           []() { return make_ko(1.); }},
+          {"KOr", "Coulomb's friction: sliding contact ends, the other direction",
+           singular_frame + coulomb +
+             "Exact p   -sin(pi e) (xi-x)_+^e, e = 1/2 + arctan(f/3)/pi, xi = 1/sqrt(2)\n"
+             "Exact q   -f p\n",
+           []() { return make_ko(-1.); }},
+          {"CM", "Cattaneo's and Mindlin's contact: Hertz' pressure with stick and slip",
+           frame + singular +
+             "Gap       3/4 (x-m)^2 plus u_n of q, m = (a+b)/2; the foundation moves by u_t of p "
              "and a constant\n"
              "Friction  |q| <= f |p|, f = 0.4\n"
              "Exact p   -2 ((x-a) (b-x))_+^(1/2), a = 1/sqrt(10), b = e/4\n"
              "Exact q   f times |p| less the same on 0.6 of the width\n",
-     make_cm}};
+           make_cm}};
 }
 } // namespace Signorini

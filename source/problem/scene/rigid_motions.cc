@@ -209,11 +209,12 @@ std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions) {
   return motions;
 }
 
-/** Returns the scene with contact sides that can neither open nor close. */
+/** Returns the scene with contact sides that can neither open nor close, with friction nor slide.
+ */
 Scene<2> with_sliding_contact(Scene<2> scene) {
   for (BoundaryCondition<2> &condition : scene.boundary)
     if (condition.role == Role::contact)
-      condition.role = Role::roller;
+      condition.role = scene.friction == Friction::none ? Role::roller : Role::clamped;
   return scene;
 }
 

@@ -350,8 +350,8 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
       states = next;
       if (result.cycled && qp.K.moves()) {
         // No energy falls here.
-        for (unsigned int sweep = 0; sweep < visited.size(); ++sweep)
-          psor_sweep(qp, 1., projected);
+        const unsigned int sweeps = 10 * visited.size();
+        projected = solve_by_psor(qp, projected, {options.tolerance, sweeps, 1., {}}).P;
         states = states_of(qp.K.at(projected), projected);
         result.cycled = false;
       } else if (result.cycled) {

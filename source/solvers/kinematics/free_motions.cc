@@ -145,26 +145,68 @@ ConeProjection project_on_cone(const std::vector<Vector> &a, const Vector &b) {
   return found;
 }
 
-/** Finds P ≤ 0 so that Π(b + Bᵀ P) = 0 for a projector Π. @return what remains of Π b. */
-Vector balance(const Matrix &projector, Balances &balances) {
-  const unsigned int n = balances.size(), m = balances.P.size();
-  std::vector<Vector> directions(m, Vector(n));
-  Vector norms(m), row(n), b(n);
-  for (unsigned int i = 0; i < m; ++i) {
+/** A generator of the cone of admissible P: P_n = -1, with friction also P_t. */
+struct Generator {
+  unsigned int n, t;
+  double P_t;
+};
+
+/** Returns the generators of {P ≤ 0}, or of Coulomb's cone: two edges per patch. */
+std::vector<Generator> generators_of(const AdmissibleSet &K, const unsigned int m) {
+  std::vector<Generator> generators;
+  for (unsigned int i = 0, n = K.size() > 0 ? m / 2 : m; i < n; ++i)
+    if (const double f = K.size() > 0 ? K.coefficient(n + i) : 0.; f > 0.)
+      generators.insert(generators.end(), {{i, n + i, f}, {i, n + i, -f}});
+    else
+      generators.push_back({i, 0, 0.});
+  return generators;
+}
+
+/** Finds P ≤ 0, with friction in Coulomb's cone, so that Π(b + Bᵀ P) = 0 for a projector Π.
+ * @return what remains of Π b. */
+Vector balance(const Matrix &projector, const AdmissibleSet &K, Balances &balances) {
+  const unsigned int n = balances.size();
+  const std::vector<Generator> generators = generators_of(K, balances.P.size());
+  std::vector<Vector> directions(generators.size(), Vector(n));
+  Vector norms(generators.size()), row(n), b(n);
+  for (unsigned int i = 0; i < generators.size(); ++i) {
+    const auto [P_n, P_t, share] = generators[i];
     for (unsigned int j = 0; j < n; ++j)
-      row[j] = balances.B(i, j);
+      row[j] = balances.B(P_n, j) - (share != 0. ? share * balances.B(P_t, j) : 0.);
     projector.vmult(directions[i], row);
     norms[i] = directions[i].l2_norm();
   }
-  const double small = m > 0 ? 1e-12 * norms.linfty_norm() : 0.;
-  for (unsigned int i = 0; i < m; ++i)
+  const double small = norms.size() > 0 ? 1e-12 * norms.linfty_norm() : 0.;
+  for (unsigned int i = 0; i < directions.size(); ++i)
     directions[i] *= norms[i] > small ? 1. / norms[i] : 0.;
   projector.vmult(b, balances.b);
   const ConeProjection found = project_on_cone(directions, b);
-  for (unsigned int i = 0; i < m; ++i)
-    if (found.y[i] > 0.)
-      balances.P[i] = -found.y[i] / norms[i];
+  for (unsigned int i = 0; i < directions.size(); ++i)
+    if (found.y[i] > 0.) {
+      balances.P[generators[i].n] -= found.y[i] / norms[i];
+      if (generators[i].P_t != 0.)
+        balances.P[generators[i].t] += generators[i].P_t * found.y[i] / norms[i];
+    }
   return found.remainder;
+}
+
+/** The same for intervals (Tresca's friction): P minimises |Π(b + Bᵀ P)|² with a small multiple of
+ * |P|². */
+Vector balance_in_intervals(const Matrix &projector, const AdmissibleSet &K, Balances &balances) {
+  constexpr double small = 1e-12;
+  const unsigned int m = balances.P.size();
+  Matrix C(m, m), B_projected(m, balances.size());
+  balances.B.mmult(B_projected, projector);
+  B_projected.mTmult(C, balances.B);
+  C.diagadd(small * C.trace());
+  Vector F(m), left(balances.size()), rest(balances.b);
+  B_projected.vmult(F, balances.b);
+  F *= -1.;
+  const BoundConstrainedQP qp(std::make_shared<const DenseCompliance>(C), F, K);
+  balances.P = solve_by_active_set(qp, {}, {}).P;
+  balances.B.Tvmult_add(rest, balances.P);
+  projector.vmult(left, rest);
+  return left;
 }
 } // namespace
 
@@ -219,11 +261,44 @@ ReducedMotions::ReducedMotions(const FreeMotions &motions, const unsigned int m,
   projector.triple_product(free, seen, seen, true);
   K_without_rounding.triple_product(K, resisted, resisted);
   balances.K.triple_product(K_without_rounding, seen, seen, true);
-  const Vector left = balance(projector, balances);
+  const AdmissibleSet &admissible = motions.admissible;
+  const Vector left = admissible.size() > 0 && !admissible.moves()
+                        ? balance_in_intervals(projector, admissible, balances)
+                        : balance(projector, admissible, balances);
   if (left.l2_norm() > noise) {
     seen.vmult(work, left);
     escape = with_units(work, units);
   }
+}
+
+std::optional<Sliding> sliding_part(const FreeMotions &motions, const Vector &v) {
+  const AdmissibleSet &K = motions.admissible;
+  const unsigned int k = v.size(), m = K.size() / 2;
+  if (m == 0)
+    return {};
+  Matrix B_n(m, k), closing(k, k);
+  for (unsigned int i = 0; i < m; ++i)
+    for (unsigned int j = 0; j < k; ++j)
+      B_n(i, j) = motions.B(i, j);
+  B_n.Tmmult(closing, B_n);
+  Sliding sliding = {Vector(k), 0., 0.};
+  const Matrix slides = projector_on(split(closing, 1e-14 * closing.trace()).null, k);
+  slides.vmult(sliding.v, v);
+  if (sliding.v.l2_norm() < 1e-6 * v.l2_norm())
+    return {};
+  sliding.v /= sliding.v.l2_norm();
+  Matrix others = slides;
+  others *= -1.;
+  others.diagadd(1.);
+  Balances balances = {B_n, Matrix(k, k), motions.b, Vector(m)};
+  if (balance(others, {}, balances).l2_norm() > 1e-9 * motions.b.l2_norm())
+    return {};
+  sliding.load = motions.b * sliding.v;
+  const AdmissibleSet K_P = K.at(balances.P);
+  Vector slip(2 * m);
+  motions.B.vmult(slip, sliding.v);
+  sliding.friction = K_P.dissipation(slip);
+  return sliding.load > sliding.friction ? std::optional(sliding) : std::nullopt;
 }
 
 namespace {
@@ -286,7 +361,7 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   result.qp.converged = nothing_happens;
   if (reduced.escape || nothing_happens)
     return result;
-  const bool needs_start = start.size() == 0 && !C->is_explicit();
+  const bool needs_start = start.size() == 0 && !C->is_explicit() && motions.admissible.size() == 0;
   result.qp =
     solve_dual_problem(C, F, needs_start ? on_springs(F, reduced.balances, stiffness) : start,
                        options, reduced.balances);

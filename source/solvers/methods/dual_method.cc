@@ -20,24 +20,38 @@ namespace Signorini {
 namespace {
 using Vector = dealii::Vector<double>;
 
-/** Returns z_j·n at the ends of all pieces of the contact boundary. */
-FullMatrix<double> closing_of_points(const Discretization<2> &discretization,
-                                     const MotionModes<2> &modes) {
+/** Returns the free motions with B of forces at the ends of all pieces of the contact boundary. */
+FreeMotions with_forces_at_points(FreeMotions motions, const Discretization<2> &discretization,
+                                  const MotionModes<2> &modes) {
   const ContactSurface<2> &surface = discretization.surface;
   const std::vector<Point<1>> ends = {Point<1>(0.), Point<1>(1.)};
+  const unsigned int m = discretization.multipliers.n_multipliers(),
+                     n = ends.size() * surface.pieces().size();
+  const bool has_friction = motions.admissible.size() > 0;
   TraceValues<2> traces(discretization.space);
-  FullMatrix<double> closing(ends.size() * surface.pieces().size(), modes.size());
+  motions.B.reinit(has_friction ? 2 * n : n, modes.size());
+  Vector s(n), f(n);
   for (std::size_t i = 0; i < surface.pieces().size(); ++i) {
     const Piece<2> &piece = surface.pieces()[i];
     const SurfaceRule<2> rule = surface.at(piece, ends);
     for (unsigned int j = 0; j < modes.size(); ++j) {
-      const std::vector<double> z_n =
-        traces.normal_displacement(surface.faces()[piece.face], rule, modes.Z[j]);
-      for (std::size_t e = 0; e < ends.size(); ++e)
-        closing(ends.size() * i + e, j) = z_n[e];
+      const auto z = traces.displacement(surface.faces()[piece.face], rule, modes.Z[j]);
+      for (std::size_t e = 0; e < ends.size(); ++e) {
+        motions.B(ends.size() * i + e, j) = z[e] * rule.normals[e];
+        if (has_friction)
+          motions.B(n + ends.size() * i + e, j) =
+            z[e] * direction_of(Component::tangential, rule.normals[e]);
+      }
+    }
+    for (std::size_t e = 0; has_friction && e < ends.size(); ++e) {
+      s[ends.size() * i + e] =
+        0.5 * (piece.upper[0] - piece.lower[0]) * motions.admissible[m + piece.patch].upper;
+      f[ends.size() * i + e] = motions.admissible.coefficient(m + piece.patch);
     }
   }
-  return closing;
+  if (has_friction)
+    motions.admissible = AdmissibleSet::with_friction(s, f);
+  return motions;
 }
 
 /** Returns the largest diagonal entry of K; one if K has no positive entry. */
@@ -51,8 +65,7 @@ double typical_stiffness(const FreeMotions &motions) {
 /** Returns whether forces at points of the contact boundary can balance the loads. */
 bool points_balance(const Discretization<2> &discretization, const MotionModes<2> &modes,
                     const FreeMotions &motions) {
-  FreeMotions point_motions = motions;
-  point_motions.B = closing_of_points(discretization, modes);
+  const FreeMotions point_motions = with_forces_at_points(motions, discretization, modes);
   return !ReducedMotions(point_motions, point_motions.B.m(), typical_stiffness(motions)).escape;
 }
 
@@ -94,6 +107,15 @@ void refuse_undetermined(const Parameters &parameters, const MotionModes<2> &mod
                                 const MotionModes<2> &modes, const FreeMotions &motions,
                                 const Vector &v) {
   const RigidMotion motion = rigid_part(modes, v);
+  if (const auto sliding = sliding_part(motions, v)) {
+    const RigidMotion along = rigid_part(modes, sliding->v);
+    const double unit = std::max(along.translation.norm(), std::abs(along.rotation) / along.size);
+    throw InputError(parameters.boundary.where + ": the body slides " + along.direction() +
+                     ": friction carries at most " + number_text(sliding->friction / unit) +
+                     ", the loads pull with " + number_text(sliding->load / unit) +
+                     "; allowed: more friction, loads that press the body onto the foundation, or "
+                     "more sides that hold it.");
+  }
   if (points_balance(discretization, modes, motions)) {
     const Given<unsigned int> &coarsest = parameters.discretization.coarsest_level;
     throw InputError(coarsest.where() + ": found '" + std::to_string(coarsest.value) +
@@ -197,7 +219,8 @@ private:
     const DualVector loads = space.dual(state.system->loads);
     if (modes.size() > 0) {
       const MotionWork work = modes.work(scene_.plates, loads, dual.free.U);
-      dual.motions = {modes.couple(discretization.D), modes.K, work.value, work.magnitude};
+      dual.motions = {modes.couple(discretization.D), modes.K, work.value, work.magnitude,
+                      admissible_of(discretization)};
     }
     if (modes.unseen.empty())
       return;
@@ -311,13 +334,18 @@ private:
     return make_boundary_model(discretization.multipliers);
   }
 
+  /** Returns K with friction, else the empty set, which stands for P ≤ 0. */
+  AdmissibleSet admissible_of(const Discretization<dim> &discretization) const {
+    return scene_.friction == Friction::none ? AdmissibleSet() : discretization.K;
+  }
+
   DualSolverOptions options_for(const Discretization<dim> &discretization) const {
     const SolverParameters &solver = parameters_.solver;
     DualSolverOptions options = {
       {solver.tolerance, solver.maximum_iterations, solver.relaxation, {}},
       choice_.contact,
       is_unstable(discretization),
-      scene_.friction == Friction::none ? AdmissibleSet() : discretization.K};
+      admissible_of(discretization)};
     if (const auto model = boundary_model(discretization))
       options.preconditioner = [model](const std::vector<unsigned int> &set, const Vector &r) {
         return model->solve(set, r);

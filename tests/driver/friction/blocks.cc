@@ -147,6 +147,42 @@ void test_patch(Checks &checks) {
     }
 }
 
+/** A block on an incline that contact alone holds, and what is said if it does not. */
+void test_free_bodies(Checks &checks) {
+  const std::string incline = "Boundary/Contact = bottom\n"
+                              "Load/Body force = 0.01*sin(alpha); -0.01*cos(alpha)\n";
+  const auto block = [&](const std::string &tangent, const Entries &friction) {
+    Entries all = {"Constants/Values=alpha = " + tangent};
+    all.insert(all.end(), friction.begin(), friction.end());
+    return OneLevel(incline, 3, all).solve();
+  };
+  const auto coulomb = [](const std::string &f) {
+    return Entries{"Contact/Friction=coulomb", "Contact/Friction coefficient=" + f};
+  };
+  const auto tresca = [](const std::string &s) {
+    return Entries{"Contact/Friction=tresca", "Contact/Friction bound=" + s};
+  };
+  const std::string shallow = "0.3805063771123649", steep = "0.7328151017865066";
+  for (const Entries &friction : {coulomb("0.5"), tresca("0.004")}) {
+    const LevelRecord record = block(shallow, friction).record;
+    checks.near("block on an incline: T/N",
+                record.friction->tangential_force / record.contact.normal_force, -0.4, 1e-12);
+    checks.between("block on an incline: KKT residual", record.dual.kkt, 0., 1e-13);
+    checks.between("block on an incline: balance", record.certificate.motion_balance, 0., 1e-12);
+  }
+  checks.throws<InputError>(
+    "Coulomb: it slides",
+    "the body slides along (1, 0): friction carries at most 0.00278543, the loads pull with "
+    "0.00371391",
+    [&]() { block(shallow, coulomb("0.3")); });
+  checks.throws<InputError>("Tresca: it slides",
+                            "friction carries at most 0.003, the loads pull with",
+                            [&]() { block(shallow, tresca("0.003")); });
+  checks.throws<InputError>("the mesh is too coarse", "forces in its middle only",
+                            [&]() { block(steep, coulomb("1")); });
+  checks.throws<InputError>("it tips", "(it tips over)", [&]() { block("0.84", coulomb("2")); });
+}
+
 /** With f = 0 friction changes nothing. */
 void test_no_friction(Checks &checks) {
   const LevelSolution<2>
@@ -159,5 +195,5 @@ void test_no_friction(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_references, test_displacements, test_published, test_solvers, test_patch,
-                    test_no_friction});
+                    test_free_bodies, test_no_friction});
 }

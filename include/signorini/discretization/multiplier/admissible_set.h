@@ -50,7 +50,7 @@ public:
   bool moves() const {
     return !f_.empty();
   }
-  /** Returns the set K(P), which does not move. */
+  /** Returns the set K(P), which does not move. @param P its first part P_n suffices. */
   AdmissibleSet at(const Vector &P) const {
     AdmissibleSet K(intervals_);
     for (unsigned int k = 0; k < f_.size(); ++k) {

@@ -66,7 +66,7 @@ struct FreeMotionBasis {
    * plates that strain the body. */
   std::vector<FreeMotion> seen;
   /** Rigid motions along which contact sides slide, as a disc turns or a block moves on a plane:
-   * contact can neither stop nor cause them. */
+   * contact without friction can neither stop nor cause them. */
   std::vector<FreeMotion> unseen;
 };
 

@@ -23,6 +23,8 @@ struct FreeMotions {
   /** The sums of the absolute values of the terms of b_j; b_j has a rounding error relative to
    * them. Empty: |b_j|. */
   dealii::Vector<double> b_magnitude = {};
+  /** The admissible P; without unknowns: P ≤ 0. */
+  AdmissibleSet admissible = {};
 };
 
 /**
@@ -49,7 +51,8 @@ struct ReducedMotions {
    * A motion v with K v = 0, B v ≤ 0 (it opens or slides everywhere) and b.v > 0, if there is one.
    * Its largest part is one in units in which the columns of B have norm one.
    *
-   * b has to lie in the cone {-Bᵀ P : P ≤ 0} as far as K does not resist. Nonnegative least squares
+   * b has to lie in the cone {-Bᵀ P : P ≤ 0}, with friction in {-Bᵀ P : P in K(P)}, as far as the
+   * stiffness K does not resist. Nonnegative least squares
    * with rows of B of norm one decide this (a cone depends on directions only): the remainder of b
    * is the motion that escapes. Remainders below 1e-9 of b are rounding: a load just above the edge
    * of a body does not tip it.
@@ -59,6 +62,17 @@ struct ReducedMotions {
    * them. They are scaled like the escape. */
   std::vector<Vector> unseen;
 };
+
+/** A motion along which all contact sides slide, and what resists it (work per unit of q). */
+struct Sliding {
+  dealii::Vector<double> v;
+  /** The work of the loads, and the most that friction can take. */
+  double load, friction;
+};
+
+/** Returns the part of an escape that slides, if the loads are in balance without it; nothing for a
+ * body that tips over or lifts off, and without friction. */
+std::optional<Sliding> sliding_part(const FreeMotions &motions, const dealii::Vector<double> &v);
 
 /** The solution of a dual problem with free motions, or the reason why there is none. */
 struct MotionResult {
