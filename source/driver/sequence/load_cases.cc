@@ -22,7 +22,9 @@ CaseData case_data(const Parameters &parameters, const Scene<2> &scene,
     [&discretization](const Scene<2> &other) { return discretization.assemble_gap_of(other); },
     {{solver.tolerance, solver.maximum_iterations, solver.relaxation, {}},
      solver.contact_solver,
-     is_unstable(discretization)}};
+     is_unstable(discretization),
+     scene.friction == Friction::none ? AdmissibleSet() : discretization.K},
+    parameters.load_cases.sequence == CaseSequence::steps};
 }
 } // namespace
 
@@ -41,7 +43,7 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
       if (load_case.has_fields && results.back().escape.empty())
         use_fields(results.size(),
                    with_plates_moved(scene_of_case(scene, load_case), results.back().plates),
-                   solver.displacement(), solver.pressure());
+                   solver.displacement(), solver.pressure(), solver.friction());
       if (results.size() % every == 0)
         progress("load cases: " + std::to_string(results.size()) + " of " + std::to_string(n));
     }

@@ -130,8 +130,8 @@ private:
       if (scene.load_cases.empty())
         return;
       const auto write_fields = [&](const unsigned int number, const Scene<2> &scene_of_case,
-                                    const Displacement &U, const Pressure &P) {
-        writer_.write_case_fields(*level.discretization, scene_of_case, U, P, number);
+                                    const Displacement &U, const Pressure &P, const Pressure &P_t) {
+        writer_.write_case_fields(*level.discretization, scene_of_case, U, P, P_t, number);
       };
       writer_.write_cases(solve_load_cases(parameters_, scene, level, write_fields, progress));
     }
@@ -189,6 +189,9 @@ void check_multigrid(const Given<Option> &solver, const std::string &allowed,
 /** Refuses what friction cannot do. @throws InputError */
 template <int dim>
 void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
+  const Given<CaseSequence> &sequence = parameters.load_cases.sequence;
+  refuse_if(scene.friction == Friction::none && sequence == CaseSequence::steps, sequence,
+            "without friction, where cases have no history", "there: independent");
   if (scene.friction == Friction::none)
     return;
   const DiscretizationParameters &given = parameters.discretization;
@@ -201,8 +204,6 @@ void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
     throw error_at(given.target_error, "found '", given.target_error.value,
                    "' with friction, for which there is neither a bound nor an estimate of the "
                    "error, allowed: 0.");
-  if (!scene.load_cases.empty())
-    throw error_at(parameters.load_cases.cases, "found load cases with friction, allowed: none.");
 }
 } // namespace
 

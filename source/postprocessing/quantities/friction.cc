@@ -23,6 +23,7 @@ Columns<FrictionSummary> FrictionSummary::columns() {
           {"dissipation", &FrictionSummary::dissipation},
           {"stick_length", &FrictionSummary::stick_length},
           {"slip_length", &FrictionSummary::slip_length},
+          {"open_length", &FrictionSummary::open_length},
           {"q_l2", &FrictionSummary::l2_error}};
 }
 
@@ -38,11 +39,11 @@ FrictionSummary summarise_friction(const MultiplierSpace<2> &multipliers, const 
   Pressure stick(m), slip(m);
   for (unsigned int k = 0; k < m; ++k) {
     summary.tangential_force += P[m + k] * lengths[k];
-    if (states[k] == FrictionState::open)
-      continue;
-    const bool sticks = states[k] == FrictionState::stick;
-    (sticks ? stick : slip)[k] = -1.;
-    (sticks ? summary.stick_length : summary.slip_length) += lengths[k];
+    stick[k] = states[k] == FrictionState::stick ? -1. : 0.;
+    slip[k] = states[k] == FrictionState::slip ? -1. : 0.;
+    (stick[k] < 0.  ? summary.stick_length
+     : slip[k] < 0. ? summary.slip_length
+                    : summary.open_length) += lengths[k];
   }
   summary.stick_zones = contact_zones(multipliers, stick);
   summary.slip_zones = contact_zones(multipliers, slip);

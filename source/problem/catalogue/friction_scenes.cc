@@ -265,24 +265,43 @@ ComplexJet hertz(const Complex &z, const double m, const double r) {
          ComplexJet{0.5 * (t * R - r * r * std::log((t + R) / r) - t * t), R - t, t / R - 1.};
 }
 
-/** Cattaneo's and Mindlin's contact: Hertz' pressure, and stick on the share k of its width. */
-Scene<2> make_cm() {
-  constexpr double f = 0.4, k = 0.6;
+} // namespace
+
+Scene<2> make_cattaneo_mindlin(const bool unloaded) {
+  constexpr double f = 0.4;
   const double a = 1. / std::sqrt(10.), b = numbers::E / 4., m = 0.5 * (a + b), r = 0.5 * (b - a);
+  // q is the sum of Hertz' pressures on shares of the width.
+  struct Part {
+    double weight, radius;
+  };
+  const std::vector<Part> parts = unloaded
+                                    ? std::vector<Part>{{-1., r}, {2., 0.85 * r}, {-1., 0.6 * r}}
+                                    : std::vector<Part>{{1., r}, {-1., 0.6 * r}};
   const auto root = [=](const double x, const double radius) {
     return 2. * std::sqrt(std::max(radius * radius - (x - m) * (x - m), 0.));
   };
   const ComplexFunction opening = [=](const Complex &z) { return hertz(z, m, r); };
   const ComplexFunction sliding = [=](const Complex &z) {
-    return -f * imaginary * (hertz(z, m, r) + -1. * hertz(z, m, k * r));
+    ComplexJet sum;
+    for (const Part &part : parts)
+      sum = sum + -f * part.weight * imaginary * hertz(z, m, part.radius);
+    return sum;
   };
   const auto w = [=](const ComplexFunction &F, const Mode mode, const double x) {
     return mode_field(F, mode, Jets2{Jet2(x), Jet2(0.)});
   };
+  std::vector<double> kinks;
+  for (const Part &part : parts)
+    kinks.insert(kinks.end(), {m - part.radius, m + part.radius});
   // The foundation takes the coupling of both modes.
   return frictional_square(
     {Friction::coulomb, [=](const double x) { return -root(x, r); },
-     [=](const double x) { return f * (root(x, r) - root(x, k * r)); },
+     [=](const double x) {
+       double q = 0.;
+       for (const Part &part : parts)
+         q += f * part.weight * root(x, part.radius);
+       return q;
+     },
      [=](const double) { return f; },
      [=](const double x) {
        return 0.75 * (x - m) * (x - m) - w(sliding, Mode::sliding, x)[1].value;
@@ -295,9 +314,10 @@ Scene<2> make_cm() {
                   II = mode_field(sliding, Mode::sliding, at);
       return cut_off({I[0] + II[0], I[1] + II[1]}, 0., 0., at);
     },
-    {a, b, m - k * r, m + k * r});
+    kinks);
 }
 
+namespace {
 const std::string frame =
   "Body      the unit square 0 < x < 1, 0 < y < 1\n"
   "Material  E = 2.5, nu = 0.25 (lambda = mu = 1), plane strain\n"
@@ -368,6 +388,6 @@ std::vector<CatalogueEntry<2>> friction_scenes() {
              "Friction  |q| <= f |p|, f = 0.4\n"
              "Exact p   -2 ((x-a) (b-x))_+^(1/2), a = 1/sqrt(10), b = e/4\n"
              "Exact q   f times |p| less the same on 0.6 of the width\n",
-           make_cm}};
+           []() { return make_cattaneo_mindlin(false); }}};
 }
 } // namespace Signorini

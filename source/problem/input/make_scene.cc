@@ -163,8 +163,8 @@ Scene<3> make_scene(const Parameters &parameters) {
 namespace {
 constexpr unsigned int max_cases = 100000;
 
-const std::vector<std::string> factor_names = {"force", "weight",  "travel",
-                                               "gap",   "shift x", "shift y"};
+const std::vector<std::string> factor_names = {"force", "weight",  "travel", "gap",
+                                               "slide", "shift x", "shift y"};
 
 double &factor_of(LoadCase &load_case, const std::string &name) {
   if (name == "force")
@@ -175,6 +175,8 @@ double &factor_of(LoadCase &load_case, const std::string &name) {
     return load_case.travel;
   if (name == "gap")
     return load_case.gap;
+  if (name == "slide")
+    return load_case.slide;
   return load_case.shift[name == "shift x" ? 0 : 1];
 }
 
@@ -185,6 +187,10 @@ std::string uselessness(const std::string &name, const Scene<2> &scene) {
       if (scene.boundary[side].foundation == nullptr)
         return "the side '" + scene.geometry.sides[side].name() +
                "' has no Contact/Foundation that could be moved";
+  if (name == "slide" &&
+      std::none_of(scene.boundary.begin(), scene.boundary.end(),
+                   [](const auto &condition) { return condition.shift != nullptr; }))
+    return "the scene has no Contact/Foundation shift";
   if (name == "force" && !has_load(scene, LoadKind::force))
     return "the scene has neither tractions nor plates with a force";
   if (name == "weight" && !has_load(scene, LoadKind::weight))

@@ -146,11 +146,15 @@ void Declarations::declare_data(Parameters &parameters) {
   add("Contact/Foundation shift", parameters.contact.foundation_shift,
       "With friction: the motion of the foundation along the counter-clockwise tangent of the side "
       "(length), an expression in the same way; empty: 0.");
-  add("Load cases/Cases", parameters.load_cases.cases,
-      "Other loads that the finest level is solved for, from the same factorisation: factors of "
-      "force (tractions, plates), weight (body force), travel (prescribed displacements) and gap, "
-      "and shift x, shift y of the foundation (length): force 0.5, weight 2 | force 0 to 3 in 100 "
-      "cases. What is not named keeps the factor 1 and the shift 0.");
+  add(
+    "Load cases/Cases", parameters.load_cases.cases,
+    "Other loads that the finest level is solved for, from the same factorisation: factors of "
+    "force (tractions, plates), weight (body force), travel (prescribed displacements), gap and "
+    "slide (Foundation shift), and shift x, shift y of the foundation (length): force 0.5, weight "
+    "2 | force 0 to 3 in 100 cases. What is not named keeps the factor 1 and the shift 0.");
+  add("Load cases/Sequence", parameters.load_cases.sequence,
+      "independent: every case begins with a body that has not slipped. steps: with friction, each "
+      "case goes on from the slip of the one before, in their order.");
   add("Load cases/Fields", parameters.load_cases.fields,
       "Numbers of the cases for which VTU files are written, separated by blanks; the first is 1.");
   add("Exact solution/Displacement", parameters.exact.displacement,

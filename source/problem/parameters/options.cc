@@ -17,6 +17,7 @@ const std::vector<std::string> &option_names(const std::type_index &option) {
     {typeid(StopAt), {"tolerance", "discretisation error"}},
     {typeid(LinearSolver), {"automatic", "condensed", "amesos_mumps", "amesos_klu", "multigrid"}},
     {typeid(Friction), {"none", "tresca", "coulomb"}},
+    {typeid(CaseSequence), {"independent", "steps"}},
     {typeid(VtuLevels), {"none", "finest", "all"}},
     {typeid(Choice), {"true", "false", "automatic"}}};
   return names.at(option);

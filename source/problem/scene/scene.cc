@@ -84,6 +84,16 @@ FunctionPointer<2> scale(const FunctionPointer<2> &function, const double factor
     return function;
   return std::make_shared<ScaledFunction>(function, factor);
 }
+
+/** Returns the tangential motion of a foundation: @p given, and the part of a shift along the side.
+ */
+FunctionPointer<2> slide_along(const Side<2> &side, const FunctionPointer<2> &given,
+                               const Tensor<1, 2> &shift) {
+  return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
+    const double along = -shift * cross_product_2d(side.normal(side.coordinates(x)));
+    return along + (given == nullptr ? 0. : given->value(x));
+  });
+}
 } // namespace
 
 std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &load_case) {
@@ -102,7 +112,7 @@ Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case) {
   scene.foundation_position += load_case.shift;
   for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     BoundaryCondition<2> &condition = scene.boundary[i];
-    condition.exact_pressure = nullptr;
+    condition.exact_pressure = condition.exact_friction = nullptr;
     if (condition.role == Role::traction)
       condition.data = scale(condition.data, load_case.force);
     if (condition.role == Role::displacement)
@@ -112,6 +122,9 @@ Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case) {
         condition.data =
           foundation_gap(scene.geometry.sides[i], condition.foundation, scene.foundation_position);
       condition.data = scale(condition.data, load_case.gap);
+      condition.shift = scale(condition.shift, load_case.slide);
+      if (scene.friction != Friction::none && load_case.shift.norm() > 0.)
+        condition.shift = slide_along(scene.geometry.sides[i], condition.shift, load_case.shift);
     }
   }
   return scene;

@@ -156,7 +156,7 @@ std::string error_table(const std::vector<LevelRecord> &levels) {
 
 namespace {
 /** Returns the columns: first the loads, then the answers, which an escape leaves empty. */
-Columns<CaseResult> case_columns() {
+Columns<CaseResult> case_columns(const bool has_friction) {
   using Case = CaseResult;
   const auto of_plate = [](double PlateMotion::*const part) {
     return [part](const Case &c) {
@@ -184,12 +184,20 @@ Columns<CaseResult> case_columns() {
     columns.push_back({answer.name, [answer](const Case &c) {
                          return c.escape.empty() ? answer.value(c) : std::nullopt;
                        }});
+  if (has_friction) {
+    columns.push_back({"slide", [](const Case &c) { return c.load_case.slide; }});
+    for (const Column<Case> &column : columns_of(&Case::friction))
+      if (column.name != "q_l2")
+        columns.push_back(column);
+  }
   return columns;
 }
 } // namespace
 
 void write_cases_csv(std::ostream &stream, const std::vector<CaseResult> &cases) {
-  const Columns<CaseResult> columns = case_columns();
+  const bool has_friction =
+    std::any_of(cases.begin(), cases.end(), [](const CaseResult &c) { return c.friction; });
+  const Columns<CaseResult> columns = case_columns(has_friction);
   stream << "case," << csv_header(columns) << ",state\n";
   for (std::size_t i = 0; i < cases.size(); ++i)
     stream << i + 1 << "," << csv_row(columns, cases[i]) << ","

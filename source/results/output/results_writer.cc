@@ -110,7 +110,8 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
 
 void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
                                       const Scene<2> &scene, const Displacement &U,
-                                      const Pressure &P, const unsigned int number) {
+                                      const Pressure &P, const Pressure &P_t,
+                                      const unsigned int number) {
   if (directory_.empty())
     return;
   start_directory();
@@ -120,7 +121,7 @@ void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
                        {}, number);
   write("contact" + ending + ".csv", [&](std::ostream &stream) {
     write_contact_csv<2>(stream, trace_contact(discretization.space, discretization.multipliers,
-                                               scene.boundary, U, P));
+                                               scene.boundary, U, P, discretization.K, P_t));
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/integration.h>
+#include <signorini/postprocessing/quantities/friction.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/kinematics/free_motions.h>
@@ -31,6 +32,8 @@ struct CaseResult {
   unsigned int active = 0;
   /** The motions of the plates, one for each. */
   std::vector<PlateMotion> plates;
+  /** Friction, if the scene has it; in steps its dissipation is that since the beginning. */
+  std::optional<FrictionSummary> friction;
   unsigned int iterations = 0;
   double kkt = 0.;
   bool converged = false;
@@ -50,6 +53,8 @@ struct CaseData {
   /** Returns G_k = ∫ g ψ_k for the gap of a scene. */
   std::function<dealii::Vector<double>(const Scene<2> &)> gap;
   DualSolverOptions options;
+  /** Whether each case goes on from the slip of the one before. */
+  bool are_steps = false;
 };
 
 /**
@@ -60,6 +65,10 @@ struct CaseData {
  *
  * the same C, B and K as all others, and one dual problem, which starts from the pressure of the
  * case before: O(m²) operations.
+ *
+ * With friction, cases may be steps of a history. All that friction remembers is the slip Σ W_t
+ * since the beginning, m numbers that are added to G_t: stick means that the slip stays what it
+ * was.
  */
 class CaseSolver {
 public:
@@ -74,6 +83,10 @@ public:
   /** Returns P of the last case. */
   const Pressure &pressure() const {
     return P_;
+  }
+  /** Returns P_t of the last case; empty without friction. */
+  const Pressure &friction() const {
+    return P_t_;
   }
   /** Returns U of the last case by one more solve. Collective. */
   Displacement displacement() const;
@@ -92,7 +105,10 @@ private:
   };
 
   LoadResponse respond(LoadKind kind) const;
+  /** Returns G. */
   dealii::Vector<double> gap_of(const LoadCase &load_case) const;
+  /** Summarises friction, and remembers the slip of a step. */
+  FrictionSummary finish_step(const dealii::Vector<double> &P, const dealii::Vector<double> &F);
   /** Returns whether the loads of a case drive a motion that contact does not resist. */
   bool slides(const LoadCase &load_case) const;
   /**
@@ -108,7 +124,10 @@ private:
   dealii::Vector<double> G_;
   std::vector<LoadResponse> responses_;
   LoadCase last_;
-  Pressure P_;
+  Pressure P_, P_t_;
   dealii::Vector<double> q_;
+  /** The slip and the dissipation since the beginning; zero where cases are no steps. */
+  dealii::Vector<double> slip_;
+  double dissipation_ = 0.;
 };
 } // namespace Signorini

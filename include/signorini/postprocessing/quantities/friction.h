@@ -22,9 +22,10 @@ struct FrictionSummary {
   double tangential_force = 0.;
   /** The work Σ s |w_t| of friction on the slip w_t = D_tᵀ U - G_t. */
   double dissipation = 0.;
-  /** The lengths of the patches that stick and that slip. */
+  /** The lengths of the patches that stick, that slip and that are open. */
   double stick_length = 0.;
   double slip_length = 0.;
+  double open_length = 0.;
   /** The same patches as zones. */
   std::vector<ContactZone> stick_zones, slip_zones;
   /** The error ‖q - q_H‖_{0,Γ_c}; empty where q is not known. */

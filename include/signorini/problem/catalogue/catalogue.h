@@ -27,6 +27,10 @@ const std::vector<CatalogueEntry<2>> &catalogue();
 template <>
 const std::vector<CatalogueEntry<3>> &catalogue();
 
+/** Returns the scene CM, Hertz' pressure with stick and slip; or the state after some of the
+ * tangential load is taken back, which follows the slip of CM (Mindlin and Deresiewicz). */
+Scene<2> make_cattaneo_mindlin(bool unloaded);
+
 /** Returns one line per scene: name and title. */
 std::string describe_catalogue();
 } // namespace Signorini

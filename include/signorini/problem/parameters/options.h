@@ -88,6 +88,13 @@ enum class Friction {
   coulomb
 };
 
+/** The relation of load cases to one another. */
+enum class CaseSequence {
+  independent,
+  /** Each case goes on from the state of friction of the one before. */
+  steps
+};
+
 /** The levels for which VTU files are written. */
 enum class VtuLevels { none, finest, all };
 

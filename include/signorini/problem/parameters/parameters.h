@@ -116,6 +116,7 @@ struct ContactParameters {
 /** Subsection Load cases. */
 struct LoadCasesParameters {
   Given<std::string> cases;
+  Given<CaseSequence> sequence{CaseSequence::independent};
   Given<std::string> fields;
 };
 

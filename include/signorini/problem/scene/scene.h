@@ -44,6 +44,8 @@ struct LoadCase {
   Tensor<1, 2> shift;
   /** Whether its fields are written. */
   bool has_fields = false;
+  /** Factor of the tangential motion of the foundation. */
+  double slide = 1.;
 };
 
 /** The motion of a plate. */
