@@ -147,6 +147,19 @@ void add_bound(const Discretization<2> &discretization, LevelSolution<2> &soluti
   solution.bound_fields = std::move(located.fields);
 }
 
+/** Adds what is known about other solutions with Coulomb's friction. */
+void add_regularity(const Discretization<2> &discretization, LevelSolution<2> &solution) {
+  FrictionSummary &friction = *solution.record.friction;
+  const StageTimer timer(solution.record.times.postprocess);
+  if (solution.dual->C == nullptr)
+    return;
+  if (const auto found = examine_regularity(solution.dual->C, solution.dual->motions,
+                                            discretization.K, solution.multipliers())) {
+    friction.critical_factor = found->critical_factor;
+    friction.is_regular = found->has_sign_of_no_friction;
+  }
+}
+
 /** Adds the certificate, and the answer, which needs the same nodal forces. */
 template <int dim>
 void add_certificate_and_answer(const Discretization<dim> &discretization, const Scene<dim> &scene,
@@ -216,11 +229,14 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
 template <int dim>
 void finish_level(const LevelProblem<dim> &problem, const Discretization<dim> &discretization,
                   const bool wants_bound, const Progress &progress, LevelSolution<dim> &solution) {
-  if constexpr (dim == 2)
-    if (wants_bound && solution.P_t.size() == 0) {
+  if constexpr (dim == 2) {
+    if (wants_bound && solution.record.friction)
+      add_regularity(discretization, solution);
+    else if (wants_bound) {
       progress("bound of the error");
       add_bound(discretization, solution);
     }
+  }
   release_unused(problem, solution);
 }
 

@@ -24,6 +24,7 @@ Columns<FrictionSummary> FrictionSummary::columns() {
           {"stick_length", &FrictionSummary::stick_length},
           {"slip_length", &FrictionSummary::slip_length},
           {"open_length", &FrictionSummary::open_length},
+          {"critical_friction_factor", &FrictionSummary::critical_factor},
           {"q_l2", &FrictionSummary::l2_error}};
 }
 

@@ -128,6 +128,8 @@ public:
     add("Friction", "T = " + digits(friction["tangential_force"]) +
                       ", T/N = " + digits(friction["ratio"]) + ", dissipation " +
                       digits(friction["dissipation"]));
+    if (level_.friction->is_regular)
+      add("  uniqueness", text_of_regularity(*level_.friction));
     add_zones("  stick zone", friction["stick_zones"], level_.friction->stick_zones);
     add_zones("  slip zone", friction["slip_zones"], level_.friction->slip_zones);
   }
@@ -166,6 +168,16 @@ public:
   }
 
 private:
+  /** A solution is never called unique: that is not proved. */
+  static std::string text_of_regularity(const FrictionSummary &friction) {
+    const std::optional<double> critical = friction.critical_factor;
+    if (!*friction.is_regular)
+      return "this is one of at least two solutions (sign of the determinant)";
+    if (!critical)
+      return "these zones are regular for every coefficient";
+    return (*critical < 1.5 ? "other solutions may exist: " : std::string()) +
+           "these zones lose uniqueness at " + digits(*critical) + " times the coefficient";
+  }
   void add_zones(const std::string &label, const Json &json,
                  const std::vector<ContactZone> &zones) {
     for (std::size_t i = 0; i < zones.size(); ++i) {

@@ -57,6 +57,8 @@ static void to_json(Json &json, const FrictionSummary &friction) {
           {"stick_length", friction.stick_length},
           {"slip_length", friction.slip_length},
           {"open_length", friction.open_length},
+          {"critical_factor", friction.critical_factor},
+          {"regular", friction.is_regular},
           {"stick_zones", friction.stick_zones},
           {"slip_zones", friction.slip_zones}};
 }

@@ -187,7 +187,7 @@ Columns<CaseResult> case_columns(const bool has_friction) {
   if (has_friction) {
     columns.push_back({"slide", [](const Case &c) { return c.load_case.slide; }});
     for (const Column<Case> &column : columns_of(&Case::friction))
-      if (column.name != "q_l2")
+      if (column.name != "q_l2" && column.name != "critical_friction_factor")
         columns.push_back(column);
   }
   return columns;

@@ -375,4 +375,66 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
   result.converged = result.kkt_residual <= options.tolerance;
   return result;
 }
+
+// Uniqueness with Coulomb's friction.
+
+namespace {
+/** Returns the slipping part of -H_0⁻¹ H_1, where H_0 + λ H_1 is the linear system of a set with
+ * the balances. @throws ExceptionBase if H_0 is singular. */
+FullMatrix<double> slipping_part(const BoundConstrainedQP &qp, const ActiveSet &set) {
+  const unsigned int n = qp.balances.size(), n_slip = set.followers.size();
+  const LAPACKFullMatrix<double> C_AA = cholesky(submatrix(*qp.C, set.A));
+  const MotionResistance resistance(qp.balances, set.A, C_AA);
+  FullMatrix<double> inverse(resistance.S);
+  if (n > 0)
+    inverse.gauss_jordan();
+  FullMatrix<double> part(n_slip, n_slip);
+  for (unsigned int j = 0; j < n_slip; ++j) {
+    const Follower &follower = set.followers[j];
+    Vector y(set.A.size()), rest(n), z(n);
+    for (unsigned int r = 0; r < set.A.size(); ++r)
+      y[r] = follower.factor * qp.C->dense()(set.A[r], follower.P_t);
+    C_AA.solve(y);
+    for (unsigned int i = 0; i < n; ++i) {
+      rest[i] = -follower.factor * qp.balances.B(follower.P_t, i);
+      for (unsigned int r = 0; r < set.A.size(); ++r)
+        rest[i] += qp.balances.B(set.A[r], i) * y[r];
+    }
+    if (n > 0)
+      inverse.vmult(z, rest);
+    for (unsigned int i = 0; i < n; ++i)
+      y.add(-z[i], resistance.X[i]);
+    for (unsigned int i = 0; i < n_slip; ++i)
+      part(i, j) = -y[set.followers[i].P_n];
+  }
+  return part;
+}
+} // namespace
+
+std::optional<Regularity> examine_regularity(const BoundConstrainedQP &qp, const Vector &P) {
+  if (!qp.K.moves())
+    return {};
+  const ActiveSet set(qp.K, states_of(qp.K.at(P), P));
+  Regularity regularity;
+  if (set.followers.empty())
+    return regularity;
+  LAPACKFullMatrix<double> part(set.followers.size());
+  try {
+    part = slipping_part(qp, set);
+  } catch (const ExceptionBase &) {
+    return {};
+  }
+  part.compute_eigenvalues();
+  constexpr double rounding = 1e-10;
+  double largest = 0.;
+  for (unsigned int i = 0; i < part.m(); ++i)
+    if (const auto eigenvalue = part.eigenvalue(i);
+        eigenvalue.real() > 0. && std::abs(eigenvalue.imag()) <= rounding * eigenvalue.real()) {
+      largest = std::max(largest, eigenvalue.real());
+      regularity.has_sign_of_no_friction ^= eigenvalue.real() > 1.;
+    }
+  if (largest > 0.)
+    regularity.critical_factor = 1. / largest;
+  return regularity;
+}
 } // namespace Signorini

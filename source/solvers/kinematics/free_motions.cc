@@ -369,4 +369,13 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
     reduced.T.vmult(result.q, result.qp.z);
   return result;
 }
+
+std::optional<Regularity> examine_regularity(const std::shared_ptr<const ComplianceOperator> &C,
+                                             const FreeMotions &motions, const AdmissibleSet &K,
+                                             const Vector &P) {
+  Balances balances;
+  if (motions.b.size() > 0)
+    balances = ReducedMotions(motions, P.size(), contact_stiffness(*C, motions.B)).balances;
+  return examine_regularity(BoundConstrainedQP(C, Vector(P.size()), K, balances), P);
+}
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // Blocks with friction against numbers of an independent program: forces, energies, dissipation,
 // displacements; and all solvers against one another.
 
+#include <map>
 #include <tuple>
 
 #include "one_level.h"
@@ -183,6 +184,60 @@ void test_free_bodies(Checks &checks) {
   checks.throws<InputError>("it tips", "(it tips over)", [&]() { block("0.84", coulomb("2")); });
 }
 
+/**
+ * A square that slips everywhere by 0.1 with the pressure one: beyond f_c two more solutions exist,
+ * one with a sticking and one with an open patch. The degrees of all three add up to one.
+ */
+void test_three_solutions(Checks &checks) {
+  const OneLevel level(
+    "Boundary/Clamped = top\nBoundary/Contact = bottom\nContact/Friction = coulomb\n"
+    "Contact/Friction coefficient = 2.5\nLoad/Body force = 0; -0.01\nOutput/Compliance = true\n",
+    4);
+  const auto C = level.solve().dual->C;
+  const dealii::Vector<double> lengths = level.multipliers().integrals();
+  const unsigned int m = lengths.size();
+  const auto problem = [&](const double f, const dealii::Vector<double> &P) {
+    dealii::Vector<double> coefficients(m), F = C->apply(P);
+    coefficients = f;
+    for (unsigned int k = 0; k < m; ++k)
+      F[m + k] += 0.1 * lengths[k];
+    return BoundConstrainedQP(
+      C, F, AdmissibleSet::with_friction(dealii::Vector<double>(m), coefficients));
+  };
+  dealii::Vector<double> slip(2 * m);
+  for (unsigned int k = 0; k < 2 * m; ++k)
+    slip[k] = k < m ? -1. : 1.;
+  checks.near("f_c", *examine_regularity(problem(1., slip), slip)->critical_factor, 1.9686527283,
+              1e-9);
+  for (unsigned int k = m; k < 2 * m; ++k)
+    slip[k] = 2.5;
+  const BoundConstrainedQP qp = problem(2.5, slip);
+  // Starts: slip, with one patch that sticks, or one that is open.
+  std::map<int, std::pair<double, bool>> found;
+  for (unsigned int k = 0; k <= 2 * m; ++k) {
+    dealii::Vector<double> start(slip);
+    if (k < m)
+      start[m + k] = 0.;
+    else if (k < 2 * m)
+      start[k - m] = start[k] = 0.;
+    const QPResult result = solve_by_active_set(qp, start, {});
+    if (!result.converged)
+      continue;
+    double N = 0.;
+    for (unsigned int i = 0; i < m; ++i)
+      N += result.P[i] * lengths[i];
+    found[std::lround(1e6 * N)] = {N, examine_regularity(qp, result.P)->has_sign_of_no_friction};
+  }
+  std::vector<double> forces;
+  std::vector<bool> signs;
+  for (const auto &[key, solution] : found) {
+    forces.push_back(solution.first);
+    signs.push_back(solution.second);
+  }
+  checks.near("three solutions", forces, {-1.0050553224, -1., -0.9613505066}, 1e-9);
+  checks.that("their signs", signs == std::vector<bool>{true, false, true});
+}
+
 /** With f = 0 friction changes nothing. */
 void test_no_friction(Checks &checks) {
   const LevelSolution<2>
@@ -195,5 +250,5 @@ void test_no_friction(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_references, test_displacements, test_published, test_solvers, test_patch,
-                    test_free_bodies, test_no_friction});
+                    test_free_bodies, test_three_solutions, test_no_friction});
 }

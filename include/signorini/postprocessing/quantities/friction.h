@@ -28,6 +28,11 @@ struct FrictionSummary {
   double open_length = 0.;
   /** The same patches as zones. */
   std::vector<ContactZone> stick_zones, slip_zones;
+  /** Coulomb: the smallest factor of the coefficient for which the linear system of these zones is
+   * singular, and whether its determinant has the sign that it has without friction. Empty where
+   * that is not known. */
+  std::optional<double> critical_factor;
+  std::optional<bool> is_regular;
   /** The error ‖q - q_H‖_{0,Γ_c}; empty where q is not known. */
   std::optional<double> l2_error;
 

@@ -71,4 +71,22 @@ QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<
  */
 QPResult solve_by_active_set(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
                              const IterationOptions &options);
+
+/**
+ * How the linear system of the states of P depends on Coulomb's coefficient: with λ f in the place
+ * of f it is singular for the real λ that are reciprocal eigenvalues of its slipping part.
+ */
+struct Regularity {
+  /** The smallest of these λ > 0; none if there is none. */
+  std::optional<double> critical_factor;
+  /** Whether the determinant has the sign that it has for λ = 0. Otherwise P is one of at least two
+   * solutions: the degrees of all add up to one. */
+  bool has_sign_of_no_friction = true;
+};
+
+/** Computes the regularity of a solution P, by the eigenvalues of a matrix as large as there are
+ * slipping patches. @return nothing without friction, for a set that does not move, and where the
+ * states without friction leave a motion free. */
+std::optional<Regularity> examine_regularity(const BoundConstrainedQP &qp,
+                                             const dealii::Vector<double> &P);
 } // namespace Signorini

@@ -99,4 +99,9 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
                                 const dealii::Vector<double> &F, const FreeMotions &motions,
                                 const dealii::Vector<double> &start,
                                 const DualSolverOptions &options);
+
+/** Returns the regularity of a solution with Coulomb's friction, see examine_regularity(). */
+std::optional<Regularity> examine_regularity(const std::shared_ptr<const ComplianceOperator> &C,
+                                             const FreeMotions &motions, const AdmissibleSet &K,
+                                             const dealii::Vector<double> &P);
 } // namespace Signorini
