@@ -78,8 +78,12 @@ std::optional<double> relative_error(const LevelRecord &level) {
 std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
   const LevelRecord &finest = levels.back();
   if (finest.friction)
-    return "with friction there is neither a bound nor an estimate of the error: compare the "
-           "levels";
+    return std::string(
+             "with friction there is neither a bound nor an estimate of the error: compare "
+             "the levels") +
+           (finest.friction->is_regular.value_or(true)
+              ? ""
+              : "; this is one of at least two solutions of the discrete problem");
   std::ostringstream text;
   if (finest.sizes.is_graded() && !bound_of(finest)) {
     if (!finest.estimate)
