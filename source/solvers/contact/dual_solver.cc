@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <random>
 #include <set>
 #include <sstream>
 
@@ -299,6 +300,19 @@ bool step_to_first_end(const BoundConstrainedQP &qp, const Vector &wanted, Vecto
   return false;
 }
 
+/** Sets other states where a set that moves came back, because no energy falls there: those after
+ * sweeps of projected SOR, which help for moderate coefficients, or random ones. */
+void restart(const BoundConstrainedQP &qp, const Vector &P, std::minstd_rand &random,
+             States &states) {
+  if (random() % 2 == 0) {
+    const Vector swept = solve_by_psor(qp, P, {1e-6, 100, 1., {}}).P;
+    states = states_of(qp.K.at(swept), swept);
+    return;
+  }
+  for (unsigned int i = 0; i < states.size(); ++i)
+    states[i] = static_cast<State>(qp.K.coefficient(i) > 0. ? random() % 3 : 1 + random() % 2);
+}
+
 /** Lets the unknown join whose residual is largest. @return whether there is one above rounding. */
 bool join_deepest(const BoundConstrainedQP &qp, const Iterate &x, States &states) {
   const Vector W = qp.gradient(x.P, x.z);
@@ -329,6 +343,7 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
   States states =
     start.size() == 0 ? States(qp.size(), State::inside) : states_of(qp.K.at(start), start);
   std::set<States> visited;
+  std::minstd_rand random;
   const unsigned int max_solves = std::min(options.maximum_iterations, 20 * qp.size() + 100);
   for (bool settled = false; !settled && result.iterations < max_solves;) {
     ++result.iterations;
@@ -349,10 +364,7 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
       result.cycled = came_back && !settled;
       states = next;
       if (result.cycled && qp.K.moves()) {
-        // No energy falls here.
-        const unsigned int sweeps = 10 * visited.size();
-        projected = solve_by_psor(qp, projected, {options.tolerance, sweeps, 1., {}}).P;
-        states = states_of(qp.K.at(projected), projected);
+        restart(qp, projected, random, states);
         result.cycled = false;
       } else if (result.cycled) {
         if (moves)

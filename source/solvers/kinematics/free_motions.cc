@@ -271,36 +271,6 @@ ReducedMotions::ReducedMotions(const FreeMotions &motions, const unsigned int m,
   }
 }
 
-std::optional<Sliding> sliding_part(const FreeMotions &motions, const Vector &v) {
-  const AdmissibleSet &K = motions.admissible;
-  const unsigned int k = v.size(), m = K.size() / 2;
-  if (m == 0)
-    return {};
-  Matrix B_n(m, k), closing(k, k);
-  for (unsigned int i = 0; i < m; ++i)
-    for (unsigned int j = 0; j < k; ++j)
-      B_n(i, j) = motions.B(i, j);
-  B_n.Tmmult(closing, B_n);
-  Sliding sliding = {Vector(k), 0., 0.};
-  const Matrix slides = projector_on(split(closing, 1e-14 * closing.trace()).null, k);
-  slides.vmult(sliding.v, v);
-  if (sliding.v.l2_norm() < 1e-6 * v.l2_norm())
-    return {};
-  sliding.v /= sliding.v.l2_norm();
-  Matrix others = slides;
-  others *= -1.;
-  others.diagadd(1.);
-  Balances balances = {B_n, Matrix(k, k), motions.b, Vector(m)};
-  if (balance(others, {}, balances).l2_norm() > 1e-9 * motions.b.l2_norm())
-    return {};
-  sliding.load = motions.b * sliding.v;
-  const AdmissibleSet K_P = K.at(balances.P);
-  Vector slip(2 * m);
-  motions.B.vmult(slip, sliding.v);
-  sliding.friction = K_P.dissipation(slip);
-  return sliding.load > sliding.friction ? std::optional(sliding) : std::nullopt;
-}
-
 namespace {
 /** Returns the sum of |B_i|²/C_ii, columns of B having norm one, as if all patches were like the
  * one that sees most of the motions: one column of C suffices. */
@@ -340,6 +310,57 @@ Vector on_springs(const Vector &F, const Balances &balances, const double stiffn
 }
 } // namespace
 
+namespace {
+/**
+ * Returns the steady sliding that the loads keep up, if a single motion slides: with the body far
+ * ahead of where it was, all patches slip, and the other motions balance.
+ */
+std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOperator> &C,
+                                      const Vector &F, const FreeMotions &motions,
+                                      const DualSolverOptions &options) {
+  constexpr double far = 100.;
+  const unsigned int k = motions.b.size(), m = F.size() / 2;
+  if (motions.admissible.size() == 0)
+    return {};
+  Matrix B_n(m, k), closing(k, k);
+  for (unsigned int i = 0; i < m; ++i)
+    for (unsigned int j = 0; j < k; ++j)
+      B_n(i, j) = motions.B(i, j);
+  B_n.Tmmult(closing, B_n);
+  const Splitting split_motions = split(closing, 1e-14 * closing.trace());
+  const Matrix &others = split_motions.rest;
+  if (split_motions.null.n() != 1)
+    return {};
+  Sliding sliding = {Vector(k), 0., 0.};
+  for (unsigned int j = 0; j < k; ++j)
+    sliding.v[j] = split_motions.null(j, 0);
+  sliding.load = motions.b * sliding.v;
+  sliding.v *= sliding.load < 0. ? -1. : 1.;
+  sliding.load = std::abs(sliding.load);
+  FreeMotions rest = {Matrix(2 * m, others.n()),
+                      Matrix(others.n(), others.n()),
+                      Vector(others.n()),
+                      {},
+                      motions.admissible};
+  Vector slip(2 * m), moved(F);
+  motions.B.vmult(slip, sliding.v);
+  moved.add(-far * F.linfty_norm() / slip.linfty_norm(), slip);
+  if (others.n() > 0) {
+    motions.B.mmult(rest.B, others);
+    rest.K.triple_product(motions.K, others, others, true);
+    others.Tvmult(rest.b, motions.b);
+  }
+  const MotionResult found = solve_dual_problem(C, moved, rest, {}, options);
+  sliding.friction = -(found.qp.P * slip);
+  // Where a patch does not slip, the body turns about it.
+  const double limit = motions.admissible.at(found.qp.P).dissipation(slip);
+  return found.qp.converged && sliding.friction > (1. - 1e-9) * limit &&
+             sliding.friction < sliding.load
+           ? std::optional(sliding)
+           : std::nullopt;
+}
+} // namespace
+
 MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C, const Vector &F,
                                 const FreeMotions &motions, const Vector &start,
                                 const DualSolverOptions &options) {
@@ -359,6 +380,8 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   result.unseen = reduced.unseen;
   result.escape = reduced.escape;
   result.qp.converged = nothing_happens;
+  if (reduced.escape)
+    result.sliding = steady_sliding(C, F, motions, options);
   if (reduced.escape || nothing_happens)
     return result;
   const bool needs_start = start.size() == 0 && !C->is_explicit() && motions.admissible.size() == 0;
@@ -367,6 +390,10 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
                        options, reduced.balances);
   if (reduced.balances.size() > 0)
     reduced.T.vmult(result.q, result.qp.z);
+  if (!result.qp.converged)
+    result.sliding = steady_sliding(C, F, motions, options);
+  if (result.sliding)
+    result.escape = result.sliding->v;
   return result;
 }
 

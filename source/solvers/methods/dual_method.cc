@@ -105,9 +105,9 @@ void refuse_undetermined(const Parameters &parameters, const MotionModes<2> &mod
 [[noreturn]] void refuse_escape(const Parameters &parameters,
                                 const Discretization<2> &discretization,
                                 const MotionModes<2> &modes, const FreeMotions &motions,
-                                const Vector &v) {
+                                const Vector &v, const std::optional<Sliding> &sliding) {
   const RigidMotion motion = rigid_part(modes, v);
-  if (const auto sliding = sliding_part(motions, v)) {
+  if (sliding) {
     const RigidMotion along = rigid_part(modes, sliding->v);
     const double unit = std::max(along.translation.norm(), std::abs(along.rotation) / along.size);
     throw InputError(parameters.boundary.where + ": the body slides " + along.direction() +
@@ -254,7 +254,8 @@ private:
     const MotionResult found = solve_dual_problem(dual.C, dual.F, dual.motions, start, options);
     if constexpr (dim == 2)
       if (found.escape)
-        refuse_escape(parameters_, discretization, state.modes, dual.motions, *found.escape);
+        refuse_escape(parameters_, discretization, state.modes, dual.motions, *found.escape,
+                      found.sliding);
     if constexpr (dim == 2)
       if (state.modes.size() > 0 &&
           std::any_of(dual.F.begin(), dual.F.end(), [](const double F_k) { return F_k < 0.; }))

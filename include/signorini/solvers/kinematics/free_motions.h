@@ -63,16 +63,12 @@ struct ReducedMotions {
   std::vector<Vector> unseen;
 };
 
-/** A motion along which all contact sides slide, and what resists it (work per unit of q). */
+/** Steady sliding: a motion v along which all contact sides slide, the work of the loads in it, and
+ * that of friction, which takes less. */
 struct Sliding {
   dealii::Vector<double> v;
-  /** The work of the loads, and the most that friction can take. */
   double load, friction;
 };
-
-/** Returns the part of an escape that slides, if the loads are in balance without it; nothing for a
- * body that tips over or lifts off, and without friction. */
-std::optional<Sliding> sliding_part(const FreeMotions &motions, const dealii::Vector<double> &v);
 
 /** The solution of a dual problem with free motions, or the reason why there is none. */
 struct MotionResult {
@@ -80,9 +76,12 @@ struct MotionResult {
   QPResult qp;
   /** The k motions. */
   dealii::Vector<double> q;
-  /** See ReducedMotions. */
+  /** See ReducedMotions. With friction the cone is larger than what elastic patches carry, so that
+   * a body that slides may be seen later: then this is the motion of its sliding. */
   std::optional<dealii::Vector<double>> escape;
   std::vector<dealii::Vector<double>> unseen;
+  /** With friction: the sliding of a body that escapes along its contact sides. */
+  std::optional<Sliding> sliding;
 };
 
 /**
