@@ -232,7 +232,7 @@ Json describe(const LevelRecord &level, const Judge &judge) {
                {"linear_residual", level.linear.residual},
                {"rounding_error", rounding(level)},
                {"residual_bound", judge.residual_bound(level)},
-               {"unique", level.dual.unique},
+               {"unique", level.friction ? Json(nullptr) : Json(level.dual.unique)},
                {"contact_solver_replaced", level.dual.active_set_failure.has_value() ||
                                              level.dual.stalled.has_value() ||
                                              level.dual.failure_of_cycles.has_value()},

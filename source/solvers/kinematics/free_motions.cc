@@ -312,12 +312,14 @@ Vector on_springs(const Vector &F, const Balances &balances, const double stiffn
 
 namespace {
 /**
- * Returns the steady sliding that the loads keep up, if a single motion slides: with the body far
- * ahead of where it was, all patches slip, and the other motions balance.
+ * Returns the steady sliding that the loads keep up, if a single motion slides along the patches
+ * that press: with the body far ahead of where it was, all of them slip, and the other motions
+ * balance.
+ * @param presses P of the patches along which it may slide.
  */
 std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOperator> &C,
                                       const Vector &F, const FreeMotions &motions,
-                                      const DualSolverOptions &options) {
+                                      const DualSolverOptions &options, const Vector &presses) {
   constexpr double far = 100.;
   const unsigned int k = motions.b.size(), m = F.size() / 2;
   if (motions.admissible.size() == 0)
@@ -325,7 +327,7 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
   Matrix B_n(m, k), closing(k, k);
   for (unsigned int i = 0; i < m; ++i)
     for (unsigned int j = 0; j < k; ++j)
-      B_n(i, j) = motions.B(i, j);
+      B_n(i, j) = presses[i] < 0. ? motions.B(i, j) : 0.;
   B_n.Tmmult(closing, B_n);
   const Splitting split_motions = split(closing, 1e-14 * closing.trace());
   const Matrix &others = split_motions.rest;
@@ -380,8 +382,11 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   result.unseen = reduced.unseen;
   result.escape = reduced.escape;
   result.qp.converged = nothing_happens;
-  if (reduced.escape)
-    result.sliding = steady_sliding(C, F, motions, options);
+  if (reduced.escape) {
+    Vector all(m);
+    all = -1.;
+    result.sliding = steady_sliding(C, F, motions, options, all);
+  }
   if (reduced.escape || nothing_happens)
     return result;
   const bool needs_start = start.size() == 0 && !C->is_explicit() && motions.admissible.size() == 0;
@@ -390,10 +395,14 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
                        options, reduced.balances);
   if (reduced.balances.size() > 0)
     reduced.T.vmult(result.q, result.qp.z);
-  if (!result.qp.converged)
-    result.sliding = steady_sliding(C, F, motions, options);
-  if (result.sliding)
-    result.escape = result.sliding->v;
+  if (!result.qp.converged && motions.admissible.size() > 0) {
+    // Sweeps follow the body while it slides.
+    const BoundConstrainedQP qp(C, F, options.K, reduced.balances);
+    const Vector drifting = solve_by_psor(qp, {}, {options.tolerance, 2000, 1., {}}).P;
+    result.sliding = steady_sliding(C, F, motions, options, drifting);
+    if (result.sliding)
+      result.escape = result.sliding->v;
+  }
   return result;
 }
 

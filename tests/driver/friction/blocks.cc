@@ -124,6 +124,20 @@ void test_solvers(Checks &checks) {
   }
 }
 
+/** With f up to 7.5 sets come back from the first beginning, and others find a solution. */
+void test_large_coefficient(Checks &checks) {
+  const LevelSolution<2> found =
+    OneLevel("Material/Poisson's ratio = 0.45\nBoundary/Clamped = left\n"
+             "Boundary/Traction = top: 0.0198; -0.0391\nBoundary/Contact = bottom right\n"
+             "Contact/Gap = 0.02*x*x\nContact/Friction = coulomb\n"
+             "Contact/Friction coefficient = 5*(1+0.5*sin(3*x))\n"
+             "Contact/Foundation shift = -0.0062\nLoad/Body force = -0.0167; -0.0289\n"
+             "Discretization/Patch ratio = 3\n",
+             3)
+      .solve();
+  checks.between("large f: KKT residual", found.record.dual.kkt, 0., 1e-13);
+}
+
 /** Constant strain: u = (0.05 (1-y), 0.125 (1-y)), sticking and slipping, exact on every partition.
  */
 void test_patch(Checks &checks) {
@@ -179,6 +193,18 @@ void test_free_bodies(Checks &checks) {
   checks.throws<InputError>("Tresca: it slides",
                             "friction carries at most 0.003, the loads pull with",
                             [&]() { block(shallow, tresca("0.003")); });
+  // The cone of patches where f is large could carry the loads, but the body presses elsewhere.
+  checks.throws<InputError>(
+    "it slides off a wall", "the body slides along (-1, 0): friction carries at most 0.0677571",
+    []() {
+      OneLevel(
+        "Geometry/Upper right = 2, 1\nGeometry/Cells = 2, 1\nBoundary/Contact = bottom right\n"
+        "Boundary/Traction = top: -0.0199; -0.0311\nLoad/Body force = -0.0183; -0.0270\n"
+        "Contact/Friction = coulomb\nDiscretization/Patch ratio = 3\n"
+        "Contact/Friction coefficient = 0.5*(1+0.5*sin(3*x))\n",
+        3)
+        .solve();
+    });
   checks.throws<InputError>("the mesh is too coarse", "forces in its middle only",
                             [&]() { block(steep, coulomb("1")); });
   checks.throws<InputError>("it tips", "(it tips over)", [&]() { block("0.84", coulomb("2")); });
@@ -250,5 +276,6 @@ void test_no_friction(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_references, test_displacements, test_published, test_solvers, test_patch,
-                    test_free_bodies, test_three_solutions, test_no_friction});
+                    test_large_coefficient, test_free_bodies, test_three_solutions,
+                    test_no_friction});
 }
