@@ -157,6 +157,7 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters, const Scene<dim> &sc
                               MPI_Comm communicator)
   : n_coarse_cells_(scene.geometry.n_coarse_cells)
   , n_contact_sides_(static_cast<double>(scene.contact_sides().size()))
+  , n_components_(scene.friction == Friction::none ? 1. : 2.)
   , given_(parameters.discretization)
   , solvers_(choose_solvers(parameters, scene, parameters.discretization.finest_level,
                             Utilities::MPI::n_mpi_processes(communicator)))
@@ -214,8 +215,8 @@ double MemoryLimit<dim>::needed(const unsigned int level) const {
   // A cell of degree two has the unknowns of 2^dim cells of degree one.
   const double degree = given_.element == Element::q2 ? 2. : 1.;
   return sparse_bytes<dim>(std::pow(degree, dim) * n_cells(level)) +
-         dense_bytes(n_patches(level), dim * std::pow(degree, dim - 1.) * n_contact_faces(level),
-                     condensed_);
+         dense_bytes(n_components_ * n_patches(level),
+                     dim * std::pow(degree, dim - 1.) * n_contact_faces(level), condensed_);
 }
 
 template <int dim>

@@ -230,6 +230,8 @@ private:
   double n_coarse_cells_;
   double n_coarse_contact_faces_ = 0.;
   double n_contact_sides_;
+  /** The unknowns of a patch. */
+  double n_components_;
   const DiscretizationParameters &given_;
   /** The solvers, and whether the factor holds the dense Schur complement of the contact unknowns.
    */
