@@ -195,15 +195,14 @@ Vector balance(const Matrix &projector, const AdmissibleSet &K, Balances &balanc
 Vector balance_in_intervals(const Matrix &projector, const AdmissibleSet &K, Balances &balances) {
   constexpr double small = 1e-12;
   const unsigned int m = balances.P.size();
-  Matrix C(m, m), B_projected(m, balances.size());
-  balances.B.mmult(B_projected, projector);
-  B_projected.mTmult(C, balances.B);
+  Matrix C(m, m);
+  C.triple_product(projector, balances.B, balances.B, false, true);
   C.diagadd(small * C.trace());
   Vector F(m), left(balances.size()), rest(balances.b);
-  B_projected.vmult(F, balances.b);
+  projector.vmult(left, balances.b);
+  balances.B.vmult(F, left);
   F *= -1.;
-  const BoundConstrainedQP qp(std::make_shared<const DenseCompliance>(C), F, K);
-  balances.P = solve_by_active_set(qp, {}, {}).P;
+  balances.P = solve_by_active_set({std::make_shared<const DenseCompliance>(C), F, K}, {}, {}).P;
   balances.B.Tvmult_add(rest, balances.P);
   projector.vmult(left, rest);
   return left;
@@ -308,9 +307,7 @@ Vector on_springs(const Vector &F, const Balances &balances, const double stiffn
     springs(i, i) = largest > 0. ? std::max(springs(i, i), 0.01 * largest) : 1.;
   return solve_by_active_set(BoundConstrainedQP(springs, F, balances), {}, {}).P;
 }
-} // namespace
 
-namespace {
 /**
  * Returns the steady sliding that the loads keep up, if a single motion slides along the patches
  * that press: with the body far ahead of where it was, all of them slip, and the other motions
@@ -324,11 +321,11 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
   const unsigned int k = motions.b.size(), m = F.size() / 2;
   if (motions.admissible.size() == 0)
     return {};
-  Matrix B_n(m, k), closing(k, k);
+  Matrix closing(k, k);
   for (unsigned int i = 0; i < m; ++i)
     for (unsigned int j = 0; j < k; ++j)
-      B_n(i, j) = presses[i] < 0. ? motions.B(i, j) : 0.;
-  B_n.Tmmult(closing, B_n);
+      for (unsigned int l = 0; l < k && presses[i] < 0.; ++l)
+        closing(j, l) += motions.B(i, j) * motions.B(i, l);
   const Splitting split_motions = split(closing, 1e-14 * closing.trace());
   const Matrix &others = split_motions.rest;
   if (split_motions.null.n() != 1)
@@ -339,15 +336,12 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
   sliding.load = motions.b * sliding.v;
   sliding.v *= sliding.load < 0. ? -1. : 1.;
   sliding.load = std::abs(sliding.load);
-  FreeMotions rest = {Matrix(2 * m, others.n()),
-                      Matrix(others.n(), others.n()),
-                      Vector(others.n()),
-                      {},
-                      motions.admissible};
+  const unsigned int n = others.n();
+  FreeMotions rest = {Matrix(2 * m, n), Matrix(n, n), Vector(n), {}, motions.admissible};
   Vector slip(2 * m), moved(F);
   motions.B.vmult(slip, sliding.v);
   moved.add(-far * F.linfty_norm() / slip.linfty_norm(), slip);
-  if (others.n() > 0) {
+  if (n > 0) {
     motions.B.mmult(rest.B, others);
     rest.K.triple_product(motions.K, others, others, true);
     others.Tvmult(rest.b, motions.b);
@@ -356,10 +350,8 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
   sliding.friction = -(found.qp.P * slip);
   // Where a patch does not slip, the body turns about it.
   const double limit = motions.admissible.at(found.qp.P).dissipation(slip);
-  return found.qp.converged && sliding.friction > (1. - 1e-9) * limit &&
-             sliding.friction < sliding.load
-           ? std::optional(sliding)
-           : std::nullopt;
+  const bool slides = found.qp.converged && sliding.friction > (1. - 1e-9) * limit;
+  return slides && sliding.friction < sliding.load ? std::optional(sliding) : std::nullopt;
 }
 } // namespace
 
@@ -397,21 +389,12 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
     reduced.T.vmult(result.q, result.qp.z);
   if (!result.qp.converged && motions.admissible.size() > 0) {
     // Sweeps follow the body while it slides.
-    const BoundConstrainedQP qp(C, F, options.K, reduced.balances);
-    const Vector drifting = solve_by_psor(qp, {}, {options.tolerance, 2000, 1., {}}).P;
+    const Vector drifting =
+      solve_by_psor({C, F, options.K, reduced.balances}, {}, {options.tolerance, 2000, 1., {}}).P;
     result.sliding = steady_sliding(C, F, motions, options, drifting);
     if (result.sliding)
       result.escape = result.sliding->v;
   }
   return result;
-}
-
-std::optional<Regularity> examine_regularity(const std::shared_ptr<const ComplianceOperator> &C,
-                                             const FreeMotions &motions, const AdmissibleSet &K,
-                                             const Vector &P) {
-  Balances balances;
-  if (motions.b.size() > 0)
-    balances = ReducedMotions(motions, P.size(), contact_stiffness(*C, motions.B)).balances;
-  return examine_regularity(BoundConstrainedQP(C, Vector(P.size()), K, balances), P);
 }
 } // namespace Signorini
