@@ -32,6 +32,8 @@ std::string describe_boundary(const Scene<dim> &scene) {
   }
   if (!plates.empty())
     parts.push_back("plates " + join(plates, " "));
+  if (scene.friction != Friction::none)
+    parts.push_back("friction " + to_text(scene.friction));
   if (scene.is_held_by_contact)
     parts.emplace_back("held by contact");
   return join(parts, "; ");
