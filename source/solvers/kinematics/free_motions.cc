@@ -319,8 +319,6 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
                                       const DualSolverOptions &options, const Vector &presses) {
   constexpr double far = 100.;
   const unsigned int k = motions.b.size(), m = F.size() / 2;
-  if (motions.admissible.size() == 0)
-    return {};
   Matrix closing(k, k);
   for (unsigned int i = 0; i < m; ++i)
     for (unsigned int j = 0; j < k; ++j)
@@ -374,7 +372,7 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   result.unseen = reduced.unseen;
   result.escape = reduced.escape;
   result.qp.converged = nothing_happens;
-  if (reduced.escape) {
+  if (reduced.escape && motions.admissible.size() > 0) {
     Vector all(m);
     all = -1.;
     result.sliding = steady_sliding(C, F, motions, options, all);

@@ -114,7 +114,7 @@ public:
   static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
 private:
-  using LineIterator = Triangulation<2>::active_line_iterator;
+  using LineIterator = Triangulation<2>::line_iterator;
 
   /** Returns the number of the edge of a line, a new one if there is none. */
   unsigned int find_edge(const LineIterator &line, const Scene<2> &scene);
