@@ -136,8 +136,7 @@ void add_bound(const Discretization<2> &discretization, LevelSolution<2> &soluti
     const double work = work_of_plates(record);
     located = compute_located_bound(
       {discretization.space, solution.scene, discretization.multipliers, solution.U, solution.P,
-       discretization.n_points, *solution.inverse, discretization.condensed_D, discretization.G,
-       record.certificate.energy + work});
+       *solution.inverse, discretization.condensed_D, record.certificate.energy + work});
     for (std::optional<double> *const energy :
          {&located.bound.energy_lower, &located.bound.energy_upper})
       if (*energy)

@@ -109,14 +109,10 @@ void ContactTrace::find_faces(const std::vector<FaceField> &fields) {
   const ContactSurface<2> &surface = data_.multipliers.surface();
   for (std::size_t i = 0; i < surface.faces().size(); ++i)
     faces_.push_back(make_face(surface.faces()[i], fields[i]));
-  const double threshold = pressing_threshold(data_.P);
+  const std::vector<bool> presses = pressing_patches(data_.multipliers, data_.P);
   for (const Piece<2> &piece : surface.pieces()) {
     const auto [from, to] = std::minmax(piece.lower_on_face[0], piece.upper_on_face[0]);
-    bool presses = true;
-    for (unsigned int k = data_.multipliers.first_of(piece.patch);
-         k < data_.multipliers.first_of(piece.patch + 1); ++k)
-      presses = presses && data_.P[k] < threshold;
-    faces_[piece.face].pressures.push_back({from, to, presses});
+    faces_[piece.face].pressures.push_back({from, to, presses[piece.patch]});
   }
 }
 

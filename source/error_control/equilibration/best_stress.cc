@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The global minimisation over tractions on edges.
+// The steps of the best stress, and the sums of its bound.
 
 #include <signorini/base/parallel.h>
 #include <signorini/error_control/equilibration/best_stress.h>
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/loads/oscillation.h>
-#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/problem/scene/corners.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -14,17 +13,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace Signorini {
 namespace {
 /** What may be lacking, relative to the largest trace. */
 constexpr double largest_lacking = 1e-9;
-
-double norm_of(const std::vector<double> &norms) {
-  return std::sqrt(std::inner_product(norms.begin(), norms.end(), norms.begin(), 0.));
-}
-
 } // namespace
 
 std::string BestStress::objection(const BoundData &data) {
@@ -41,12 +34,10 @@ BestStress::BestStress(const BoundData &data)
   , stress_mesh_(data_)
   , fitter_(data_)
   , lift_(lift_of(data_))
-  , lift_norms_(add_lift(data_, lift_, 0, {}, nullptr)) {
+  , lift_norms_(stress_mesh_.is_own() ? Vector() : add_lift(data_, lift_, 0, {}, nullptr)) {
   bool is_balanced = true;
   do {
-    do
-      set_up();
-    while (resolve_loads(likely_misfit(), !stress_mesh_.is_own() || !stress_mesh_.is_aligned()));
+    set_up();
     do {
       lacking_ = minimise(*mesh_, fits_, conditions_,
                           fields_ ? fields_->u_h.moments : Vector(x_.size()), x_);
@@ -69,12 +60,27 @@ double BestStress::likely_misfit() const {
   if (!data_.space.mesh().has_parents())
     return std::numeric_limits<double>::infinity();
   // Where cells of u_h are no parts of cells of the stress, osc_K counts with |||u_h|||_K.
-  const double distance = fields_->distance();
+  const double distance = fields_->distances.l2_norm();
   return 0.03 * distance *
          (stress_mesh_.is_aligned() ? 1. : 5. * distance / std::sqrt(fields_->u_h.strain));
 }
 
 void BestStress::set_up() {
+  const bool is_own = stress_mesh_.is_own();
+  bool has_integrals = false;
+  do {
+    prepare_mesh();
+    // The distance of u_h to π^{2h} u_h, which the loads are compared with, is the same on all
+    // meshes.
+    has_integrals = is_own && !fields_;
+    if (has_integrals)
+      integrate_u();
+  } while (resolve_loads(likely_misfit(), !is_own || !stress_mesh_.is_aligned()));
+  if (is_own && !has_integrals)
+    integrate_u();
+}
+
+void BestStress::prepare_mesh() {
   mesh_.emplace(stress_mesh_, data_.scene);
   cells_.clear();
   for (const auto &cell : stress_mesh_.triangulation().active_cell_iterators())
@@ -88,8 +94,6 @@ void BestStress::set_up() {
   for (TractionCondition &condition : conditions_)
     condition.weight = penalty_of(fits_[0]) * fits_[0].size * fits_[0].size * condition.row.size() /
                        std::pow(condition.norm(), 2);
-  if (stress_mesh_.is_own())
-    integrate_u();
 }
 
 void BestStress::fit_cells() {
@@ -145,7 +149,7 @@ void BestStress::integrate_u() {
       return f;
     };
   const CellField u(data_.space.dofs().begin_active(), data_.U);
-  fields_ = integrate_fields(data_, *mesh_, u.on_face(0, 0.), force);
+  fields_ = integrate_fields(data_, *mesh_, lift_, u.on_face(0, 0.), force);
 }
 
 double BestStress::misfit(const std::size_t cell) const {
@@ -154,11 +158,16 @@ double BestStress::misfit(const std::size_t cell) const {
   return fit.size * std::sqrt(fit.rest * fit.rest + std::max(0., y * fit.airy->multiply(y)));
 }
 
+double BestStress::misfit_square() const {
+  double square = 0.;
+  for (std::size_t c = 0; c < fits_.size(); ++c)
+    square += std::pow(misfit(c), 2);
+  return square;
+}
+
 double BestStress::distance(const FieldIntegrals &v) const {
   auto [square, size] = v.without_stress(x_);
-  double stress = 0.;
-  for (std::size_t c = 0; c < fits_.size(); ++c)
-    stress += std::pow(misfit(c), 2);
+  const double stress = misfit_square();
   // The terms cancel, up to rounding and what cells lack of balance.
   constexpr double rounding = 1e-14;
   square = std::max(0., square + stress) + (rounding + lacking_) * (size + stress);
@@ -192,12 +201,7 @@ double BestStress::oscillation(const std::size_t cell) const {
 }
 
 double BestStress::total_misfit() const {
-  if (fields_)
-    return distance(fields_->u_h);
-  double square = 0.;
-  for (std::size_t c = 0; c < fits_.size(); ++c)
-    square += std::pow(misfit(c), 2);
-  return std::sqrt(square);
+  return fields_ ? distance(fields_->u_h) : std::sqrt(misfit_square());
 }
 
 bool BestStress::resolve_loads(const double total, const bool by_degree) {
@@ -219,7 +223,7 @@ void BestStress::add_own(StressBound &result) const {
   result.oscillation_square = rest * rest;
   result.geometry_square = geometry * geometry;
   result.complementary_energy = complementary_energy();
-  const double whole = fields_->distance();
+  const double whole = fields_->distances.l2_norm();
   for (const double norm : fields_->distances) {
     const double share = whole > 0. ? norm / whole : 1. / std::sqrt(fields_->distances.size());
     result.misfit.push_back(share * mesh);
@@ -286,7 +290,7 @@ StressBound BestStress::bound() const {
   StressBound result;
   result.algebra = lacking_;
   result.lift_misfit = lift_.max_misfit();
-  result.lift = norm_of(lift_norms_);
+  result.lift = fields_ ? fields_->u_h.lift : lift_norms_.l2_norm();
   if (stress_mesh_.is_own()) {
     add_own(result);
     return result;

@@ -3,7 +3,6 @@
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/cell_fit.h>
-#include <signorini/error_control/loads/oscillation.h>
 #include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -52,17 +51,14 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
   for (unsigned int k = 0; k < 4; ++k)
     for (const TrianglePart &part : parts[k]) {
       const Triangle &x = part.corners;
-      const auto place = [&](const unsigned int q) {
-        return x[0] + rule.point(q)[0] * (x[1] - x[0]) + rule.point(q)[1] * (x[2] - x[0]);
-      };
       // Where the law is not resolved, the energy of stresses is taken from above.
       std::optional<Law> softest = law;
       for (unsigned int q = 0; q < rule.size() && !part.resolved; ++q)
-        if (const Law here(material.hooke(place(q)));
+        if (const Law here(material.hooke(point_of(x, rule.point(q))));
             !softest || here.compliance.norm() > softest->compliance.norm())
           softest = here;
       for (unsigned int q = 0; q < rule.size(); ++q) {
-        const Point<2> at = place(q);
+        const Point<2> at = point_of(x, rule.point(q));
         AiryPoint &point = points[k].emplace_back();
         point.reference = shape.reference(at - shape.corners[0]);
         point.on_diagonals = Point<2>(inverse * (at - shape.crossing));

@@ -142,13 +142,11 @@ void BestStress::give_contact() {
   contact_edges_.clear();
   for (const ContactFace<2> &face : surface.faces())
     contact_edges_.push_back(mesh_->edge_at(face.cell, face.face_no));
-  const double threshold = pressing_threshold(data_.P);
+  const std::vector<bool> patch_presses = pressing_patches(data_.multipliers, data_.P);
   std::map<unsigned int, bool> presses;
   for (const Piece<2> &piece : surface.pieces()) {
     bool &on_edge = presses.emplace(contact_edges_[piece.face], true).first->second;
-    for (unsigned int k = data_.multipliers.first_of(piece.patch);
-         k < data_.multipliers.first_of(piece.patch + 1); ++k)
-      on_edge = on_edge && data_.P[k] < threshold;
+    on_edge = on_edge && patch_presses[piece.patch];
   }
   // Next to an edge that is open the best traction would pull.
   std::map<unsigned int, bool> is_free = presses;

@@ -23,8 +23,7 @@ struct Chunk {
 void add_points(const Quadrature<2> &rule, const Triangle &x, const CellShape &shape,
                 std::vector<Point<2>> &points, std::vector<double> &weights) {
   for (unsigned int q = 0; q < rule.size(); ++q) {
-    points.push_back(shape.reference((x[0] - shape.corners[0]) + rule.point(q)[0] * (x[1] - x[0]) +
-                                     rule.point(q)[1] * (x[2] - x[0])));
+    points.push_back(shape.reference(point_of(x, rule.point(q)) - shape.corners[0]));
     weights.push_back(rule.weight(q) * twice_area(x));
   }
 }
@@ -33,8 +32,8 @@ void add_points(const Quadrature<2> &rule, const Triangle &x, const CellShape &s
  * parallelograms. A load that is integrated itself is sampled as densely as elsewhere. */
 unsigned int n_points(const BoundData &data, const unsigned int n_fields) {
   const unsigned int n = (data.space.element().degree << (n_fields - 1)) + 1;
-  const bool is_nested = !data.space.mesh().is_curved() && data.scene.geometry.distortion == 0.;
-  if (is_nested || data.scene.body_force == nullptr || is_constant(*data.scene.body_force))
+  if (StressMesh::aligns(data) || data.scene.body_force == nullptr ||
+      is_constant(*data.scene.body_force))
     return n;
   const double n_cells = data.space.mesh().triangulation().n_active_cells();
   return std::max<unsigned int>(n, std::min(32., std::sqrt(5e5 / n_cells)));
@@ -62,16 +61,15 @@ public:
 
   void add(const DoFHandler<2>::active_cell_iterator &cell, Chunk &chunk) {
     values_.reinit(cell);
-    const std::array<Point<2>, 4> corners = corners_of(cell);
+    const CellShape shape(corners_of(cell));
     double distance = 0.;
     if (is_constant_ || !(needs_cuts<2>(data_.scene.kinks, cell) ||
-                          sampling_.varies_in(corners, values_.get_quadrature_points())))
+                          sampling_.varies_in(shape.corners, values_.get_quadrature_points())))
       distance = add(cell, values_, values_.get_JxW_values(), true, chunk);
     else
-      for (const auto &triangle :
-           triangle_parts(CellShape(corners), data_.scene.kinks.lines(), &sampling_))
+      for (const auto &triangle : triangle_parts(shape, data_.scene.kinks.lines(), &sampling_))
         for (const TrianglePart &part : triangle)
-          distance += add(cell, CellShape(corners), part, chunk);
+          distance += add(cell, shape, part, chunk);
     chunk.distances.emplace_back(cell->active_cell_index(), std::sqrt(distance));
   }
 
@@ -220,10 +218,10 @@ PrescribedLift lift_of(const BoundData &data, const std::map<unsigned int, Tenso
   return PrescribedLift(data, data.space.mesh().triangulation().n_active_cells(), edges);
 }
 
-std::vector<double> add_lift(const BoundData &data, const PrescribedLift &lift,
-                             const unsigned int n_generations, const CellForce &force,
-                             FieldIntegrals *const field) {
-  std::vector<double> norms(lift.cells().size(), 0.);
+dealii::Vector<double> add_lift(const BoundData &data, const PrescribedLift &lift,
+                                const unsigned int n_generations, const CellForce &force,
+                                FieldIntegrals *const field) {
+  dealii::Vector<double> norms(lift.cells().size());
   const Quadrature<2> rule = triangle_rule(16);
   for (const auto &cell : data.space.dofs().active_cell_iterators()) {
     const unsigned int number = cell->active_cell_index();
@@ -263,17 +261,18 @@ std::vector<double> add_lift(const BoundData &data, const PrescribedLift &lift,
       field->load += weights[q] * (f[q] * lift.value(number, points[q]));
     }
     norms[number] = std::sqrt(square);
-    if (field != nullptr)
-      field->lift = std::hypot(field->lift, norms[number]);
   }
+  if (field != nullptr)
+    field->lift = norms.l2_norm();
   return norms;
 }
 
 FieldsOfLevel integrate_fields(const BoundData &data, const TractionMesh &mesh,
-                               const Tensor<1, 2> &translation, const CellForce &force) {
+                               const PrescribedLift &lift, const Tensor<1, 2> &translation,
+                               const CellForce &force) {
   FieldsOfLevel fields;
   fields.translation = translation;
-  fields.distances.resize(data.space.mesh().triangulation().n_active_cells());
+  fields.distances.reinit(data.space.mesh().triangulation().n_active_cells());
   integrate_by_chunks<Chunk, 2>(
     data.space,
     [&](const Cells<2> &cells) {
@@ -300,7 +299,7 @@ FieldsOfLevel integrate_fields(const BoundData &data, const TractionMesh &mesh,
   }
   Utilities::MPI::sum(fields.distances, communicator, fields.distances);
   integrate_boundary(data, mesh, translation, fields);
-  add_lift(data, lift_of(data), 0, force, &fields.u_h);
+  add_lift(data, lift, 0, force, &fields.u_h);
   if (data.space.mesh().has_parents())
     add_lift(data, lift_of(data, fields.bubbles), 1, force, &fields.post);
   return fields;

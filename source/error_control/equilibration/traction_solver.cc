@@ -99,21 +99,17 @@ private:
   void factorise() {
     std::vector<int> start = {0}, column;
     std::vector<double> value;
+    std::vector<std::pair<int, double>> row;
     for (unsigned int i = 0; i < n_unknowns_; ++i) {
+      row.clear();
+      for (auto entry = matrix_.begin(i); entry != matrix_.end(i); ++entry)
+        row.emplace_back(entry->column(), entry->value());
       // deal.II puts the diagonal first.
-      const std::size_t begin = column.size();
-      for (auto entry = ++matrix_.begin(i); entry != matrix_.end(i); ++entry) {
-        if (entry->column() > i &&
-            (column.size() == begin || column.back() < static_cast<int>(i))) {
-          column.push_back(i);
-          value.push_back(matrix_.diag_element(i));
-        }
-        column.push_back(entry->column());
-        value.push_back(entry->value());
-      }
-      if (column.size() == begin || column.back() < static_cast<int>(i)) {
-        column.push_back(i);
-        value.push_back(matrix_.diag_element(i));
+      std::rotate(row.begin(), row.begin() + 1,
+                  std::lower_bound(row.begin() + 1, row.end(), row.front()));
+      for (const auto &[j, entry] : row) {
+        column.push_back(j);
+        value.push_back(entry);
       }
       start.push_back(column.size());
     }

@@ -170,11 +170,9 @@ void add_contact_misfit(const DisplacementSpace<2> &space, const MultiplierSpace
                         std::vector<CellIndicator> &indicators) {
   const ContactSurface<2> &surface = multipliers.surface();
   TraceValues<2> traces(space);
-  const double threshold = pressing_threshold(P);
+  const std::vector<bool> presses = pressing_patches(multipliers, P);
   for (const Piece<2> &piece : surface.pieces()) {
-    const auto P_of_patch = P.begin() + multipliers.first_of(piece.patch);
-    if (std::any_of(P_of_patch, P_of_patch + multipliers.n_of(piece.patch),
-                    [&](const double P_k) { return P_k >= threshold; }))
+    if (!presses[piece.patch])
       continue;
     const ContactFace<2> &face = surface.faces()[piece.face];
     const unsigned int p = space.element(face.cell).degree;

@@ -130,9 +130,6 @@ bool LawSampling::varies(const Samples &samples) {
 
 void LawSampling::divide(const Triangle &x, const Samples &samples, const double least,
                          std::vector<TrianglePart> &parts) const {
-  const auto at = [&x](const double first, const double second) {
-    return x[0] + first * (x[1] - x[0]) + second * (x[2] - x[0]);
-  };
   // Data may jump on the edges themselves.
   constexpr double inside = 1e-6;
   Samples here;
@@ -146,7 +143,7 @@ void LawSampling::divide(const Triangle &x, const Samples &samples, const double
   constexpr std::array<std::array<double, 2>, 7> places = {
     {{{a, a}}, {{1. - 2. * a, a}}, {{a, 1. - 2. * a}}, {{b, b}}, {{a, b}}, {{b, a}}, {{c, c}}}};
   for (const auto &place : places)
-    here.push_back(sample(at(place[0], place[1])));
+    here.push_back(sample(point_of(x, Point<2>(place[0], place[1]))));
   const bool is_resolved = !varies(here);
   unsigned int longest = 0;
   for (unsigned int k = 1; k < 3; ++k)

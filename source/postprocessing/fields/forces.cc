@@ -204,6 +204,15 @@ Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Pat
   return transferred;
 }
 
+std::vector<bool> pressing_patches(const MultiplierSpace<2> &multipliers, const Pressure &P) {
+  const double threshold = pressing_threshold(P);
+  std::vector<bool> presses(multipliers.surface().patches().size(), true);
+  for (unsigned int k = 0; k < P.size(); ++k)
+    if (!(P[k] < threshold))
+      presses[multipliers.patch_of(k)] = false;
+  return presses;
+}
+
 // The nodes of multipliers that press.
 
 std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers, const Pressure &P) {

@@ -179,7 +179,7 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
   add("Discretization/Element", discretization.element,
       "Q1: bilinear displacement. Q1 B-bar: its dilatation is averaged over cells, which keeps the "
       "order for nearly incompressible bodies (Poisson's ratio near 0.5), where plain Q1 locks. "
-      "Q2: biquadratic, stable with Patch ratio = 1, without a guaranteed bound.");
+      "Q2: biquadratic, stable with Patch ratio = 1.");
   add("Discretization/Patch ratio", discretization.patch_ratio,
       "H/h: faces per contact patch; where it does not divide the faces of a side, the last patch "
       "is the longer one.",

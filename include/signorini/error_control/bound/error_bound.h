@@ -12,16 +12,15 @@
 namespace Signorini {
 /**
  * A guaranteed bound of the error of u_h in the energy norm |||v||| = a(v,v)^{1/2}, from a stress
- * τ in equilibrium (EquilibratedStress) and a lift w of what penetrates (ContactLift):
+ * τ in equilibrium (BestStress) and a lift w of what penetrates (ContactLift):
  *
  *     |||u - u_h|||² ≤ Σ_K (‖σ(u_h) - τ‖_{E⁻¹,K} + osc_K)² + |||w|||²
- *                     + 2 ∫_{Γ_c} p_H (u_{h,n} - g - w_n).
+ *                     + 2 ∫_{Γ_c} τ_n (u_{h,n} - g - w_n).
  *
  * Where u_h only interpolates prescribed displacements, |||z|||_K is added to osc_K and |||z||| to
  * the bound (PrescribedLift).
  *
- * The same τ and another w bound the error of π^{2h} u_h. There τ_n, a linear function on
- * edges that press, takes the place of p_H.
+ * The same τ and another w bound the error of π^{2h} u_h.
  *
  * E is Hooke's tensor. Norms are roots of energies (force x length per thickness).
  */
@@ -40,13 +39,13 @@ struct ErrorBound {
   /** The parts of the bound for u_h: the first sum without oscillation, the oscillation of loads
    * and of prescribed displacements, and the contact part. */
   std::optional<double> mesh, oscillation, contact;
-  /** Whether the bound is guaranteed; on curved sides it is an estimate (EquilibratedStress). */
+  /** Whether the bound is guaranteed; on curved sides it is an estimate (BestStress). */
   bool guaranteed = true;
   /** The part that curved sides add, an estimate; 0 for straight sides. */
   std::optional<double> geometry;
   /** The geometry part as a share, like relative. */
   std::optional<double> relative_geometry;
-  /** The forces that the linear solver left unbalanced at nodes, relative to the forces there. */
+  /** What the tractions on a cell lack of balance, relative to the largest one. */
   std::optional<double> algebra;
   /** The bounds between which J(u) lies; none on curved sides. */
   std::optional<double> energy_lower, energy_upper;

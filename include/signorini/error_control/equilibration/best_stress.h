@@ -57,8 +57,10 @@ public:
   double change_of_force() const;
 
 private:
-  /** Makes everything for the present mesh of the stress. */
+  /** Finds a mesh of the stress on which loads are likely to be resolved, and integrates u_h. */
   void set_up();
+  /** Makes everything for the present mesh of the stress but the integrals of u_h. */
+  void prepare_mesh();
   void give_tractions();
   void give_contact();
   /** Sets the coefficients of an edge to those of p_H, without positive coefficients of Bernstein.
@@ -71,7 +73,11 @@ private:
    * @param by_degree whether degrees may rise.
    * @return whether there is a change. */
   bool resolve_loads(double total, bool by_degree);
+  /** Returns ‖σ(u_h) - τ‖_K, or ‖τ‖_K on a mesh of its own. */
   double misfit(std::size_t cell) const;
+  /** Returns the sum of the squares of that. */
+  double misfit_square() const;
+  /** Returns ‖σ(u_h) - τ‖. */
   double total_misfit() const;
   /** Returns ‖σ(v) - τ‖, on a mesh of its own. */
   double distance(const FieldIntegrals &v) const;
@@ -93,7 +99,8 @@ private:
   StressMesh stress_mesh_;
   CellFitter fitter_;
   PrescribedLift lift_;
-  std::vector<double> lift_norms_;
+  /** The norms |||z|||_K by cell of a graded mesh. */
+  Vector lift_norms_;
   std::optional<TractionMesh> mesh_;
   std::vector<Triangulation<2>::active_cell_iterator> cells_;
   std::vector<CellFit> fits_;

@@ -40,17 +40,9 @@ struct FieldsOfLevel {
   Tensor<1, 2> translation;
   FieldIntegrals u_h, post;
   /** The norms |||π^{2h} u_h - u_h|||_K by active cell; where cells have no parents |||u_h|||_K. */
-  std::vector<double> distances;
+  dealii::Vector<double> distances;
   /** The values of π^{2h} u_h - u_h in the middles of boundary faces, by line. */
   std::map<unsigned int, Tensor<1, 2>> bubbles;
-
-  /** Returns the root of the sum of the squares of the distances. */
-  double distance() const {
-    double sum = 0.;
-    for (const double norm : distances)
-      sum += norm * norm;
-    return std::sqrt(sum);
-  }
 };
 
 /** Returns f_K at points of a cell of the mesh of u_h. */
@@ -64,12 +56,15 @@ PrescribedLift lift_of(const BoundData &data,
 
 /** Returns the norms |||z|||_K by cell. @param field receives what z adds, unless it is null.
  * @param n_generations 1 for π^{2h} u_h, 0 for u_h. */
-std::vector<double> add_lift(const BoundData &data, const PrescribedLift &lift,
-                             unsigned int n_generations, const CellForce &force,
-                             FieldIntegrals *field);
+dealii::Vector<double> add_lift(const BoundData &data, const PrescribedLift &lift,
+                                unsigned int n_generations, const CellForce &force,
+                                FieldIntegrals *field);
 
 /** Integrates u_h and π^{2h} u_h on a mesh that is not graded; a curved one is taken with straight
- * edges. @param force f_K, or empty without a body force. Collective. */
+ * edges.
+ * @param lift lift_of(data).
+ * @param force f_K, or empty without a body force. Collective. */
 FieldsOfLevel integrate_fields(const BoundData &data, const TractionMesh &mesh,
-                               const Tensor<1, 2> &translation, const CellForce &force);
+                               const PrescribedLift &lift, const Tensor<1, 2> &translation,
+                               const CellForce &force);
 } // namespace Signorini

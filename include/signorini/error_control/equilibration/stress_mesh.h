@@ -33,7 +33,11 @@ public:
   }
   /** Returns whether every cell of u_h is a part of one cell of the stress. */
   bool is_aligned() const {
-    return !own_ || (!data_.space.mesh().is_curved() && data_.scene.geometry.distortion == 0.);
+    return !own_ || aligns(data_);
+  }
+  /** Returns whether a mesh of its own would be aligned with that of u_h. */
+  static bool aligns(const BoundData &data) {
+    return !data.space.mesh().is_curved() && data.scene.geometry.distortion == 0.;
   }
   const Triangulation<2> &triangulation() const {
     return own_ ? *own_ : data_.space.mesh().triangulation();

@@ -84,6 +84,7 @@ class TractionMesh {
 public:
   using Vector = dealii::Vector<double>;
 
+  /** Collects edges and cells. The scene must outlive the object. */
   TractionMesh(const StressMesh &mesh, const Scene<2> &scene);
 
   const std::vector<TractionCell> &cells() const {
@@ -128,7 +129,7 @@ private:
   std::vector<unsigned int> edge_of_line_;
   /** The boundary edges of each side by the arc length at which they start. */
   std::vector<std::map<double, unsigned int>> on_side_;
-  std::vector<Side<2>> sides_;
+  const std::vector<Side<2>> &sides_;
   unsigned int n_coefficients_ = 0;
   /** The restrictions to the first and second half, and both reversed. */
   std::array<FullMatrix<double>, 4> halves_;

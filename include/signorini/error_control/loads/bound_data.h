@@ -14,11 +14,8 @@ struct BoundData {
   const MultiplierSpace<2> &multipliers;
   const Displacement &U;
   const Pressure &P;
-  /** The number of Gauss points per direction for loads, as in the system. */
-  unsigned int n_points;
   const StiffnessInverse &inverse;
   const Coupling &condensed_D;
-  const dealii::Vector<double> &G;
   /** The energy J(u_h) = a(u_h, u_h)/2 - f(u_h) (force x length per thickness). */
   double energy;
 };

@@ -23,6 +23,11 @@ inline double twice_area(const Triangle &x) {
   return cross(x[1] - x[0], x[2] - x[0]);
 }
 
+/** Returns the image of a point of the unit triangle. */
+inline Point<2> point_of(const Triangle &x, const Point<2> &at) {
+  return x[0] + at[0] * (x[1] - x[0]) + at[1] * (x[2] - x[0]);
+}
+
 /** Returns the barycentric coordinates of a point. */
 inline std::array<double, 3> barycentric(const Triangle &x, const Point<2> &point) {
   std::array<double, 3> lambda;

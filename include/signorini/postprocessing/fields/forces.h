@@ -50,6 +50,9 @@ std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipl
  * the tolerance of a solver. */
 double pressing_threshold(const Pressure &P);
 
+/** Returns for each patch whether all of its multipliers press. */
+std::vector<bool> pressing_patches(const MultiplierSpace<2> &multipliers, const Pressure &P);
+
 /** A summary of the contact pressure. */
 struct ContactSummary {
   /** The number of multipliers that press, P_k < pressing_threshold(P); with constants that of
