@@ -133,10 +133,12 @@ void add_bound(const Discretization<2> &discretization, LevelSolution<2> &soluti
     located.bound.missing =
       "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
   else {
-    const double work = work_of_plates(record);
+    const double work = work_of_plates(record),
+                 dissipation = record.friction ? record.friction->dissipation : 0.;
     located = compute_located_bound(
       {discretization.space, solution.scene, discretization.multipliers, solution.U, solution.P,
-       *solution.inverse, discretization.condensed_D, record.certificate.energy + work});
+       solution.P_t, discretization.K, *solution.inverse, discretization.condensed_D,
+       record.certificate.energy + work - dissipation});
     for (std::optional<double> *const energy :
          {&located.bound.energy_lower, &located.bound.energy_upper})
       if (*energy)
@@ -229,9 +231,9 @@ template <int dim>
 void finish_level(const LevelProblem<dim> &problem, const Discretization<dim> &discretization,
                   const bool wants_bound, const Progress &progress, LevelSolution<dim> &solution) {
   if constexpr (dim == 2) {
-    if (wants_bound && solution.record.friction)
-      add_regularity(discretization, solution);
-    else if (wants_bound) {
+    if (wants_bound) {
+      if (solution.record.friction)
+        add_regularity(discretization, solution);
       progress("bound of the error");
       add_bound(discretization, solution);
     }

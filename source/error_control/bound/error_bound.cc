@@ -100,6 +100,9 @@ void add_guaranteed(const BoundData &data, const BestStress &stress, const Stres
       consequences.consider(post->square, *post_lift.bound);
     }
   }
+  // With Coulomb's law the stress is compared with that of another solution.
+  if (result.is_conditional)
+    return;
   add_consequences(data, consequences, lift, stress.change_of_force(), result);
   if (!J)
     result.energy_lower = result.energy_upper = {};
@@ -140,7 +143,8 @@ LocatedBound sum_up(const BoundData &data, const BestStress &stress) {
   const double scale =
     energy_scale(stress.energy_norm(), *result.absolute, data.space, data.scene, data.U);
   result.relative = ratio(*result.absolute, scale);
-  result.guaranteed = stress.is_guaranteed();
+  result.is_conditional = data.K.moves();
+  result.guaranteed = stress.is_guaranteed() && !result.is_conditional;
   result.geometry = std::sqrt(stress_data.geometry_square);
   result.relative_geometry = ratio(*result.geometry, scale);
   add_guaranteed(data, stress, stress_data, lift, scale, result);

@@ -51,9 +51,82 @@ EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking)
   return EdgeFunction(std::move(parts));
 }
 
-/** Sums up. @param lacking q - w_{h,n} on the faces. */
+/** Returns the remainder r_F,t from ũ_t - g_t - w_{h,t}: all but the chord. */
+EdgeFunction without_chord(const EdgeFunction &lacking) {
+  std::vector<EdgeFunction::Part> parts = lacking.parts();
+  const double first = parts.front().first, last = parts.back().last;
+  for (EdgeFunction::Part &part : parts) {
+    part.first -= (1. - part.start) * first + part.start * last;
+    part.last -= (1. - part.end) * first + part.end * last;
+  }
+  return EdgeFunction(std::move(parts));
+}
+
+/** Returns r_F - lacking. */
+EdgeFunction difference(const EdgeFunction &r, const EdgeFunction &lacking) {
+  std::vector<EdgeFunction::Part> parts = lacking.parts();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const EdgeFunction::Part of_r =
+      r.parts().empty() ? EdgeFunction::Part{0., 1., 0., 0., 0.} : r.parts()[i];
+    parts[i].first = of_r.first - parts[i].first;
+    parts[i].last = of_r.last - parts[i].last;
+    parts[i].bulge = of_r.bulge - parts[i].bulge;
+  }
+  return EdgeFunction(std::move(parts));
+}
+
+/** What w_h lacks on a face, and what r_F does of it: q - w_{h,n}, ũ_t - g_t - w_{h,t}. */
+struct FaceLift {
+  FaceLift(const BoundData &data, const ContactTrace &trace, const PenetrationFace &face,
+           const Displacement &w_h)
+    : w_n(face.trace(w_h, face.normal))
+    , w_t(face.trace(w_h, direction_of(Component::tangential, face.normal)))
+    , normal(trace.lacking(face, w_n)) {
+    r[0] = remainder(face, normal);
+    if (data.has_friction()) {
+      tangential = trace.lacking_slip(face, w_t);
+      if (face.sticks())
+        r[1] = without_chord(tangential);
+    }
+  }
+
+  PenetrationFace::Polynomial w_n, w_t;
+  EdgeFunction normal, tangential;
+  Remainders r;
+};
+
+/** Returns ∫_F τ_n (ũ_n - g - w_n). */
+double normal_term(const ContactTrace &trace, const PenetrationFace &face, const FaceLift &lift) {
+  double term = 0.;
+  // The parts are those of d and p_H, and those of w_n.
+  face.for_each_point(lift.r[0], [&](const double t, const double weight) {
+    // Where the face presses, w_n is d itself, raised by r - lacking; r stands for its difference
+    // from w_h there. The root of rounding is not rounding.
+    const double slack = face.presses_everywhere()
+                           ? lift.normal.value(t) - lift.r[0].value(t)
+                           : trace.penetration(face, t) - lift.w_n.value(t) - lift.r[0].value(t);
+    if (std::abs(slack) > trace.rounding(face))
+      term += face.traction[0].value(t) * slack * weight;
+  });
+  return term;
+}
+
+/** Returns ∫_F s |v| + τ_t v. */
+double slip_term(const ContactTrace &trace, const PenetrationFace &face, const FaceLift &lift) {
+  double term = 0.;
+  const EdgeFunction parts = difference(lift.r[1], lift.tangential).split_at_roots();
+  face.for_each_point(parts, [&](const double t, const double weight) {
+    const double v = trace.slip(face, t) - lift.w_t.value(t) - lift.r[1].value(t);
+    if (std::abs(v) > trace.rounding(face))
+      term +=
+        (trace.friction_bound(face, t) * std::abs(v) + face.traction[1].value(t) * v) * weight;
+  });
+  return term;
+}
+
+/** Sums up. */
 ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const LiftField &lift,
-                      const std::vector<EdgeFunction> &lacking) {
+                      const std::vector<FaceLift> &on_faces) {
   ContactBound bound;
   bound.cell_energies = lift.cell_energies();
   const MPI_Comm communicator = data.space.mesh().communicator();
@@ -61,19 +134,9 @@ ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const Li
   double largest = 0.;
   for (unsigned int i = 0; i < trace.faces().size(); ++i) {
     const PenetrationFace &face = trace.faces()[i];
-    const PenetrationFace::Polynomial w_n = face.trace(lift.w_h(), face.normal);
-    const EdgeFunction &r = lift.remainders()[i];
-    double term = 0.;
-    // The parts are those of d and p_H, and those of w_n.
-    face.for_each_point(r, [&](const double t, const double weight) {
-      // Where the face presses, w_n is d itself, raised by r - lacking; r stands for its difference
-      // from w_h there. The root of rounding is not rounding.
-      const double slack = face.presses_everywhere()
-                             ? lacking[i].value(t) - r.value(t)
-                             : trace.penetration(face, t) - w_n.value(t) - r.value(t);
-      if (std::abs(slack) > trace.rounding(face))
-        term += face.traction.value(t) * slack * weight;
-    });
+    double term = normal_term(trace, face, on_faces[i]);
+    if (data.has_friction())
+      term += slip_term(trace, face, on_faces[i]);
     bound.contact_term += term;
     bound.face_terms.push_back(2. * term);
     const auto cell = trace.surface().faces()[i].cell;
@@ -103,41 +166,50 @@ ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fi
     no_bound = "contact sides meet in a corner that is too sharp";
     return;
   }
-  std::vector<EdgeFunction> lacking, remainders;
+  std::vector<FaceLift> on_faces;
+  std::vector<Remainders> remainders;
   for (const PenetrationFace &face : trace.faces()) {
-    lacking.push_back(trace.lacking(face, face.trace(*w_h, face.normal)));
-    remainders.push_back(remainder(face, lacking.back()));
+    on_faces.emplace_back(data, trace, face, *w_h);
+    remainders.push_back(on_faces.back().r);
   }
   bound =
-    evaluate(data, trace, LiftField(data, trace, std::move(*w_h), std::move(remainders)), lacking);
+    evaluate(data, trace, LiftField(data, trace, std::move(*w_h), std::move(remainders)), on_faces);
 }
 
 // The lift in the body.
 
-double stretch_to_shear(const Scene<2> &scene, const PenetrationFace &face) {
+namespace {
+/** Returns the modulus in r² of a displacement along n (component 0) or t divided by that in r'²:
+ * C_nn/C_nt or C_nt/C_tt. */
+double ratio_of_moduli(const Scene<2> &scene, const PenetrationFace &face,
+                       const unsigned int component) {
   const auto C = scene.material->hooke(face.point(0.5));
-  const Tensor<1, 2> m = cross_product_2d(face.normal);
-  const auto nn = symmetrize(outer_product(face.normal, face.normal));
-  const auto nm = symmetrize(outer_product(face.normal, m));
-  return (nn * (C * nn)) / (nm * (C * nm));
+  const Tensor<1, 2> n = face.normal, t = direction_of(Component::tangential, n),
+                     &along = component == 0 ? n : t;
+  const auto across = symmetrize(outer_product(along, n)),
+             lengthwise = symmetrize(outer_product(along, t));
+  return (across * (C * across)) / (lengthwise * (C * lengthwise));
 }
+} // namespace
 
 LiftField::LiftField(const BoundData &data, const ContactTrace &trace, Displacement w_h,
-                     std::vector<EdgeFunction> remainders)
+                     std::vector<Remainders> remainders)
   : data_(data)
   , trace_(trace)
   , w_h_(std::move(w_h))
   , remainders_(std::move(remainders)) {
   for (unsigned int i = 0; i < remainders_.size(); ++i)
-    if (const EdgeFunction &r = remainders_[i]; !r.is_zero()) {
-      const auto &[cell, face_no, side] = trace.surface().faces()[i];
-      const PenetrationFace &face = trace.faces()[i];
-      const double height = cell->face(face_no)->center().distance(
-        cell->face(GeometryInfo<2>::opposite_face[face_no])->center());
-      const double depth = face.length * std::sqrt(3. * stretch_to_shear(data.scene, face) *
-                                                   r.square_integral() / r.slope_integral());
-      columns_.emplace(cell->active_cell_index(), Column{i, face_no, std::min(1., depth / height)});
-    }
+    for (unsigned int c = 0; c < 2; ++c)
+      if (const EdgeFunction &r = remainders_[i][c]; !r.is_zero()) {
+        const auto &[cell, face_no, side] = trace.surface().faces()[i];
+        const PenetrationFace &face = trace.faces()[i];
+        const double height = cell->face(face_no)->center().distance(
+          cell->face(GeometryInfo<2>::opposite_face[face_no])->center());
+        const double depth = face.length * std::sqrt(3. * ratio_of_moduli(data.scene, face, c) *
+                                                     r.square_integral() / r.slope_integral());
+        columns_.emplace(cell->active_cell_index(),
+                         Column{i, face_no, c, std::min(1., depth / height)});
+      }
 }
 
 std::vector<double> LiftField::cuts(const CellIterator &cell, const unsigned int d,
@@ -147,10 +219,10 @@ std::vector<double> LiftField::cuts(const CellIterator &cell, const unsigned int
     cuts.push_back(static_cast<double>(i) / n_equal);
   const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
   for (auto entry = begin; entry != end; ++entry)
-    if (const auto &[face, face_no, depth] = entry->second; face_no / 2 == d)
+    if (const auto &[face, face_no, component, depth] = entry->second; face_no / 2 == d)
       cuts.push_back(face_no % 2 == 0 ? depth : 1. - depth);
     else
-      for (const EdgeFunction::Part &part : remainders_[face].parts())
+      for (const EdgeFunction::Part &part : remainders_[face][component].parts())
         cuts.push_back(part.end);
   if (!data_.scene.material->is_constant())
     for (const unsigned int edge : {0, 1}) {
@@ -176,17 +248,19 @@ double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) co
   for (const unsigned int q : values.quadrature_point_indices()) {
     const Point<2> &x = values.get_quadrature().point(q);
     for (auto entry = begin; entry != end; ++entry) {
-      const auto &[face, face_no, depth] = entry->second;
+      const auto &[face, face_no, component, depth] = entry->second;
       const unsigned int across = face_no / 2;
       const bool from_above = face_no % 2 == 1;
       const double psi = 1. - (from_above ? 1. - x[across] : x[across]) / depth;
-      const EdgeFunction &r = remainders_[face];
+      const EdgeFunction &r = remainders_[face][component];
       Tensor<1, 2> gradient;
       gradient[across] = (from_above ? 1. : -1.) / depth * r.value(x[1 - across]);
       gradient[1 - across] = psi * r.slope(x[1 - across]);
       if (psi > 0.)
-        gradients[q] += outer_product(trace_.faces()[face].normal,
-                                      gradient * Tensor<2, 2>(values.inverse_jacobian(q)));
+        gradients[q] +=
+          outer_product(direction_of(component == 0 ? Component::normal : Component::tangential,
+                                     trace_.faces()[face].normal),
+                        gradient * Tensor<2, 2>(values.inverse_jacobian(q)));
     }
     if (!constant)
       E = data_.scene.material->hooke(values.quadrature_point(q));

@@ -13,6 +13,7 @@
 #include <limits>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace Signorini {
 std::string name_of(const SidePlace &place, const Scene<2> &scene) {
@@ -31,6 +32,11 @@ bool PenetrationFace::presses() const {
 bool PenetrationFace::presses_everywhere() const {
   return std::all_of(pressures.begin(), pressures.end(),
                      [](const Pressed &part) { return part.presses; });
+}
+
+bool PenetrationFace::sticks() const {
+  return std::all_of(pressures.begin(), pressures.end(),
+                     [](const Pressed &part) { return part.sticks; });
 }
 
 PenetrationFace::Polynomial PenetrationFace::trace(const Displacement &V,
@@ -95,9 +101,9 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact,
   }
   // Where π^{2h} u_h = u_h but for rounding, the contact term would be rounding, and the root of
   // rounding is not.
-  const double bubble = std::abs(field.bubble) > 1e-14 * size_of_U_ ? field.bubble : 0.;
+  const bool has_bubble = field.bubble.norm() > 1e-14 * size_of_U_;
   for (unsigned int d = 0; d < 2; ++d) {
-    const double height = 4. * bubble * face.normal[d];
+    const double height = has_bubble ? 4. * field.bubble[d] : 0.;
     face.u[d] = face.trace(data_.U, Point<2>::unit_vector(d));
     face.u[d] += PenetrationFace::Polynomial({0., height, -height});
   }
@@ -110,35 +116,61 @@ void ContactTrace::find_faces(const std::vector<FaceField> &fields) {
   for (std::size_t i = 0; i < surface.faces().size(); ++i)
     faces_.push_back(make_face(surface.faces()[i], fields[i]));
   const std::vector<bool> presses = pressing_patches(data_.multipliers, data_.P);
+  const std::vector<SlipState> slips = slip_states(data_.multipliers, data_.K, data_.P, data_.P_t);
   for (const Piece<2> &piece : surface.pieces()) {
     const auto [from, to] = std::minmax(piece.lower_on_face[0], piece.upper_on_face[0]);
-    faces_[piece.face].pressures.push_back({from, to, presses[piece.patch]});
+    faces_[piece.face].pressures.push_back(
+      {from, to, presses[piece.patch], slips[piece.patch] == SlipState::none});
   }
 }
 
+unsigned int ContactTrace::condition_at(const PenetrationFace &face, const std::size_t node,
+                                        const Component component,
+                                        std::vector<unsigned int> &known) {
+  const Tensor<1, 2> direction = direction_of(component, face.normal);
+  for (const unsigned int k : known)
+    if (conditions_[k].component == component &&
+        (conditions_[k].direction - direction).norm() < 1e-10)
+      return k;
+  known.push_back(conditions_.size());
+  const Point<2> x = face.point(face.nodes[node]);
+  const double s = data_.scene.geometry.sides[face.side].arc_length(x),
+               least =
+                 component == Component::normal ? -std::numeric_limits<double>::infinity() : 0.;
+  conditions_.push_back({direction, component, x, {face.side, s}, least, false, {}});
+  for (unsigned int d = 0; d < 2; ++d)
+    if (std::abs(direction[d]) > 1e-15)
+      conditions_.back().column.emplace(face.dofs[node][d], direction[d]);
+  return known.back();
+}
+
 void ContactTrace::find_conditions() {
-  std::vector<Coupling::Column> columns;
-  std::map<types::global_dof_index, std::vector<unsigned int>> conditions_at;
+  std::map<types::global_dof_index, std::vector<unsigned int>> normals, tangents;
   for (PenetrationFace &face : faces_)
     for (std::size_t i = 0; i < face.dofs.size(); ++i) {
-      std::vector<unsigned int> &known = conditions_at[face.dofs[i][0]];
-      auto found = std::find_if(known.begin(), known.end(), [&](const unsigned int k) {
-        return (conditions_[k].normal - face.normal).norm() < 1e-10;
-      });
-      if (found == known.end()) {
-        found = known.insert(found, conditions_.size());
-        const Point<2> x = face.point(face.nodes[i]);
-        const double s = data_.scene.geometry.sides[face.side].arc_length(x);
-        conditions_.push_back(
-          {face.normal, x, {face.side, s}, -std::numeric_limits<double>::infinity(), false, {}});
-        columns.emplace_back();
-        for (unsigned int d = 0; d < 2; ++d)
-          if (std::abs(face.normal[d]) > 1e-15)
-            columns.back().emplace(face.dofs[i][d], face.normal[d]);
-      }
-      face.conditions.push_back(*found);
-      conditions_[*found].presses = conditions_[*found].presses || face.presses();
+      const unsigned int k = condition_at(face, i, Component::normal, normals[face.dofs[i][0]]);
+      face.conditions.push_back(k);
+      conditions_[k].presses = conditions_[k].presses || face.presses();
     }
+  for (const PenetrationFace &face : faces_)
+    for (std::size_t i = 0; i < face.dofs.size() && data_.has_friction(); ++i) {
+      // Two normals say all about w.
+      if (normals[face.dofs[i][0]].size() > 1)
+        continue;
+      NodeCondition &condition =
+        conditions_[condition_at(face, i, Component::tangential, tangents[face.dofs[i][0]])];
+      if (face.sticks()) {
+        condition.presses = true;
+        condition.required = slip(face, face.nodes[i]);
+      }
+    }
+  condense_columns();
+}
+
+void ContactTrace::condense_columns() {
+  std::vector<Coupling::Column> columns;
+  for (NodeCondition &condition : conditions_)
+    columns.push_back(std::exchange(condition.column, {}));
   const Coupling condensed =
     condense(Coupling(std::move(columns)), data_.space.constraints_without_pins());
   for (std::size_t k = 0; k < conditions_.size(); ++k) {
@@ -162,6 +194,23 @@ double ContactTrace::penetration(const PenetrationFace &face, const double t) co
   return normal[0] * face.u[0].value(t) + normal[1] * face.u[1].value(t) - gap;
 }
 
+double ContactTrace::slip(const PenetrationFace &face, const double t) const {
+  const Point<2> x = face.point(t);
+  const Tensor<1, 2> normal =
+    data_.space.mesh().is_curved()
+      ? data_.scene.geometry.sides[face.side].normal_at(x, face.point(0.5))
+      : face.normal;
+  const Tensor<1, 2> along = direction_of(Component::tangential, normal);
+  const auto &shift = data_.scene.boundary[face.side].shift;
+  return along[0] * face.u[0].value(t) + along[1] * face.u[1].value(t) -
+         (shift == nullptr ? 0. : shift->value(x));
+}
+
+double ContactTrace::friction_bound(const PenetrationFace &face, const double t) const {
+  const double given = data_.scene.boundary[face.side].friction->value(face.point(t));
+  return data_.K.moves() ? given * std::abs(face.traction[0].value(t)) : given;
+}
+
 double ContactTrace::rounding(const PenetrationFace &face) const {
   return 1e-14 * (2. * size_of_U_ + std::abs(penetration(face, 0.)));
 }
@@ -170,32 +219,45 @@ double ContactTrace::work_of_penetration() const {
   double work = 0.;
   for (const PenetrationFace &face : faces_)
     face.for_each_point(face.d, [&](const double t, const double weight) {
-      if (const double traction = face.traction.value(t); traction != 0.)
+      if (const double traction = face.traction[0].value(t); traction != 0.)
         work += traction * penetration(face, t) * weight;
+      if (const double shear = face.traction[1].value(t); shear != 0.)
+        work += shear * slip(face, t) * weight;
     });
   return work;
 }
 
 UpperInterpolant ContactTrace::sample(const PenetrationFace &face,
-                                      const PenetrationFace::Polynomial &w_n) const {
+                                      const std::function<double(double)> &f,
+                                      const Pinned &pinned) const {
   // About 20000 points on all faces: a power of two per quarter of a face.
   unsigned int n_scanned = 4;
   while (n_scanned < 256 && 2 * n_scanned * 4 * faces_.size() <= 20000)
     n_scanned *= 2;
+  const double resolution = 1e-15 * std::max(face.start.norm(), face.end.norm()) / face.length;
+  return interpolate_from_above(f, face.breaks, rounding(face), pinned, n_scanned, resolution);
+}
+
+UpperInterpolant ContactTrace::sample(const PenetrationFace &face,
+                                      const PenetrationFace::Polynomial &w_n) const {
   // Next to contact w_n touches: what rises there counts with the pressure.
   const auto is_pinned = [&](const unsigned int end) {
     const NodeCondition &condition = conditions_[face.conditions[end]];
     return condition.held() || condition.presses;
   };
-  const Pinned pinned = {is_pinned(0), is_pinned(1)};
-  const double resolution = 1e-15 * std::max(face.start.norm(), face.end.norm()) / face.length;
-  return interpolate_from_above([&](const double t) { return penetration(face, t) - w_n.value(t); },
-                                face.breaks, rounding(face), pinned, n_scanned, resolution);
+  return sample(face, [&](const double t) { return penetration(face, t) - w_n.value(t); },
+                {is_pinned(0), is_pinned(1)});
 }
 
 EdgeFunction ContactTrace::lacking(const PenetrationFace &face,
                                    const PenetrationFace::Polynomial &w_n) const {
   return sample(face, w_n).function;
+}
+
+EdgeFunction ContactTrace::lacking_slip(const PenetrationFace &face,
+                                        const PenetrationFace::Polynomial &w_t) const {
+  return sample(face, [&](const double t) { return slip(face, t) - w_t.value(t); }, {true, true})
+    .function;
 }
 
 void ContactTrace::sample() {
@@ -228,7 +290,7 @@ void ContactTrace::require() {
   // What rounding makes of u_n - g = 0.
   const double tolerance = 1e-12 * (size_of_U_ + data_.scene.geometry.diameter());
   for (const NodeCondition &condition : conditions_)
-    if (!obstacle_ && condition.held() && condition.required > tolerance)
+    if (!obstacle_ && condition.is_normal() && condition.held() && condition.required > tolerance)
       obstacle_ = condition.place;
   for (const PenetrationFace &face : faces_) {
     const double largest = face.d.largest();

@@ -20,29 +20,33 @@ namespace Signorini {
 namespace {
 using Vector = dealii::Vector<double>;
 
-/** The columns E of those conditions at contact nodes that A⁻¹ lets move. */
+/** The columns E of those conditions at contact nodes that A⁻¹ lets move. @param all whether w_t is
+ * given at all nodes, not only next to faces that stick. */
 struct MovingNodes {
-  MovingNodes(const DisplacementSpace<2> &space, const ContactTrace &trace)
-    : E(select(space, trace)) {}
+  MovingNodes(const DisplacementSpace<2> &space, const ContactTrace &trace, const bool all)
+    : E(select(space, trace, all)) {}
 
   /** The numbers of the columns among ContactTrace::conditions(). */
   std::vector<unsigned int> numbers;
   Coupling E;
 
 private:
-  Coupling select(const DisplacementSpace<2> &space, const ContactTrace &trace) {
+  Coupling select(const DisplacementSpace<2> &space, const ContactTrace &trace, const bool all) {
     // Pins hold the body while A is solved: what is left of two normals of a pinned node is
     // dependent.
     const auto is_pinned = [&](const Coupling::Column::value_type &entry) {
       return space.constraints().is_constrained(entry.first);
     };
     std::vector<Coupling::Column> columns;
-    for (unsigned int k = 0; k < trace.conditions().size(); ++k)
-      if (const Coupling::Column &column = trace.conditions()[k].column;
-          !column.empty() && std::none_of(column.begin(), column.end(), is_pinned)) {
+    for (unsigned int k = 0; k < trace.conditions().size(); ++k) {
+      const NodeCondition &condition = trace.conditions()[k];
+      const Coupling::Column &column = condition.column;
+      if ((all || condition.is_normal() || condition.presses) && !condition.held() &&
+          std::none_of(column.begin(), column.end(), is_pinned)) {
         numbers.push_back(k);
         columns.push_back(column);
       }
+    }
     return Coupling(std::move(columns));
   }
 };
@@ -63,18 +67,21 @@ double adjust(const Coupling::Column &a, const double value, const bool only_rai
   return lacking;
 }
 
-/** Moves w at contact nodes until w_n are the targets, or with @p only_raise not below them: along
- * one normal after the other, which takes several rounds where two of them meet in a corner.
- * @return whether the rounds were enough. */
+/** Moves w at contact nodes until w_n and w_t are the targets; with @p only_raise w_n is not below
+ * them, and w_t counts next to faces that stick: along one direction after the other, which takes
+ * several rounds where two normals meet in a corner. @return whether the rounds were enough. */
 bool impose(const ContactTrace &trace, const Vector &targets, const bool only_raise,
             Displacement &w) {
   constexpr unsigned int max_rounds = 10000;
   const double tolerance = 1e-14 * targets.linfty_norm();
   for (unsigned int round = 0; round < max_rounds; ++round) {
     double largest = 0.;
-    for (unsigned int k = 0; k < targets.size(); ++k)
-      largest = std::max(largest,
-                         std::abs(adjust(trace.conditions()[k].column, targets[k], only_raise, w)));
+    for (unsigned int k = 0; k < targets.size(); ++k) {
+      const NodeCondition &condition = trace.conditions()[k];
+      if (condition.is_normal() || condition.presses || !only_raise)
+        largest = std::max(largest, std::abs(adjust(condition.column, targets[k],
+                                                    only_raise && condition.is_normal(), w)));
+    }
     if (largest <= tolerance)
       return true;
   }
@@ -141,13 +148,20 @@ Displacement relaxed_displacement(const BoundData &data, const Coupling &E, cons
 Displacement pressed_displacement(const BoundData &data, const ContactTrace &trace,
                                   std::vector<bool> &touches) {
   DistributedVector forces = data.space.make_vector();
-  data.condensed_D.add_product(data.P, forces);
+  // Where friction slips, its force does the work that s |ũ_t - g_t - w_t| loses.
+  Vector P(data.P);
+  if (data.has_friction())
+    P = join(data.P, Vector(data.P.size()));
+  data.condensed_D.add_product(P, forces);
   forces.compress(VectorOperation::add);
-  const MovingNodes nodes(data.space, trace);
+  const MovingNodes nodes(data.space, trace, false);
   Vector required(nodes.numbers.size()), start(required.size());
   std::vector<bool> held;
+  std::vector<Interval> intervals;
   for (unsigned int i = 0; i < required.size(); ++i) {
     const NodeCondition &condition = trace.conditions()[nodes.numbers[i]];
+    intervals.push_back(
+      {Interval().lower, condition.is_normal() ? 0. : std::numeric_limits<double>::infinity()});
     required[i] = condition.required;
     if (condition.presses)
       start[i] = -data.P.linfty_norm() * trace.faces()[0].length;
@@ -162,23 +176,27 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
       nodes.E.transpose_product(solve_homogeneous(data.inverse, data.space, pressure_forces));
     F -= required;
     double seconds = 0.;
+    DualSolverOptions options;
+    if (data.has_friction())
+      options.K = AdmissibleSet(intervals);
     Vector minus_Q =
-      solve_dual_problem(make_compliance(data.inverse, nodes.E, seconds), F, start, {}).P;
+      solve_dual_problem(make_compliance(data.inverse, nodes.E, seconds), F, start, options).P;
     minus_Q *= -1.;
     for (unsigned int i = 0; i < F.size(); ++i)
-      touches[nodes.numbers[i]] = minus_Q[i] > 0.;
+      touches[nodes.numbers[i]] =
+        minus_Q[i] > 0. || !trace.conditions()[nodes.numbers[i]].is_normal();
     nodes.E.add_product(minus_Q, forces);
   }
   return solve_homogeneous(data.inverse, data.space, forces);
 }
 
-/** Returns A⁻¹ E Q with Eᵀ A⁻¹ E Q = 1. Where columns of C cost solves, its products cost fewer. */
-Displacement pushed_displacement(const BoundData &data, const Coupling &E) {
-  Vector Q(E.n_columns()), one(Q.size());
-  one = 1.;
+/** Returns A⁻¹ E Q with Eᵀ A⁻¹ E Q = targets. Where columns of C cost solves, its products cost
+ * fewer. */
+Displacement pushed_displacement(const BoundData &data, const Coupling &E, const Vector &targets) {
+  Vector Q(E.n_columns());
   if (!data.inverse.has_factors())
-    return relaxed_displacement(data, E, one, Vector(data.space.dofs().n_dofs()),
-                                std::vector<bool>(one.size(), true), 1);
+    return relaxed_displacement(data, E, targets, Vector(data.space.dofs().n_dofs()),
+                                std::vector<bool>(targets.size(), true), 1);
   double seconds = 0.;
   const auto known = make_compliance(data.inverse, E, seconds);
   const SolvedCompliance solved(data.inverse, E, {});
@@ -187,8 +205,8 @@ Displacement pushed_displacement(const BoundData &data, const Coupling &E) {
     y = known->is_explicit() ? known->apply(x) : solved.apply(x);
   };
   // Any Q would do: what is lacking is imposed.
-  IterationNumberControl control(1000, 1e-4 * one.l2_norm());
-  SolverCG<Vector>(control).solve(C, Q, one, PreconditionIdentity());
+  IterationNumberControl control(1000, 1e-4 * targets.l2_norm());
+  SolverCG<Vector>(control).solve(C, Q, targets, PreconditionIdentity());
   DistributedVector forces = data.space.make_vector();
   E.add_product(Q, forces);
   return solve_homogeneous(data.inverse, data.space, forces);
@@ -213,13 +231,17 @@ std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace
 
 std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrace &trace) {
   const auto &conditions = trace.conditions();
-  if (conditions.empty() ||
-      std::any_of(conditions.begin(), conditions.end(), [](const auto &c) { return c.held(); }))
+  if (conditions.empty() || std::any_of(conditions.begin(), conditions.end(),
+                                        [](const auto &c) { return c.is_normal() && c.held(); }))
     return {};
-  Vector one(conditions.size());
-  one = 1.;
-  Displacement z = pushed_displacement(data, MovingNodes(data.space, trace).E);
-  if (!impose(trace, one, false, z))
+  const MovingNodes nodes(data.space, trace, true);
+  Vector targets(conditions.size()), moving(nodes.numbers.size());
+  for (unsigned int k = 0; k < targets.size(); ++k)
+    targets[k] = conditions[k].is_normal() ? 1. : 0.;
+  for (unsigned int i = 0; i < moving.size(); ++i)
+    moving[i] = targets[nodes.numbers[i]];
+  Displacement z = pushed_displacement(data, nodes.E, moving);
+  if (!impose(trace, targets, false, z))
     return {};
   data.space.distribute_without_pins(z);
   const double local = LiftField(data, trace, std::move(z)).cell_energies().l1_norm();

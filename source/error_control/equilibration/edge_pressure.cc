@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The tractions that sides give: those of traction sides, and pressures that do not pull.
 
+#include <signorini/error_control/equilibration/bernstein.h>
 #include <signorini/error_control/equilibration/best_stress.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/problem/scene/functions.h>
@@ -15,38 +16,6 @@
 #include <set>
 
 namespace Signorini {
-namespace {
-/** Returns the coefficients of Bernstein, of degree n, of a sum of orthonormal Legendre polynomials
- * of degrees 0 to n. Where none is positive, the polynomial is not positive on [0,1]. */
-std::vector<double> bernstein_coefficients(const std::vector<double> &legendre) {
-  const unsigned int n = legendre.size() - 1;
-  std::vector<double> sum(n + 1, 0.);
-  for (unsigned int k = 0; k <= n; ++k) {
-    // P_k has the coefficients (-1)^{k-i} (k choose i); then the degree is raised to n.
-    std::vector<double> b = {k % 2 == 0 ? 1. : -1.};
-    for (unsigned int i = 1; i <= k; ++i)
-      b.push_back(-b.back() * (k - i + 1) / i);
-    for (unsigned int degree = k; degree < n; ++degree) {
-      std::vector<double> raised(degree + 2);
-      for (unsigned int i = 0; i <= degree + 1; ++i)
-        raised[i] = (i > 0 ? b[i - 1] * i / (degree + 1.) : 0.) +
-                    (i <= degree ? b[i] * (degree + 1. - i) / (degree + 1.) : 0.);
-      b = std::move(raised);
-    }
-    for (unsigned int i = 0; i <= n; ++i)
-      sum[i] += std::sqrt(2. * k + 1.) * legendre[k] * b[i];
-  }
-  return sum;
-}
-
-double bernstein_value(std::vector<double> b, const double s) {
-  for (; b.size() > 1; b.pop_back())
-    for (std::size_t i = 0; i + 1 < b.size(); ++i)
-      b[i] = (1. - s) * b[i] + s * b[i + 1];
-  return b[0];
-}
-} // namespace
-
 void BestStress::give_tractions() {
   // About 20000 points on all faces, unless t is constant: narrow tractions are seen.
   const auto is_loaded = [this](const auto &face) {
@@ -94,7 +63,7 @@ void BestStress::give_tractions() {
       }
 }
 
-void BestStress::press_by_multipliers(const unsigned int number) {
+std::vector<double> BestStress::projection_of(const Pressure &P, const unsigned int number) const {
   const TractionEdge &edge = mesh_->edges()[number];
   const QGauss<1> gauss(edge.degree + 1);
   std::vector<double> p(edge.degree + 1, 0.);
@@ -110,13 +79,33 @@ void BestStress::press_by_multipliers(const unsigned int number) {
     for (unsigned int q = 0; q < gauss.size(); ++q) {
       const double s = gauss.point(q)[0];
       const auto L = legendre_values(edge.degree, from + s * (to - from));
-      const double value = data_.multipliers.value(data_.P, piece.patch,
-                                                   piece.lower + s * (piece.upper - piece.lower));
+      const double value =
+        data_.multipliers.value(P, piece.patch, piece.lower + s * (piece.upper - piece.lower));
       for (unsigned int i = 0; i < p.size(); ++i)
         p[i] += gauss.weight(q) * std::abs(to - from) * L[i] * value;
     }
   }
-  std::vector<double> b = bernstein_coefficients(p);
+  return p;
+}
+
+void BestStress::fix_edge(const unsigned int number, const unsigned int component,
+                          const std::vector<double> &legendre) {
+  mesh_->set_free(number, component, false);
+  for (unsigned int i = 0; i < legendre.size(); ++i)
+    x_[mesh_->edges()[number].position(component, i)] = legendre[i];
+}
+
+std::vector<double> BestStress::coefficients(const unsigned int number,
+                                             const unsigned int component) const {
+  const TractionEdge &edge = mesh_->edges()[number];
+  std::vector<double> legendre;
+  for (unsigned int i = 0; i <= edge.degree; ++i)
+    legendre.push_back(x_[edge.position(component, i)]);
+  return legendre;
+}
+
+void BestStress::press_by_multipliers(const unsigned int number) {
+  std::vector<double> p = projection_of(data_.P, number), b = bernstein_coefficients(p);
   if (std::any_of(b.begin(), b.end(), [](const double value) { return value > 0.; })) {
     // The same force, where it presses: the mean of the coefficients is that of the polynomial.
     const double force = std::accumulate(b.begin(), b.end(), 0.);
@@ -125,16 +114,9 @@ void BestStress::press_by_multipliers(const unsigned int number) {
     const double pressing = std::accumulate(b.begin(), b.end(), 0.);
     for (double &value : b)
       value *= force < 0. ? force / pressing : 0.;
-    p.assign(p.size(), 0.);
-    for (unsigned int q = 0; q < gauss.size(); ++q) {
-      const auto L = legendre_values(edge.degree, gauss.point(q)[0]);
-      for (unsigned int i = 0; i < p.size(); ++i)
-        p[i] += gauss.weight(q) * L[i] * bernstein_value(b, gauss.point(q)[0]);
-    }
+    p = legendre_coefficients(b);
   }
-  mesh_->set_free(number, 0, false);
-  for (unsigned int i = 0; i < p.size(); ++i)
-    x_[edge.position(0, i)] = p[i];
+  fix_edge(number, 0, p);
 }
 
 void BestStress::give_contact() {
@@ -156,24 +138,28 @@ void BestStress::give_contact() {
       is_free[here] = is_free[next] = false;
   for (const auto &[edge, free] : is_free) {
     press_by_multipliers(edge);
-    mesh_->set_free(edge, 0, free);
+    // With Coulomb's law the bound of friction needs a τ_n that is known.
+    mesh_->set_free(edge, 0, free && !data_.K.moves());
   }
+  if (data_.has_friction())
+    give_friction();
 }
 
 bool BestStress::fix_pulling_edges() {
   bool fixed = false;
   for (const unsigned int number : contact_edges_) {
     const TractionEdge &edge = mesh_->edges()[number];
-    if (!edge.is_free[0])
-      continue;
-    std::vector<double> p;
-    for (unsigned int i = 0; i <= edge.degree; ++i)
-      p.push_back(x_[edge.position(0, i)]);
-    const std::vector<double> b = bernstein_coefficients(p);
-    if (std::none_of(b.begin(), b.end(), [](const double value) { return value > 0.; }))
-      continue;
-    press_by_multipliers(number);
-    fixed = true;
+    if (edge.is_free[0]) {
+      const std::vector<double> b = bernstein_coefficients(coefficients(number, 0));
+      if (std::any_of(b.begin(), b.end(), [](const double value) { return value > 0.; })) {
+        press_by_multipliers(number);
+        fixed = true;
+      }
+    }
+    if (edge.is_free[1] && !is_within_friction(number)) {
+      rub_by_multipliers(number);
+      fixed = true;
+    }
   }
   return fixed;
 }
@@ -213,17 +199,19 @@ std::vector<FaceField> BestStress::face_fields(const bool interpolated) const {
     const double along =
                    (edge.end - edge.start) * (line->vertex(1) - line->vertex(0)) > 0. ? 1. : -1.,
                  share = along * line->vertex(0).distance(line->vertex(1)) / edge.length();
-    Polynomials::Polynomial<double> sum(0);
-    for (unsigned int k = 0; k <= edge.degree; ++k) {
-      Polynomials::Polynomial<double> term = Polynomials::Legendre(k);
-      term *= x_[edge.position(0, k)];
-      sum += term;
+    FaceField &field = fields.emplace_back();
+    for (unsigned int c = 0; c < 2; ++c) {
+      Polynomials::Polynomial<double> &sum = field.traction[c] = Polynomials::Polynomial<double>(0);
+      for (unsigned int k = 0; k <= edge.degree; ++k) {
+        Polynomials::Polynomial<double> term = Polynomials::Legendre(k);
+        term *= x_[edge.position(c, k)];
+        sum += term;
+      }
+      sum.shift(edge.start.distance(line->vertex(0)) / edge.length());
+      sum.scale(share);
     }
-    sum.shift(edge.start.distance(line->vertex(0)) / edge.length());
-    sum.scale(share);
-    FaceField &field = fields.emplace_back(FaceField{0., sum});
     if (interpolated)
-      field.bubble = fields_->bubbles.at(line->index()) * edge.normal(data_.scene.geometry);
+      field.bubble = fields_->bubbles.at(line->index());
   }
   return fields;
 }

@@ -16,7 +16,7 @@ constexpr unsigned int max_degree = 11;
 constexpr unsigned int most = 5;
 
 /** Returns the points near which stresses are not smooth: ends and corners of sides, and borders
- * of patches between those that press and others. */
+ * of patches between those that press, stick or slip in one direction and others. */
 std::vector<Point<2>> singular_points(const BoundData &data) {
   std::vector<Point<2>> points;
   for (const Side<2> &side : data.scene.geometry.sides) {
@@ -26,9 +26,11 @@ std::vector<Point<2>> singular_points(const BoundData &data) {
       points.push_back(side.point(s));
   }
   const std::vector<bool> presses = pressing_patches(data.multipliers, data.P);
+  const std::vector<SlipState> slips = slip_states(data.multipliers, data.K, data.P, data.P_t);
   const auto &patches = data.multipliers.surface().patches();
   for (std::size_t i = 0; i + 1 < patches.size(); ++i)
-    if (patches[i].side == patches[i + 1].side && presses[i] != presses[i + 1])
+    if (patches[i].side == patches[i + 1].side &&
+        (presses[i] != presses[i + 1] || slips[i] != slips[i + 1]))
       points.push_back(data.scene.geometry.sides[patches[i].side].point(patches[i].upper[0]));
   return points;
 }

@@ -53,6 +53,32 @@ bool EdgeFunction::is_zero() const {
   });
 }
 
+EdgeFunction EdgeFunction::split_at_roots() const {
+  std::vector<Part> parts;
+  for (const Part &part : parts_) {
+    // first + τ b - τ² a = 0
+    const double a = 4. * part.bulge, b = part.last - part.first + a,
+                 root = std::sqrt(std::max(0., b * b + 4. * a * part.first)),
+                 twice = b + std::copysign(root, b);
+    std::vector<double> breaks = {0., 1.};
+    if (a != 0.)
+      breaks.push_back(std::clamp(twice / (2. * a), 0., 1.));
+    if (twice != 0.)
+      breaks.push_back(std::clamp(-2. * part.first / twice, 0., 1.));
+    std::sort(breaks.begin(), breaks.end());
+    breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
+    const auto position = [&part](const double tau) {
+      return tau == 1. ? part.end : part.start + tau * (part.end - part.start);
+    };
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+      const double from = position(breaks[i]), to = position(breaks[i + 1]);
+      parts.push_back({from, to, part.value(from), part.value(to),
+                       part.bulge * std::pow(breaks[i + 1] - breaks[i], 2)});
+    }
+  }
+  return EdgeFunction(std::move(parts));
+}
+
 double EdgeFunction::square_integral() const {
   double sum = 0.;
   for (const Part &part : parts_) {

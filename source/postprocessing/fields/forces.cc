@@ -213,6 +213,21 @@ std::vector<bool> pressing_patches(const MultiplierSpace<2> &multipliers, const 
   return presses;
 }
 
+std::vector<SlipState> slip_states(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
+                                   const Pressure &P, const Pressure &P_t) {
+  std::vector<SlipState> states(multipliers.surface().patches().size(), SlipState::none);
+  const AdmissibleSet K_P = K.at(P);
+  for (unsigned int k = 0; k < P_t.size(); ++k) {
+    const unsigned int i = P.size() + k, patch = multipliers.patch_of(k);
+    const SlipState here = K_P.is_inside(i, P_t[k]) ? SlipState::none
+                           : P_t[k] >= K_P[i].upper ? SlipState::upper
+                                                    : SlipState::lower;
+    SlipState &state = states[patch];
+    state = k == multipliers.first_of(patch) || state == here ? here : SlipState::mixed;
+  }
+  return states;
+}
+
 // The nodes of multipliers that press.
 
 std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers, const Pressure &P) {

@@ -105,6 +105,7 @@ static void to_json(Json &json, const ErrorBound &bound) {
           {"contact", bound.contact},
           {"geometry", bound.geometry},
           {"guaranteed", bound.absolute.has_value() && bound.guaranteed},
+          {"conditional", bound.is_conditional},
           {"algebra", bound.algebra},
           {"post_absolute", bound.post_absolute},
           {"post_relative", bound.post_relative},

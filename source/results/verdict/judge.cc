@@ -77,14 +77,9 @@ std::optional<double> relative_error(const LevelRecord &level) {
 
 std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
   const LevelRecord &finest = levels.back();
-  if (finest.friction)
-    return std::string(
-             "with friction there is neither a bound nor an estimate of the error: compare "
-             "the levels") +
-           (finest.friction->is_regular.value_or(true)
-              ? ""
-              : "; this is one of at least two solutions of the discrete problem");
   std::ostringstream text;
+  if (finest.friction && !finest.friction->is_regular.value_or(true))
+    text << "this is one of at least two solutions of the discrete problem; ";
   if (finest.sizes.is_graded() && !bound_of(finest)) {
     if (!finest.estimate)
       return "nothing is known about the error: contact was not seen before this step";
@@ -102,7 +97,11 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
       if (finest.bound->post_relative)
         text << "; " << percent(*finest.bound->post_relative) << " for pi^2h u_h";
       text << ")";
-    } else
+    } else if (finest.bound->is_conditional)
+      text
+        << "if friction carried at most f times the computed pressure, the error would be at most "
+        << percent(*bound) << " (energy norm, conditional with Coulomb's law)";
+    else
       text << "the error is at most about " << percent(*bound)
            << " (energy norm, estimated bound; the sides are curved: geometric part "
            << percent(finest.bound->relative_geometry.value_or(0.)) << ")";

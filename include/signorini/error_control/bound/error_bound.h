@@ -15,7 +15,11 @@ namespace Signorini {
  * τ in equilibrium (BestStress) and a lift w of what penetrates (ContactLift):
  *
  *     |||u - u_h|||² ≤ Σ_K (‖σ(u_h) - τ‖_{E⁻¹,K} + osc_K)² + |||w|||²
- *                     + 2 ∫_{Γ_c} τ_n (u_{h,n} - g - w_n).
+ *                     + 2 ∫_{Γ_c} τ_n (u_{h,n} - g - w_n) + s |v| + τ_t v,   v = u_{h,t} - g_t -
+ * w_t.
+ *
+ * The last two terms belong to friction with the bound s (Tresca). For Coulomb's law s is f |τ_n|,
+ * and the bound is conditional: it is that for the solution of Tresca's law with this s.
  *
  * Where u_h only interpolates prescribed displacements, |||z|||_K is added to osc_K and |||z||| to
  * the bound (PrescribedLift).
@@ -41,6 +45,8 @@ struct ErrorBound {
   std::optional<double> mesh, oscillation, contact;
   /** Whether the bound is guaranteed; on curved sides it is an estimate (BestStress). */
   bool guaranteed = true;
+  /** Whether friction is Coulomb's: u is the solution of Tresca's law with s = f |τ_n|. */
+  bool is_conditional = false;
   /** The part that curved sides add, an estimate; 0 for straight sides. */
   std::optional<double> geometry;
   /** The geometry part as a share, like relative. */

@@ -7,15 +7,19 @@
 
 #include <deal.II/fe/fe_values.h>
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace Signorini {
+/** Functions on a face that a lift adds along n and along t. */
+using Remainders = std::array<EdgeFunction, 2>;
+
 /**
- * The lift w = w_h + Σ_F r_F(t) ψ_F n: a function of V^h with homogeneous essential conditions,
- * and for each contact face F what it lacks inside the face.
+ * The lift w = w_h + Σ_F ψ_F (r_F n + r_F,t t): a function of V^h with homogeneous essential
+ * conditions, and for each contact face F what it lacks inside the face.
  *
  * r_F vanishes at both ends of F; in the cell at F, t runs along F and η from F (0) to the opposite
  * edge (1), and ψ_F = (1 - η/δ)_+ with δ ≤ 1. So w is continuous and vanishes on essential
@@ -32,15 +36,16 @@ public:
 
   /**
    * Stores the functions. Data and trace must outlive the object.
-   * @param remainders r_F in the order of trace.faces(), zero at 0 and 1; empty: all are zero.
+   * @param remainders r_F and r_F,t in the order of trace.faces(), zero at 0 and 1; empty: all are
+   * zero.
    */
   LiftField(const BoundData &data, const ContactTrace &trace, Displacement w_h,
-            std::vector<EdgeFunction> remainders = {});
+            std::vector<Remainders> remainders = {});
 
   const Displacement &w_h() const {
     return w_h_;
   }
-  const std::vector<EdgeFunction> &remainders() const {
+  const std::vector<Remainders> &remainders() const {
     return remainders_;
   }
   /**
@@ -55,9 +60,9 @@ public:
   dealii::Vector<double> cell_energies() const;
 
 private:
-  /** The function r_F ψ_F of a contact face. */
+  /** The function r_F ψ_F n of a contact face, or that along t. */
   struct Column {
-    unsigned int face, face_no;
+    unsigned int face, face_no, component;
     /** The number δ. */
     double depth;
   };
@@ -71,22 +76,19 @@ private:
   const BoundData &data_;
   const ContactTrace &trace_;
   Displacement w_h_;
-  std::vector<EdgeFunction> remainders_;
+  std::vector<Remainders> remainders_;
   /** The columns by active cell index. */
   std::multimap<unsigned int, Column> columns_;
 };
-
-/** Returns the modulus of stretch along the normal of a face divided by that of shear. */
-double stretch_to_shear(const Scene<2> &scene, const PenetrationFace &face);
 
 /** The contact part of the bound of the energy error, with its summands. */
 struct ContactBound {
   /** The energy |||w|||² (force x length per thickness). */
   double lift_energy = 0.;
-  /** The integral ∫_{Γ_c} τ_n (ũ_n - g - w_n). It is not negative, up to rounding. */
+  /** The integral ∫_{Γ_c} τ_n (ũ_n - g - w_n), with friction that of s |v| + τ_t v, too. It is
+   * not negative, up to rounding. */
   double contact_term = 0.;
-  /** The terms 2 ∫_F τ_n (ũ_n - g - w_n) of the faces, in the order of ContactSurface::faces().
-   */
+  /** Twice the part of contact_term on the faces, in the order of ContactSurface::faces(). */
   std::vector<double> face_terms;
   /** The part of |||w|||² of every active cell; zero for cells of other ranks. */
   dealii::Vector<double> cell_energies;
@@ -94,7 +96,7 @@ struct ContactBound {
    */
   SidePlace dominant_part;
 
-  /** Returns c² = |||w|||² + 2 ∫ τ_n (ũ_n - g - w_n). */
+  /** Returns c² = |||w|||² + 2 contact_term. */
   double square() const {
     return lift_energy + 2. * contact_term;
   }
@@ -107,6 +109,11 @@ struct ContactBound {
  *
  * for a w in V (zero on clamped and prescribed sides, w_n = 0 on rollers) with w_n ≥ d := ũ_n - g
  * on Γ_c. The body is two-dimensional.
+ *
+ * With friction the integrand is τ_n (ũ_n - g - w_n) + s |v| + τ_t v, v = ũ_t - g_t - w_t, where
+ * |τ_t| ≤ s, the bound of Tresca's law; with Coulomb's it is f |τ_n|, and the error is that against
+ * the solution with this bound. v is zero on faces that stick, up to the interpolation of g_t:
+ * w_h,t = ũ_t - g_t at their nodes, and r_F,t is the rest.
  *
  * w = w_h + Σ_F r_F ψ_F n, see LiftField. w_h in V^h satisfies w_{h,n} ≥ d at contact nodes, see
  * nodal_lift(). On a face, d is replaced by a piecewise quadratic q ≥ d (EdgeFunction). Where the

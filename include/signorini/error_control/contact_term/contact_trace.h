@@ -47,16 +47,16 @@ struct PenetrationFace {
   std::vector<Polynomial> basis;
   /** The numbers of the conditions at the nodes, see ContactTrace::conditions(). */
   std::vector<unsigned int> conditions;
-  /** The part of a patch on the face, and whether p_H presses there. */
+  /** The part of a patch on the face, and whether p_H presses and friction holds it there. */
   struct Pressed {
     double from, to;
-    bool presses;
+    bool presses, sticks;
   };
   std::vector<Pressed> pressures;
   /** The components of ũ. */
   std::array<Polynomial, 2> u;
-  /** τ_n. */
-  Polynomial traction;
+  /** τ_n and τ_t. */
+  std::array<Polynomial, 2> traction;
   /** The places where p_H jumps or data has a kink, with 0 and 1. */
   std::vector<double> breaks;
   /** The upper interpolant of d. */
@@ -69,6 +69,8 @@ struct PenetrationFace {
    */
   bool presses() const;
   bool presses_everywhere() const;
+  /** Returns whether friction holds all parts of the face. */
+  bool sticks() const;
   /** Returns v.direction on the face for a function of V^h. */
   Polynomial trace(const Displacement &V, const Tensor<1, 2> &direction) const;
   /** Calls visit(t, weight) for Gauss points on each part of a function on the face, four for
@@ -78,29 +80,35 @@ struct PenetrationFace {
 };
 
 /** The condition w_n ≥ required at a contact node, for w in V^h with homogeneous essential
- * conditions. */
+ * conditions; with friction also w_t = required at the nodes of faces that stick. */
 struct NodeCondition {
-  Tensor<1, 2> normal;
+  /** n, or t. */
+  Tensor<1, 2> direction;
+  Component component;
   Point<2> point;
   SidePlace place;
   /** The value d at the node, or, next to a face on which d is larger inside and nothing presses,
    * that value: where contact was missed, a w_h that is wide costs much less energy than a function
    * inside of the face. */
   double required;
-  /** Whether a neighbouring face presses. */
+  /** Whether a neighbouring face presses, or for w_t sticks. */
   bool presses = false;
-  /** The column of w -> w_n, condensed. It is empty where w_n = 0 for all such w, because another
-   * side holds the node. */
+  /** The column of w -> w.direction, condensed. It is empty where that vanishes for all such w,
+   * because another side holds the node. */
   Coupling::Column column;
 
   bool held() const {
     return column.empty();
   }
+  bool is_normal() const {
+    return component == Component::normal;
+  }
 };
 
 /** The penetration d = ũ_n - g on Γ_c, face by face, with ũ = u_h or π^{2h} u_h. It also holds
  * the conditions that a w in V^h with w_n ≥ d at contact nodes satisfies: one per contact node and
- * direction of the normal. A corner of two contact sides has two. */
+ * direction of the normal. A corner of two contact sides has two. With friction nodes of one normal
+ * have a condition on w_t, too: there w = ũ_t - g_t on faces that stick. */
 class ContactTrace {
 public:
   /**
@@ -121,11 +129,18 @@ public:
   }
   /** Returns d itself at t, up to the evaluation of g. */
   double penetration(const PenetrationFace &face, double t) const;
+  /** Returns ũ_t - g_t. */
+  double slip(const PenetrationFace &face, double t) const;
+  /** Returns the bound of friction: s, or with Coulomb's law f |τ_n|. */
+  double friction_bound(const PenetrationFace &face, double t) const;
   /** Returns what rounding makes of d = 0 on a face. */
   double rounding(const PenetrationFace &face) const;
   /** Returns an EdgeFunction that is not below d - w_n, for a polynomial w_n of t. */
   EdgeFunction lacking(const PenetrationFace &face, const PenetrationFace::Polynomial &w_n) const;
-  /** Returns ∫ τ_n d over Γ_c, by the same points. */
+  /** Returns an EdgeFunction that is close to ũ_t - g_t - w_t. */
+  EdgeFunction lacking_slip(const PenetrationFace &face,
+                            const PenetrationFace::Polynomial &w_t) const;
+  /** Returns ∫ τ_n d + τ_t (ũ_t - g_t) over Γ_c, by the same points. */
   double work_of_penetration() const;
   /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */
   double max_penetration() const {
@@ -144,6 +159,13 @@ private:
   void find_faces(const std::vector<FaceField> &fields);
   PenetrationFace make_face(const ContactFace<2> &contact, const FaceField &field) const;
   void find_conditions();
+  /** Returns the number of the condition on a component of w at a node of a face, a new one if it
+   * is the first. */
+  unsigned int condition_at(const PenetrationFace &face, std::size_t node, Component component,
+                            std::vector<unsigned int> &known);
+  void condense_columns();
+  UpperInterpolant sample(const PenetrationFace &face, const std::function<double(double)> &f,
+                          const Pinned &pinned) const;
   UpperInterpolant sample(const PenetrationFace &face,
                           const PenetrationFace::Polynomial &w_n) const;
   void sample();

@@ -8,7 +8,9 @@
 #include <signorini/error_control/equilibration/stress_bound.h>
 #include <signorini/error_control/equilibration/traction_solver.h>
 #include <signorini/error_control/loads/edge_function.h>
+#include <signorini/postprocessing/fields/forces.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,8 @@ namespace Signorini {
 /**
  * The stress τ that is closest to σ(u_h), among those of degree q_K on cells (AiryCell) that are in
  * equilibrium: div τ + f_K = 0, continuous tractions, the projection of t on traction sides, no
- * shear on rollers and contact sides, and τ_n ≤ 0 on contact sides. Nothing is assumed of u_h.
+ * shear on rollers and contact sides, and τ_n ≤ 0 on contact sides. With friction |τ_t| ≤ s there,
+ * with Coulomb's law s = f |τ_n|. Nothing is assumed of u_h.
  *
  * 1. The cells are those of u_h on graded meshes, else those of a StressMesh of its own.
  * 2. Inside of the cells the best stress for given tractions follows cell by cell (CellFit).
@@ -25,7 +28,10 @@ namespace Signorini {
  * 4. On contact edges that press everywhere τ_n is unknown. Where the result is positive (a
  * coefficient of Bernstein is), and on all other contact edges, τ_n is p_H, with positive
  * coefficients of Bernstein set to zero.
- * 5. Cells where f - f_K or t - t_h counts for more than a tenth are split, or their degree rises.
+ * 5. With friction τ_t is unknown on edges that stick everywhere. Elsewhere, and where the result
+ * exceeds a polynomial s_E ≤ s, it is q_H, with coefficients of Bernstein between those of -s_E and
+ * s_E; on edges that slip it is -s_E or s_E. With Coulomb's law τ_n is known everywhere.
+ * 6. Cells where f - f_K or t - t_h counts for more than a tenth are split, or their degree rises.
  */
 class BestStress {
 public:
@@ -63,10 +69,27 @@ private:
   void prepare_mesh();
   void give_tractions();
   void give_contact();
+  void give_friction();
+  /** Returns the coefficients of Legendre's polynomials of p_H or q_H on an edge. */
+  std::vector<double> projection_of(const Pressure &P, unsigned int edge) const;
+  /** Returns those of τ_n (component 0) or τ_t. */
+  std::vector<double> coefficients(unsigned int edge, unsigned int component) const;
+  void fix_edge(unsigned int edge, unsigned int component, const std::vector<double> &legendre);
   /** Sets the coefficients of an edge to those of p_H, without positive coefficients of Bernstein.
    */
   void press_by_multipliers(unsigned int edge);
-  /** Fixes the free contact edges whose traction pulls. @return whether there were any. */
+  /** Sets those of τ_t to q_H, between the bounds of friction; where the edge slips, to one of
+   * them.
+   */
+  void rub_by_multipliers(unsigned int edge);
+  /** Returns s at the position @p s, or with Coulomb's law f |τ_n|. */
+  double friction_bound(unsigned int edge, double s) const;
+  /** Returns the coefficients of Bernstein of a polynomial that is close to this, and not above it
+   * at samples. */
+  std::vector<double> lower_friction_bound(unsigned int edge) const;
+  bool is_within_friction(unsigned int edge) const;
+  /** Fixes the free contact edges whose traction pulls, or exceeds the bound of friction. @return
+   * whether there were any. */
   bool fix_pulling_edges();
   /** Splits cells whose loads are not resolved, or raises their degree.
    * @param total ‖σ(u_h) - τ‖, or about that.
@@ -114,6 +137,9 @@ private:
   std::array<std::vector<double>, 2> rests_;
   /** The edges by face of the contact surface. */
   std::vector<unsigned int> contact_edges_;
+  /** With friction, by edge: how its patches slip, and the coefficients of Bernstein of s_E. */
+  std::map<unsigned int, SlipState> slips_;
+  std::map<unsigned int, std::vector<double>> friction_bounds_;
   double lacking_ = 0.;
   std::string failure_;
 };

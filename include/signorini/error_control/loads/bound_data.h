@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/multiplier/admissible_set.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
@@ -14,9 +15,16 @@ struct BoundData {
   const MultiplierSpace<2> &multipliers;
   const Displacement &U;
   const Pressure &P;
+  /** P_t; empty without friction. */
+  const Pressure &P_t;
+  const AdmissibleSet &K;
   const StiffnessInverse &inverse;
   const Coupling &condensed_D;
   /** The energy J(u_h) = a(u_h, u_h)/2 - f(u_h) (force x length per thickness). */
   double energy;
+
+  bool has_friction() const {
+    return P_t.size() > 0;
+  }
 };
 } // namespace Signorini

@@ -45,6 +45,8 @@ public:
   /** Returns the derivative at t; at a break, that from the right. */
   double slope(double t) const;
   bool is_zero() const;
+  /** Returns the same function with further breaks where it vanishes. */
+  EdgeFunction split_at_roots() const;
   /** Returns the largest value. */
   double largest() const;
   /** square_integral() returns ∫_0^1 r² dt, slope_integral() ∫_0^1 r'² dt. Both are exact. */
@@ -97,9 +99,9 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
 
 /** The fields ũ and τ on a contact face. */
 struct FaceField {
-  /** The coefficient in ũ_n = u_{h,n} + 4 t (1 - t) bubble. */
-  double bubble = 0.;
-  /** The traction τ_n as a polynomial of t. */
-  Polynomials::Polynomial<double> traction;
+  /** The coefficient in ũ = u_h + 4 t (1 - t) bubble. */
+  Tensor<1, 2> bubble;
+  /** The tractions τ_n and τ_t as polynomials of t. */
+  std::array<Polynomials::Polynomial<double>, 2> traction;
 };
 } // namespace Signorini

@@ -6,6 +6,7 @@
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/elasticity/linear_system.h>
 #include <signorini/discretization/mesh/contact_surface.h>
+#include <signorini/discretization/multiplier/admissible_set.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 
 #include <algorithm>
@@ -52,6 +53,14 @@ double pressing_threshold(const Pressure &P);
 
 /** Returns for each patch whether all of its multipliers press. */
 std::vector<bool> pressing_patches(const MultiplierSpace<2> &multipliers, const Pressure &P);
+
+/** How the multipliers P_t of a patch lie in their intervals: all inside, so that it sticks, or
+ * without friction; all at the lower ends, all at the upper ends, or otherwise. */
+enum class SlipState { none, lower, upper, mixed };
+
+/** Returns the states of all patches. */
+std::vector<SlipState> slip_states(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
+                                   const Pressure &P, const Pressure &P_t);
 
 /** A summary of the contact pressure. */
 struct ContactSummary {

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The shear on contact edges, within the bound of friction, and polynomials between bounds.
+
+#include <signorini/error_control/equilibration/bernstein.h>
+#include <signorini/error_control/equilibration/best_stress.h>
+#include <signorini/postprocessing/fields/forces.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace Signorini {
+std::vector<double> bernstein_coefficients(const std::vector<double> &legendre) {
+  const unsigned int n = legendre.size() - 1;
+  std::vector<double> sum(n + 1, 0.);
+  for (unsigned int k = 0; k <= n; ++k) {
+    // P_k has the coefficients (-1)^{k-i} (k choose i); then the degree is raised to n.
+    std::vector<double> b = {k % 2 == 0 ? 1. : -1.};
+    for (unsigned int i = 1; i <= k; ++i)
+      b.push_back(-b.back() * (k - i + 1) / i);
+    for (unsigned int degree = k; degree < n; ++degree) {
+      std::vector<double> raised(degree + 2);
+      for (unsigned int i = 0; i <= degree + 1; ++i)
+        raised[i] = (i > 0 ? b[i - 1] * i / (degree + 1.) : 0.) +
+                    (i <= degree ? b[i] * (degree + 1. - i) / (degree + 1.) : 0.);
+      b = std::move(raised);
+    }
+    for (unsigned int i = 0; i <= n; ++i)
+      sum[i] += std::sqrt(2. * k + 1.) * legendre[k] * b[i];
+  }
+  return sum;
+}
+
+namespace {
+double bernstein_value(std::vector<double> b, const double s) {
+  for (; b.size() > 1; b.pop_back())
+    for (std::size_t i = 0; i + 1 < b.size(); ++i)
+      b[i] = (1. - s) * b[i] + s * b[i + 1];
+  return b[0];
+}
+
+/** Returns the projection of a function on [0,1], by the rule @p gauss. */
+template <typename Function>
+std::vector<double> project(const unsigned int degree, const QGauss<1> &gauss,
+                            const Function &function) {
+  std::vector<double> sum(degree + 1, 0.);
+  for (unsigned int q = 0; q < gauss.size(); ++q) {
+    const double s = gauss.point(q)[0], value = gauss.weight(q) * function(s);
+    const auto L = legendre_values(degree, s);
+    for (unsigned int i = 0; i <= degree; ++i)
+      sum[i] += value * L[i];
+  }
+  return sum;
+}
+} // namespace
+
+std::vector<double> legendre_coefficients(const std::vector<double> &bernstein) {
+  return project(bernstein.size() - 1, QGauss<1>(bernstein.size()),
+                 [&](const double s) { return bernstein_value(bernstein, s); });
+}
+
+double BestStress::friction_bound(const unsigned int number, const double s) const {
+  const TractionEdge &edge = mesh_->edges()[number];
+  const double given =
+    data_.scene.boundary[edge.side].friction->value(edge.start + s * (edge.end - edge.start));
+  if (!data_.K.moves())
+    return given;
+  return given * std::abs(bernstein_value(bernstein_coefficients(coefficients(number, 0)), s));
+}
+
+std::vector<double> BestStress::lower_friction_bound(const unsigned int number) const {
+  // About 20000 points on all edges.
+  const unsigned int degree = mesh_->edges()[number].degree,
+                     n = std::clamp<std::size_t>(20000 / contact_edges_.size(), 16, 256);
+  std::vector<double> samples;
+  for (unsigned int i = 0; i <= n; ++i)
+    samples.push_back(friction_bound(number, static_cast<double>(i) / n));
+  std::vector<double> b = bernstein_coefficients(project(
+    degree, QGauss<1>(2 * degree + 1), [&](const double s) { return friction_bound(number, s); }));
+  constexpr double rounding = 1e-13;
+  const auto [least, largest] = std::minmax_element(samples.begin(), samples.end());
+  double share = 1.;
+  for (double &value : b)
+    if (value < 0.) {
+      share = value < -rounding * *largest ? 0. : share;
+      value = 0.;
+    }
+  for (unsigned int i = 0; i <= n; ++i)
+    if (const double here = bernstein_value(b, static_cast<double>(i) / n);
+        here > (1. + rounding) * samples[i])
+      share = std::min(share, samples[i] / here);
+  if (share * std::accumulate(b.begin(), b.end(), 0.) < *least * b.size())
+    return std::vector<double>(degree + 1, *least);
+  for (double &value : b)
+    value *= share;
+  return b;
+}
+
+void BestStress::give_friction() {
+  const std::vector<SlipState> of_patches =
+    slip_states(data_.multipliers, data_.K, data_.P, data_.P_t);
+  slips_.clear();
+  friction_bounds_.clear();
+  for (const Piece<2> &piece : data_.multipliers.surface().pieces()) {
+    const SlipState state = of_patches[piece.patch];
+    SlipState &on_edge = slips_.emplace(contact_edges_[piece.face], state).first->second;
+    on_edge = on_edge == state ? state : SlipState::mixed;
+  }
+  std::map<unsigned int, bool> is_free;
+  for (const auto &[edge, state] : slips_)
+    is_free[edge] = state == SlipState::none;
+  // Next to an edge that slips the best shear would exceed the bound.
+  for (std::size_t i = 0; i + 1 < contact_edges_.size(); ++i)
+    if (const unsigned int here = contact_edges_[i], next = contact_edges_[i + 1];
+        mesh_->edges()[here].side == mesh_->edges()[next].side &&
+        (slips_[here] != SlipState::none || slips_[next] != SlipState::none))
+      is_free[here] = is_free[next] = false;
+  for (const auto &[edge, free] : is_free) {
+    friction_bounds_[edge] = lower_friction_bound(edge);
+    rub_by_multipliers(edge);
+    mesh_->set_free(edge, 1, free);
+  }
+}
+
+void BestStress::rub_by_multipliers(const unsigned int number) {
+  const std::vector<double> &bound = friction_bounds_.at(number);
+  std::vector<double> b = bernstein_coefficients(projection_of(data_.P_t, number));
+  const SlipState state = slips_.at(number);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    b[i] = state == SlipState::upper   ? bound[i]
+           : state == SlipState::lower ? -bound[i]
+                                       : std::clamp(b[i], -bound[i], bound[i]);
+  fix_edge(number, 1, legendre_coefficients(b));
+}
+
+bool BestStress::is_within_friction(const unsigned int number) const {
+  const std::vector<double> &bound = friction_bounds_.at(number),
+                            b = bernstein_coefficients(coefficients(number, 1));
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (std::abs(b[i]) > bound[i])
+      return false;
+  return true;
+}
+} // namespace Signorini
