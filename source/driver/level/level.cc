@@ -114,8 +114,8 @@ ErrorEstimate estimate_of(const Discretization<dim> &discretization, const Scene
     };
   const PressureCorrection correction = correct_pressure<dim>(
     {discretization.space, scene, discretization.multipliers,
-     contact.dual ? contact.dual->free.U : contact.U, contact.P, discretization.condensed_D,
-     *contact.inverse, discretization.n_points, on_other_patches});
+     contact.dual ? contact.dual->free.U : contact.U, contact.P, contact.P_t, discretization.K,
+     discretization.condensed_D, *contact.inverse, discretization.n_points, on_other_patches});
   OtherErrors others;
   others.algebra = contact.algebraic_error;
   if constexpr (dim == 3)
@@ -208,7 +208,7 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   }
   progress("certificate");
   add_certificate_and_answer(discretization, solution.scene, contact, record);
-  if (!has_friction && discretization.mesh.has_parents())
+  if (discretization.mesh.has_parents() && (dim == 2 || !has_friction))
     record.estimate = estimate_of(discretization, solution.scene, contact);
   record.certificate.energy -= work_of_plates(record);
 }

@@ -144,6 +144,20 @@ unsigned int ContactTrace::condition_at(const PenetrationFace &face, const std::
   return known.back();
 }
 
+namespace {
+bool are_parallel(const Coupling::Column &a, const Coupling::Column &b) {
+  double aa = 0., ab = 0., bb = 0.;
+  for (const auto &[row, factor] : a) {
+    const auto found = b.find(row);
+    aa += factor * factor;
+    ab += found == b.end() ? 0. : factor * found->second;
+  }
+  for (const auto &entry : b)
+    bb += entry.second * entry.second;
+  return ab * ab > (1. - 1e-6) * aa * bb;
+}
+} // namespace
+
 void ContactTrace::find_conditions() {
   std::map<types::global_dof_index, std::vector<unsigned int>> normals, tangents;
   for (PenetrationFace &face : faces_)
@@ -155,8 +169,10 @@ void ContactTrace::find_conditions() {
   for (const PenetrationFace &face : faces_)
     for (std::size_t i = 0; i < face.dofs.size() && data_.has_friction(); ++i) {
       // Two normals say all about w.
-      if (normals[face.dofs[i][0]].size() > 1)
+      if (normals[face.dofs[i][0]].size() > 1) {
+        prescribes_all_ = false;
         continue;
+      }
       NodeCondition &condition =
         conditions_[condition_at(face, i, Component::tangential, tangents[face.dofs[i][0]])];
       if (face.sticks()) {
@@ -165,6 +181,15 @@ void ContactTrace::find_conditions() {
       }
     }
   condense_columns();
+  for (const auto &[dof, numbers] : tangents) {
+    // A node that another side lets move along one line only has one condition.
+    NodeCondition &tangent = conditions_[numbers.front()];
+    const Coupling::Column &normal = conditions_[normals.at(dof).front()].column;
+    if (!tangent.held() && are_parallel(tangent.column, normal)) {
+      prescribes_all_ = false;
+      tangent.column.clear();
+    }
+  }
 }
 
 void ContactTrace::condense_columns() {

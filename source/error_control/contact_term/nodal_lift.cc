@@ -231,8 +231,9 @@ std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace
 
 std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrace &trace) {
   const auto &conditions = trace.conditions();
-  if (conditions.empty() || std::any_of(conditions.begin(), conditions.end(),
-                                        [](const auto &c) { return c.is_normal() && c.held(); }))
+  if (conditions.empty() || !trace.prescribes_all() ||
+      std::any_of(conditions.begin(), conditions.end(),
+                  [](const auto &c) { return c.is_normal() && c.held(); }))
     return {};
   const MovingNodes nodes(data.space, trace, true);
   Vector targets(conditions.size()), moving(nodes.numbers.size());

@@ -75,7 +75,8 @@ void BestStress::set_up() {
     has_integrals = is_own && !fields_;
     if (has_integrals)
       integrate_u();
-  } while (resolve_loads(likely_misfit(), !is_own || !stress_mesh_.is_aligned()));
+  } while (resolve_friction() ||
+           resolve_loads(likely_misfit(), !is_own || !stress_mesh_.is_aligned()));
   if (is_own && !has_integrals)
     integrate_u();
 }

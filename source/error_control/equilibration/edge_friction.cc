@@ -70,7 +70,7 @@ double BestStress::friction_bound(const unsigned int number, const double s) con
   return given * std::abs(bernstein_value(bernstein_coefficients(coefficients(number, 0)), s));
 }
 
-std::vector<double> BestStress::lower_friction_bound(const unsigned int number) const {
+std::vector<double> BestStress::lower_friction_bound(const unsigned int number) {
   // About 20000 points on all edges.
   const unsigned int degree = mesh_->edges()[number].degree,
                      n = std::clamp<std::size_t>(20000 / contact_edges_.size(), 16, 256);
@@ -91,7 +91,11 @@ std::vector<double> BestStress::lower_friction_bound(const unsigned int number) 
     if (const double here = bernstein_value(b, static_cast<double>(i) / n);
         here > (1. + rounding) * samples[i])
       share = std::min(share, samples[i] / here);
-  if (share * std::accumulate(b.begin(), b.end(), 0.) < *least * b.size())
+  const double mean = std::accumulate(b.begin(), b.end(), 0.) / b.size();
+  constexpr double far_below = 0.98;
+  if (std::max(share * mean, *least) < far_below * mean)
+    unresolved_friction_.insert(number);
+  if (share * mean < *least)
     return std::vector<double>(degree + 1, *least);
   for (double &value : b)
     value *= share;
@@ -103,6 +107,7 @@ void BestStress::give_friction() {
     slip_states(data_.multipliers, data_.K, data_.P, data_.P_t);
   slips_.clear();
   friction_bounds_.clear();
+  unresolved_friction_.clear();
   for (const Piece<2> &piece : data_.multipliers.surface().pieces()) {
     const SlipState state = of_patches[piece.patch];
     SlipState &on_edge = slips_.emplace(contact_edges_[piece.face], state).first->second;
@@ -133,6 +138,15 @@ void BestStress::rub_by_multipliers(const unsigned int number) {
            : state == SlipState::lower ? -bound[i]
                                        : std::clamp(b[i], -bound[i], bound[i]);
   fix_edge(number, 1, legendre_coefficients(b));
+}
+
+bool BestStress::resolve_friction() {
+  std::vector<StressMesh::Cell> unresolved;
+  for (std::size_t c = 0; c < cells_.size() && stress_mesh_.is_own(); ++c)
+    for (const TractionSide &side : mesh_->cells()[c].sides)
+      if (unresolved_friction_.count(side.edge) > 0)
+        unresolved.push_back(cells_[c]);
+  return stress_mesh_.refine(unresolved, false);
 }
 
 bool BestStress::is_within_friction(const unsigned int number) const {

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <vector>
@@ -48,22 +49,25 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multi
                                                 multipliers.surface().patches()));
 }
 
-/** The recovered pressure, shifted on every patch so that its mean is that of p_H, and cut off at
- * zero. R^H p - p_H converges faster than p - p_H, see (25). The means of a line through the
+/** The recovered p or q, shifted on every patch so that its mean is that of p_H or q_H; p is cut
+ * off at zero. R^H p - p_H converges faster than p - p_H, see (25). The means of a line through the
  * middles of patches do not, and whole patches act on the body far more than what varies on them.
  */
 template <int dim>
 class ShiftedPressure {
 public:
-  ShiftedPressure(const MultiplierSpace<dim> &multipliers, const Pressure &P)
+  ShiftedPressure(const MultiplierSpace<dim> &multipliers, const Pressure &P,
+                  const Component component = Component::normal)
     : recovered_(multipliers, P)
+    , most_(component == Component::normal ? 0. : std::numeric_limits<double>::infinity())
     , shifts_(P) {
     dealii::Vector<double> integrals(P.size()), lengths(P.size());
     for (const Piece<dim> &piece : multipliers.surface().pieces())
       for (std::size_t q = 0; q < piece.on_mesh.size(); ++q) {
         const double weight = piece.on_mesh.weights[q];
         lengths[piece.patch] += weight;
-        integrals[piece.patch] += recovered_(piece.patch, piece.on_mesh.on_side[q]) * weight;
+        integrals[piece.patch] +=
+          std::min(most_, recovered_.without_sign(piece.patch, piece.on_mesh.on_side[q])) * weight;
       }
     for (unsigned int k = 0; k < P.size(); ++k)
       shifts_[k] -= integrals[k] / lengths[k];
@@ -72,19 +76,52 @@ public:
   std::vector<double> operator()(const Piece<dim> &piece, const SurfaceRule<dim> &rule) const {
     std::vector<double> p;
     for (const Point<dim - 1> &s : rule.on_side)
-      p.push_back(std::min(0., recovered_(piece.patch, s) + shifts_[piece.patch]));
+      p.push_back(std::min(most_, std::min(most_, recovered_.without_sign(piece.patch, s)) +
+                                    shifts_[piece.patch]));
     return p;
   }
 
 private:
   RecoveredPressure<dim> recovered_;
+  /** Zero for p, infinity for q. */
+  double most_;
   dealii::Vector<double> shifts_;
 };
+
+/** Adds the load of the recovered q, which is cut off at s, or at f times the recovered |p|; where
+ * a patch slips in one direction, it is that bound. */
+void add_friction_load(const PressureData<2> &data, Coupling::Column &load) {
+  const ShiftedPressure<2> pressure(data.multipliers, data.P),
+    friction(data.multipliers, data.P_t, Component::tangential);
+  const std::vector<SlipState> slips = slip_states(data.multipliers, data.K, data.P, data.P_t);
+  const auto rule_on = [](const Piece<2> &piece) -> const SurfaceRule<2> & {
+    return piece.on_mesh;
+  };
+  const auto values_on = [&](const Piece<2> &piece, const SurfaceRule<2> &rule) {
+    const auto &given =
+      *data.scene.boundary[data.multipliers.surface().faces()[piece.face].side].friction;
+    const SlipState state = slips[piece.patch];
+    const std::vector<double> p = pressure(piece, rule);
+    std::vector<double> q = friction(piece, rule);
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      const double bound = given.value(rule.points[i]) * (data.K.moves() ? std::abs(p[i]) : 1.);
+      q[i] = state == SlipState::upper   ? bound
+             : state == SlipState::lower ? -bound
+                                         : std::clamp(q[i], -bound, bound);
+    }
+    return q;
+  };
+  for (const auto &[row, value] : contact_load(data.space, data.multipliers.surface(), rule_on,
+                                               values_on, Component::tangential))
+    load[row] += value;
+}
 
 /** Returns z_h for a load. */
 template <int dim>
 PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &data) {
   dealii::Vector<double> minus_P(data.P);
+  if (data.P_t.size() > 0)
+    minus_P = join(data.P, data.P_t);
   minus_P *= -1.;
   DistributedVector forces = data.space.make_vector();
   load.add_product(dealii::Vector<double>{1.}, forces);
@@ -98,15 +135,23 @@ PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &dat
 }
 } // namespace
 
+namespace {
+/** Returns the load of the recovered pressure. */
 template <int dim>
-Coupling recovered_load(const DisplacementSpace<dim> &space,
-                        const MultiplierSpace<dim> &multipliers, const Pressure &P) {
+Coupling::Column pressure_load(const DisplacementSpace<dim> &space,
+                               const MultiplierSpace<dim> &multipliers, const Pressure &P) {
   const auto rule_on = [](const Piece<dim> &piece) -> const SurfaceRule<dim> & {
     return piece.on_mesh;
   };
   const ShiftedPressure<dim> pressure(multipliers, P);
-  return condense(Coupling({contact_load(space, multipliers.surface(), rule_on, pressure)}),
-                  space.constraints());
+  return contact_load(space, multipliers.surface(), rule_on, pressure);
+}
+} // namespace
+
+template <int dim>
+Coupling recovered_load(const DisplacementSpace<dim> &space,
+                        const MultiplierSpace<dim> &multipliers, const Pressure &P) {
+  return condense(Coupling({pressure_load(space, multipliers, P)}), space.constraints());
 }
 
 template <int dim>
@@ -117,8 +162,14 @@ PressureCorrection correct_pressure(const PressureData<dim> &data) {
     return {};
   const MultiplierSpace<dim> finer_multipliers(finer);
   std::optional<dealii::Vector<double>> P;
-  if (data.solve_dual && finer.patches().size() > surface.patches().size())
+  if (data.solve_dual && data.P_t.size() == 0 && finer.patches().size() > surface.patches().size())
     P = solve_on(finer_multipliers, data);
+  if constexpr (dim == 2)
+    if (data.P_t.size() > 0) {
+      Coupling::Column load = pressure_load(data.space, data.multipliers, data.P);
+      add_friction_load(data, load);
+      return correct_by<dim>(condense(Coupling({load}), data.space.constraints()), data);
+    }
   if (presses_nowhere(data.P) && (!P || presses_nowhere(*P)))
     return {};
   return correct_by<dim>(P ? recovered_load(data.space, finer_multipliers, Pressure(*P))

@@ -136,13 +136,6 @@ RecoveredPressure<dim>::RecoveredPressure(const MultiplierSpace<dim> &space, con
 }
 
 template <int dim>
-double RecoveredPressure<dim>::operator()(const unsigned int patch, const Point<dim - 1> &s) const {
-  if (!space_.is_piecewise_constant())
-    return std::min(0., space_.value(P_, patch, s));
-  return std::min(0., interpolate(patch, s, dim - 1));
-}
-
-template <int dim>
 double RecoveredPressure<dim>::interpolate(const unsigned int patch, const Point<dim - 1> &s,
                                            const unsigned int n_directions) const {
   if (n_directions == 0)

@@ -163,8 +163,8 @@ struct ContactLift {
  */
 std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace &trace);
 
-/** Returns |||z||| of a z in V^h that is zero on essential boundaries and has z_n = 1 on Γ_c;
- * none where contact meets a side that holds the body. contact_force_bound() bounds the error of
- * the contact force with it. Collective. */
+/** Returns |||z||| of a z in V^h that is zero on essential boundaries and has z_n = 1 on Γ_c, with
+ * friction also z_t = 0; none where contact meets a side that does not allow that.
+ * contact_force_bound() bounds the error of the contact force with it. Collective. */
 std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrace &trace);
 } // namespace Signorini

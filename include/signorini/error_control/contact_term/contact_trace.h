@@ -127,6 +127,11 @@ public:
   const ContactSurface<2> &surface() const {
     return data_.multipliers.surface();
   }
+  /** Returns whether w_n and w_t can be given at all contact nodes at once, as far as other sides
+   * do not hold them. */
+  bool prescribes_all() const {
+    return prescribes_all_;
+  }
   /** Returns d itself at t, up to the evaluation of g. */
   double penetration(const PenetrationFace &face, double t) const;
   /** Returns ũ_t - g_t. */
@@ -175,6 +180,7 @@ private:
   const double size_of_U_;
   std::vector<PenetrationFace> faces_;
   std::vector<NodeCondition> conditions_;
+  bool prescribes_all_ = true;
   double max_ = 0.;
   SidePlace place_of_largest_;
   std::optional<SidePlace> obstacle_;

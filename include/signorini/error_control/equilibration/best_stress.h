@@ -11,6 +11,7 @@
 #include <signorini/postprocessing/fields/forces.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -85,8 +86,8 @@ private:
   /** Returns s at the position @p s, or with Coulomb's law f |τ_n|. */
   double friction_bound(unsigned int edge, double s) const;
   /** Returns the coefficients of Bernstein of a polynomial that is close to this, and not above it
-   * at samples. */
-  std::vector<double> lower_friction_bound(unsigned int edge) const;
+   * at samples. Notes the edge where it is far below. */
+  std::vector<double> lower_friction_bound(unsigned int edge);
   bool is_within_friction(unsigned int edge) const;
   /** Fixes the free contact edges whose traction pulls, or exceeds the bound of friction. @return
    * whether there were any. */
@@ -96,6 +97,9 @@ private:
    * @param by_degree whether degrees may rise.
    * @return whether there is a change. */
   bool resolve_loads(double total, bool by_degree);
+  /** Splits cells along whose contact edge the polynomial s_E is far below s. @return whether there
+   * were any. */
+  bool resolve_friction();
   /** Returns ‖σ(u_h) - τ‖_K, or ‖τ‖_K on a mesh of its own. */
   double misfit(std::size_t cell) const;
   /** Returns the sum of the squares of that. */
@@ -140,6 +144,8 @@ private:
   /** With friction, by edge: how its patches slip, and the coefficients of Bernstein of s_E. */
   std::map<unsigned int, SlipState> slips_;
   std::map<unsigned int, std::vector<double>> friction_bounds_;
+  /** The edges on which s_E is far below s. */
+  std::set<unsigned int> unresolved_friction_;
   double lacking_ = 0.;
   std::string failure_;
 };

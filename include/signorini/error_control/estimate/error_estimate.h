@@ -35,12 +35,15 @@ struct PressureData {
   /** The complete nodal values U_0 = A⁻¹ f. */
   const Displacement &U_free;
   const Pressure &P;
+  /** P_t; empty without friction. */
+  const Pressure &P_t;
+  const AdmissibleSet &K;
   const Coupling &condensed_D;
   const StiffnessInverse &inverse;
   /** The number of Gauss points per direction for the gap, as in the dual problem. */
   unsigned int n_points;
   /** The solver of the dual problem on finer patches, where patches are longer than two faces. If
-   * it is empty, the pressure of the given patches is recovered. */
+   * it is empty, and with friction, the pressure of the given patches is recovered. */
   DualProblem solve_dual;
 };
 
@@ -57,6 +60,8 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
  * p_H does. Then p is recovered from the solution on patches of two faces per direction, which
  * costs one more dual problem with the same A. That solution does not penetrate between the means
  * of the given patches, either.
+ *
+ * With friction b contains q v_t, where q is recovered like p and cut off at the bound of friction.
  *
  * The correction costs one solve. It is zero, without a solve, where the pressure vanishes. Patches
  * shorter than two faces are not corrected: p_H oscillates on them, and no function of V^h sees the

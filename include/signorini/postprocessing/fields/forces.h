@@ -96,7 +96,14 @@ public:
 
   /** Returns the value at the point @p s of the side to which @p patch belongs; @p patch contains
    * it. */
-  double operator()(unsigned int patch, const Point<dim - 1> &s) const;
+  double operator()(unsigned int patch, const Point<dim - 1> &s) const {
+    return std::min(0., without_sign(patch, s));
+  }
+  /** Returns the same without the cut. */
+  double without_sign(unsigned int patch, const Point<dim - 1> &s) const {
+    return space_.is_piecewise_constant() ? interpolate(patch, s, dim - 1)
+                                          : space_.value(P_, patch, s);
+  }
 
 private:
   /** Returns the mean of a patch, interpolated linearly between the middles of neighbours in the
@@ -202,11 +209,12 @@ std::vector<double> penetration(const ContactSurface<dim> &surface, const Piece<
                                 TraceValues<dim> &traces);
 
 /** Returns ∫_{Γ_c} q φ_j.n for all j, as the column of a coupling: @p values_on (piece, rule) is q
- * at the points of @p rule_on (piece). */
+ * at the points of @p rule_on (piece). With t in the place of n if the component is tangential. */
 template <int dim, typename RuleOn, typename ValuesOn>
 Coupling::Column contact_load(const DisplacementSpace<dim> &space,
                               const ContactSurface<dim> &surface, const RuleOn &rule_on,
-                              const ValuesOn &values_on) {
+                              const ValuesOn &values_on,
+                              const Component component = Component::normal) {
   TraceValues<dim> traces(space);
   Coupling::Column load;
   for (const Piece<dim> &piece : surface.pieces()) {
@@ -218,7 +226,8 @@ Coupling::Column contact_load(const DisplacementSpace<dim> &space,
     for (std::size_t k = 0; k < rule.size(); ++k)
       for (unsigned int j = 0; j < indices.size(); ++j)
         load[indices[j]] += q[k] * rule.weights[k] *
-                            (values[FEValuesExtractors::Vector(0)].value(j, k) * rule.normals[k]);
+                            (values[FEValuesExtractors::Vector(0)].value(j, k) *
+                             direction_of(component, rule.normals[k]));
   }
   return load;
 }
