@@ -85,7 +85,7 @@ struct FaceLift {
     r[0] = remainder(face, normal);
     if (data.has_friction()) {
       tangential = trace.lacking_slip(face, w_t);
-      if (face.sticks())
+      if (face.lifts_slip)
         r[1] = without_chord(tangential);
     }
   }

@@ -34,11 +34,6 @@ bool PenetrationFace::presses_everywhere() const {
                      [](const Pressed &part) { return part.presses; });
 }
 
-bool PenetrationFace::sticks() const {
-  return std::all_of(pressures.begin(), pressures.end(),
-                     [](const Pressed &part) { return part.sticks; });
-}
-
 PenetrationFace::Polynomial PenetrationFace::trace(const Displacement &V,
                                                    const Tensor<1, 2> &direction) const {
   Polynomial sum(0);
@@ -122,6 +117,25 @@ void ContactTrace::find_faces(const std::vector<FaceField> &fields) {
     faces_[piece.face].pressures.push_back(
       {from, to, presses[piece.patch], slips[piece.patch] == SlipState::none});
   }
+  for (PenetrationFace &face : faces_)
+    face.lifts_slip = data_.has_friction() && wants_lift_of_slip(face);
+}
+
+bool ContactTrace::wants_lift_of_slip(const PenetrationFace &face) const {
+  if (std::any_of(face.pressures.begin(), face.pressures.end(),
+                  [](const auto &part) { return !part.sticks; }))
+    return false;
+  constexpr unsigned int n_samples = 8;
+  double largest = 0., bound = 0.;
+  for (unsigned int i = 0; i <= n_samples; ++i) {
+    const double t = static_cast<double>(i) / n_samples;
+    largest = std::max(largest, std::abs(slip(face, t)));
+    bound = std::max(bound, friction_bound(face, t));
+  }
+  const auto shear =
+    symmetrize(outer_product(face.normal, direction_of(Component::tangential, face.normal)));
+  return shear * (data_.scene.material->hooke(face.point(0.5)) * shear) * largest <=
+         bound * face.length;
 }
 
 unsigned int ContactTrace::condition_at(const PenetrationFace &face, const std::size_t node,
@@ -175,7 +189,7 @@ void ContactTrace::find_conditions() {
       }
       NodeCondition &condition =
         conditions_[condition_at(face, i, Component::tangential, tangents[face.dofs[i][0]])];
-      if (face.sticks()) {
+      if (face.lifts_slip) {
         condition.presses = true;
         condition.required = slip(face, face.nodes[i]);
       }

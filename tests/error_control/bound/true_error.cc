@@ -140,6 +140,9 @@ std::vector<Case> make_cases() {
     cases.push_back({scene, named_scene(scene), scene == "C4" ? 2U : 1U, {1.5, 2.5}});
   // Nothing touches.
   cases.push_back({"C2", named_scene("C2"), 1, {1.05, 2.5}});
+  // Tresca's friction.
+  for (const std::string scene : {"T1", "T2", "T3", "T4", "TS", "TSq"})
+    cases.push_back({scene, named_scene(scene), 1, {1.06, 2.}, 4});
   for (const std::string scene : {"A1", "B1", "A3"})
     for (const std::string partition :
          {"Patch ratio = 4", "Patch ratio = 8", "Patches = 4", "Patches = 5"})

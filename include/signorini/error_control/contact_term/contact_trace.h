@@ -61,6 +61,8 @@ struct PenetrationFace {
   std::vector<double> breaks;
   /** The upper interpolant of d. */
   EdgeFunction d;
+  /** Whether w_t = ũ_t - g_t on the face. */
+  bool lifts_slip = false;
 
   Point<2> point(const double t) const {
     return start + t * (end - start) + 4. * t * (1. - t) * bulge;
@@ -69,8 +71,6 @@ struct PenetrationFace {
    */
   bool presses() const;
   bool presses_everywhere() const;
-  /** Returns whether friction holds all parts of the face. */
-  bool sticks() const;
   /** Returns v.direction on the face for a function of V^h. */
   Polynomial trace(const Displacement &V, const Tensor<1, 2> &direction) const;
   /** Calls visit(t, weight) for Gauss points on each part of a function on the face, four for
@@ -80,7 +80,7 @@ struct PenetrationFace {
 };
 
 /** The condition w_n ≥ required at a contact node, for w in V^h with homogeneous essential
- * conditions; with friction also w_t = required at the nodes of faces that stick. */
+ * conditions; with friction also w_t = required at the nodes of faces where w takes the slip. */
 struct NodeCondition {
   /** n, or t. */
   Tensor<1, 2> direction;
@@ -91,7 +91,7 @@ struct NodeCondition {
    * that value: where contact was missed, a w_h that is wide costs much less energy than a function
    * inside of the face. */
   double required;
-  /** Whether a neighbouring face presses, or for w_t sticks. */
+  /** Whether a neighbouring face presses, or for w_t takes the slip. */
   bool presses = false;
   /** The column of w -> w.direction, condensed. It is empty where that vanishes for all such w,
    * because another side holds the node. */
@@ -108,7 +108,7 @@ struct NodeCondition {
 /** The penetration d = ũ_n - g on Γ_c, face by face, with ũ = u_h or π^{2h} u_h. It also holds
  * the conditions that a w in V^h with w_n ≥ d at contact nodes satisfies: one per contact node and
  * direction of the normal. A corner of two contact sides has two. With friction nodes of one normal
- * have a condition on w_t, too: there w = ũ_t - g_t on faces that stick. */
+ * have a condition on w_t, too: there w_t = ũ_t - g_t on faces that stick. */
 class ContactTrace {
 public:
   /**
@@ -163,6 +163,10 @@ public:
 private:
   void find_faces(const std::vector<FaceField> &fields);
   PenetrationFace make_face(const ContactFace<2> &contact, const FaceField &field) const;
+  /** Returns whether friction holds the whole face, and a w with w_t = ũ_t - g_t costs less than
+   * the work of friction: an energy of about μ A², A = max |ũ_t - g_t|, less than s A length. It
+   * does not where g_t jumps. */
+  bool wants_lift_of_slip(const PenetrationFace &face) const;
   void find_conditions();
   /** Returns the number of the condition on a component of w at a node of a face, a new one if it
    * is the first. */
