@@ -157,6 +157,7 @@ void add_regularity(const Discretization<2> &discretization, LevelSolution<2> &s
   if (const auto found = examine_regularity(solution.dual->C, solution.dual->motions,
                                             discretization.K, solution.multipliers())) {
     friction.critical_factor = found->critical_factor;
+    friction.fixed_point_rate = found->fixed_point_rate;
     friction.is_regular = found->has_sign_of_no_friction;
   }
 }

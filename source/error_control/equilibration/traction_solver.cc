@@ -22,7 +22,9 @@ constexpr double tolerance = 1e-14;
 /** The unknown coefficients, and the factors of the augmented matrix. */
 class TractionSolver {
 public:
+  /** @param penalties the weights of cells. */
   TractionSolver(const TractionMesh &mesh, const std::vector<CellFit> &fits,
+                 const std::vector<double> &penalties,
                  const std::vector<TractionCondition> &conditions)
     : mesh_(mesh)
     , numbers_(mesh.n_coefficients(), TractionMesh::none) {
@@ -32,7 +34,7 @@ public:
           numbers_[edge.position(c, i)] = n_unknowns_++;
     if (n_unknowns_ == 0)
       return;
-    assemble(fits, conditions);
+    assemble(fits, penalties, conditions);
     factorise();
   }
   /** Adds the solution for the forces on all coefficients to x. */
@@ -63,7 +65,7 @@ private:
       }
     return unknowns;
   }
-  void assemble(const std::vector<CellFit> &fits,
+  void assemble(const std::vector<CellFit> &fits, const std::vector<double> &penalties,
                 const std::vector<TractionCondition> &conditions) {
     const AffineConstraints<double> none;
     DynamicSparsityPattern entries(n_unknowns_);
@@ -83,7 +85,7 @@ private:
     matrix_.reinit(pattern_);
     for (std::size_t c = 0; c < fits.size(); ++c) {
       const auto [rows_of_cell, numbers] = unknowns_of(mesh_.cells()[c]);
-      FullMatrix<double> whole = energy_of_tractions(mesh_.cells()[c], fits[c]),
+      FullMatrix<double> whole = energy_of_tractions(mesh_.cells()[c], fits[c], penalties[c]),
                          here(numbers.size(), numbers.size());
       here.extract_submatrix_from(whole, rows_of_cell, rows_of_cell);
       none.distribute_local_to_global(here, numbers, matrix_);
@@ -121,8 +123,9 @@ private:
     factors_ = std::make_unique<SparseCholesky>(rows);
   }
   /** Returns Eᵀ (S + penalty BᵀB) E by traces. */
-  FullMatrix<double> energy_of_tractions(const TractionCell &cell, const CellFit &fit) const {
-    FullMatrix<double> S = fit.airy->penalised_energy(penalty_of(fit)), result;
+  FullMatrix<double> energy_of_tractions(const TractionCell &cell, const CellFit &fit,
+                                         const double weight) const {
+    FullMatrix<double> S = fit.airy->penalised_energy(weight), result;
     S *= fit.size * fit.size;
     mesh_.restrict_rows(cell, S);
     result.copy_transposed(S);
@@ -139,6 +142,23 @@ private:
 };
 } // namespace
 
+namespace {
+/** Returns the weight of the square of what each cell lacks in balance: relative to the energies of
+ * the softest cell that shares an edge with it. A stiff one of its own would give way. */
+std::vector<double> penalties_of(const TractionMesh &mesh, const std::vector<CellFit> &fits) {
+  std::vector<double> on_edge(mesh.edges().size(), 0.), penalties(fits.size(), 0.);
+  for (std::size_t c = 0; c < fits.size(); ++c)
+    for (const TractionSide &side : mesh.cells()[c].sides)
+      on_edge[side.edge] =
+        std::max(on_edge[side.edge], fits[c].airy->mean_energy() * fits[c].size * fits[c].size);
+  for (std::size_t c = 0; c < fits.size(); ++c)
+    for (const TractionSide &side : mesh.cells()[c].sides)
+      penalties[c] =
+        std::max(penalties[c], penalty * on_edge[side.edge] / (fits[c].size * fits[c].size));
+  return penalties;
+}
+} // namespace
+
 double penalty_of(const CellFit &fit) {
   return penalty * fit.airy->mean_energy();
 }
@@ -153,7 +173,8 @@ dealii::Vector<double> lacking_traces(const TractionCell &cell, const CellFit &f
 double minimise(const TractionMesh &mesh, const std::vector<CellFit> &fits,
                 std::vector<TractionCondition> &conditions, const dealii::Vector<double> &work,
                 dealii::Vector<double> &x) {
-  const TractionSolver solver(mesh, fits, conditions);
+  const std::vector<double> penalties = penalties_of(mesh, fits);
+  const TractionSolver solver(mesh, fits, penalties, conditions);
   std::vector<dealii::Vector<double>> multipliers(fits.size(), dealii::Vector<double>(3));
   for (TractionCondition &condition : conditions)
     condition.multiplier = 0.;
@@ -170,7 +191,7 @@ double minimise(const TractionMesh &mesh, const std::vector<CellFit> &fits,
       dealii::Vector<double> unbalanced(3), trace_forces = fit.airy->multiply(y);
       fit.airy->balance().vmult(unbalanced, y);
       lacking = std::max(lacking, unbalanced.linfty_norm());
-      unbalanced *= penalty_of(fit);
+      unbalanced *= penalties[c];
       if (step > 0)
         multipliers[c] += unbalanced;
       unbalanced += multipliers[c];

@@ -58,6 +58,7 @@ static void to_json(Json &json, const FrictionSummary &friction) {
           {"slip_length", friction.slip_length},
           {"open_length", friction.open_length},
           {"critical_factor", friction.critical_factor},
+          {"fixed_point_rate", friction.fixed_point_rate},
           {"regular", friction.is_regular},
           {"stick_zones", friction.stick_zones},
           {"slip_zones", friction.slip_zones}};

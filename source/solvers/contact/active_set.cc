@@ -322,12 +322,14 @@ std::optional<Regularity> examine_regularity(const BoundConstrainedQP &qp, const
   part.compute_eigenvalues();
   constexpr double rounding = 1e-10;
   double largest = 0.;
-  for (unsigned int i = 0; i < part.m(); ++i)
-    if (const auto eigenvalue = part.eigenvalue(i);
-        eigenvalue.real() > 0. && std::abs(eigenvalue.imag()) <= rounding * eigenvalue.real()) {
+  for (unsigned int i = 0; i < part.m(); ++i) {
+    const auto eigenvalue = part.eigenvalue(i);
+    regularity.fixed_point_rate = std::max(regularity.fixed_point_rate, std::abs(eigenvalue));
+    if (eigenvalue.real() > 0. && std::abs(eigenvalue.imag()) <= rounding * eigenvalue.real()) {
       largest = std::max(largest, eigenvalue.real());
       regularity.has_sign_of_no_friction ^= eigenvalue.real() > 1.;
     }
+  }
   if (largest > 0.)
     regularity.critical_factor = 1. / largest;
   return regularity;

@@ -235,6 +235,10 @@ void test_three_solutions(Checks &checks) {
     slip[k] = k < m ? -1. : 1.;
   checks.near("f_c", *examine_regularity(problem(1., slip), slip)->critical_factor, 1.9686527283,
               1e-9);
+  // All patches slip: one eigenvalue rules both.
+  checks.near("rate of the fixed point",
+              examine_regularity(problem(1., slip), slip)->fixed_point_rate, 1. / 1.9686527283,
+              1e-9);
   for (unsigned int k = m; k < 2 * m; ++k)
     slip[k] = 2.5;
   const BoundConstrainedQP qp = problem(2.5, slip);

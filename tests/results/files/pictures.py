@@ -89,6 +89,12 @@ facts = draw("sphere")
 with open("sphere/answer.json", encoding="utf-8") as file:
     check("  the area of contact", abs(facts["area"]["bottom"] / json.load(file)["contact_area"] - 1) < 1e-5)
 check("  a zoomed view", len(facts["views"]["bottom"]) == 2)
+check("friction", run(f"{scenes}/friction/k1.prm", "k1", "Discretization/Finest level=4").returncode == 0)
+facts = draw("k1")
+with open("k1/answer.json", encoding="utf-8") as file:
+    zones = [[zone["start"]["arc_length"], zone["end"]["arc_length"]] for zone in json.load(file)["friction"]["stick_zones"]]
+check("  the zones of stick", np.allclose(facts["stick"]["bottom"], zones))
+check("  and the limits of friction", "limits of friction" in open("k1/pressure.svg", encoding="utf-8").read())
 done = run("narrow.prm", "without", "Output/Pictures=true", environment={**os.environ, "PATH": os.getcwd()})
 check("without Python a run succeeds", done.returncode == 0)
 check("  and says what to install", "\nPictures: not drawn, because Python's matplotlib is missing (the package python3-matplotlib" in

@@ -22,7 +22,7 @@ struct TractionCondition {
   double value = 0., weight = 0., multiplier = 0.;
 };
 
-/** Returns the weight of the square of what a cell lacks in balance. */
+/** Returns a weight of the square of what a cell lacks in balance, relative to its energy. */
 double penalty_of(const CellFit &fit);
 
 /** Returns E x - shift for a cell, see CellFit. */

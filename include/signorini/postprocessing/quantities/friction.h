@@ -33,6 +33,8 @@ struct FrictionSummary {
    * that is not known. */
   std::optional<double> critical_factor;
   std::optional<bool> is_regular;
+  /** Coulomb: the rate of convergence of Tresca's problems with the pressure of the one before. */
+  std::optional<double> fixed_point_rate;
   /** The error ‖q - q_H‖_{0,Γ_c}; empty where q is not known. */
   std::optional<double> l2_error;
 
