@@ -198,12 +198,11 @@ void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
   const Given<ContactSolver> &contact = parameters.solver.contact_solver;
   refuse_if(contact == ContactSolver::mprgp || contact == ContactSolver::multigrid, contact,
             "with friction", "with it: automatic, psor, active set");
-  refuse_if(given.strategy == Strategy::hp, given.strategy, "with friction", "with it: nested");
   refuse_if(given.element == Element::q2, given.element, "with friction", "with it: Q1, Q1 B-bar");
-  if (given.target_error > 0.)
+  if (given.target_error > 0. && given.strategy == Strategy::nested)
     throw error_at(given.target_error, "found '", given.target_error.value,
-                   "' with friction, for which there is neither a bound nor an estimate of the "
-                   "error, allowed: 0.");
+                   "' with friction on nested meshes, for which there is neither a bound nor an "
+                   "estimate of the error, allowed: 0, or Strategy = hp.");
 }
 } // namespace
 

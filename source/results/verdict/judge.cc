@@ -77,13 +77,13 @@ std::optional<double> relative_error(const LevelRecord &level) {
 
 std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
   const LevelRecord &finest = levels.back();
-  if (finest.friction)
-    return std::string(
-             "with friction there is neither a bound nor an estimate of the error: compare "
-             "the levels") +
-           (finest.friction->is_regular.value_or(true)
-              ? ""
-              : "; this is one of at least two solutions of the discrete problem");
+  const std::string others = finest.friction && !finest.friction->is_regular.value_or(true)
+                               ? "; this is one of at least two solutions of the discrete problem"
+                               : "";
+  if (finest.friction && !finest.sizes.is_graded())
+    return "with friction there is neither a bound nor an estimate of the error: compare the "
+           "levels" +
+           others;
   std::ostringstream text;
   if (finest.sizes.is_graded() && !bound_of(finest)) {
     if (!finest.estimate)
@@ -94,7 +94,7 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
          << ")";
     if (finest.bound)
       text << "; there is no bound: " << finest.bound->missing;
-    return text.str();
+    return text.str() + others;
   }
   if (const std::optional<double> bound = bound_of(finest)) {
     if (is_guaranteed(finest)) {

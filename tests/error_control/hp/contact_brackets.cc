@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Where a pressure with given signs begins and ends.
 
+#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
 #include <cmath>
@@ -23,11 +24,11 @@ Pressure pressure(const MultiplierSpace<2> &space,
 }
 
 void check(Checks &checks, const std::string &name, const MultiplierSpace<2> &space,
-           const Pressure &P, const std::vector<ContactBracket> &expected) {
+           const Pressure &P, const std::vector<ZoneBracket> &expected) {
   std::vector<double> found, wanted;
-  for (const ContactBracket &bracket : contact_brackets(space, P))
+  for (const ZoneBracket &bracket : zone_brackets(space, pressing_states(P)))
     found.insert(found.end(), {double(bracket.side), bracket.from, bracket.to});
-  for (const ContactBracket &bracket : expected)
+  for (const ZoneBracket &bracket : expected)
     wanted.insert(wanted.end(), {double(bracket.side), bracket.from, bracket.to});
   checks.near(name, found, wanted, 1e-13);
 }
