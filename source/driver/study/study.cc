@@ -198,8 +198,10 @@ void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
   const Given<ContactSolver> &contact = parameters.solver.contact_solver;
   refuse_if(contact == ContactSolver::mprgp || contact == ContactSolver::multigrid, contact,
             "with friction", "with it: automatic, psor, active set");
+  if (given.strategy == Strategy::hp)
+    return;
   refuse_if(given.element == Element::q2, given.element, "with friction", "with it: Q1, Q1 B-bar");
-  if (given.target_error > 0. && given.strategy == Strategy::nested)
+  if (given.target_error > 0.)
     throw error_at(given.target_error, "found '", given.target_error.value,
                    "' with friction on nested meshes, for which there is neither a bound nor an "
                    "estimate of the error, allowed: 0, or Strategy = hp.");
