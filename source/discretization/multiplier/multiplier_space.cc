@@ -45,6 +45,16 @@ Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) const {
 }
 
 template <int dim>
+unsigned int MultiplierSpace<dim>::nearest_node(const unsigned int patch,
+                                                const Point<dim - 1> &s) const {
+  unsigned int nearest = first_[patch];
+  for (unsigned int k = nearest; k < first_[patch + 1]; ++k)
+    if (node(k).distance(s) < node(nearest).distance(s))
+      nearest = k;
+  return nearest;
+}
+
+template <int dim>
 double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
                                          const Point<dim - 1> &s) const {
   const unsigned int patch = patch_of_[unknown];

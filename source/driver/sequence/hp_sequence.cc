@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Graded meshes: solve, find the ends of contact, estimate, plan the next mesh.
+// Graded meshes: solve, find the ends of zones, estimate, plan the next mesh.
 
 #include <signorini/base/columns.h>
 #include <signorini/base/errors.h>
@@ -18,7 +18,7 @@ namespace {
 struct HpStep {
   std::shared_ptr<const Discretization<2>> discretization;
   Displacement U;
-  Pressure P;
+  Pressure P, P_t;
 };
 
 /** Returns the scene with quadrature rules that are not graded: the mesh itself is graded to the
@@ -78,10 +78,7 @@ public:
     LevelResult<2> result;
     result.discretization = next_;
     const Discretization<2> &discretization = *next_;
-    ContactStart start;
-    if (parameters.solver.warm_start && last_.discretization != nullptr)
-      start.P =
-        transfer_pressure(last_.discretization->multipliers, last_.P, discretization.multipliers);
+    const ContactStart start = start_for(discretization);
     LevelSolution<2> &solution = result.solution;
     const LevelProblem<2> problem = {parameters, scene_, choose_solvers(parameters, scene_, 0, 1)};
     solution = solve_level(problem, discretization, start, progress);
@@ -91,18 +88,20 @@ public:
     StepFindings findings = examine(discretization, solution);
     progress("errors");
     add_errors<2>(parameters, context_.scene, discretization, nullptr, solution);
-    last_ = {next_, solution.U, solution.P};
+    last_ = {next_, solution.U, solution.P, solution.P_t};
     // Where the contact solver did not converge, there is no solution to plan a mesh from.
     result.is_last = !record.dual.converged || examination_.stagnates();
-    const bool seems_reached = context_.judge.reaches_target(record);
-    if (seems_reached && !result.is_last) {
+    bool is_finished = false;
+    if (context_.judge.reaches_target(record) && !result.is_last) {
       finish_level(problem, discretization, true, progress, solution);
       result.is_last = context_.judge.reaches_target(record) &&
                        (is_guaranteed(record) || examination_.is_checked(findings));
-      findings.error = std::max(findings.error, record.bound->absolute.value_or(0.));
+      if (bound_of(record))
+        findings.error = std::max(findings.error, record.bound->absolute.value_or(0.));
+      is_finished = true;
     }
     result.is_last = result.is_last || !plan_next(findings);
-    if (!seems_reached || !record.bound)
+    if (!is_finished)
       finish_level(problem, discretization, result.is_last, progress, solution);
     ++n_steps_;
     return result;
@@ -113,15 +112,31 @@ private:
     return std::make_shared<const Discretization<2>>(context_.parameters, scene_, plan_);
   }
 
+  /** Returns the start from the step before. */
+  ContactStart start_for(const Discretization<2> &discretization) const {
+    ContactStart start;
+    if (!context_.parameters.solver.warm_start || last_.discretization == nullptr)
+      return start;
+    const MultiplierSpace<2> &from = last_.discretization->multipliers;
+    start.P = transfer_pressure(from, last_.P, discretization.multipliers);
+    if (last_.P_t.size() > 0)
+      start.P_t = friction_of_shares(
+        discretization.K, start.P,
+        transfer_pressure(from, friction_shares(last_.discretization->K, last_.P, last_.P_t),
+                          discretization.multipliers, {-1., 1.}));
+    return start;
+  }
+
   /** Adds the estimate of the error to the record. */
   StepFindings examine(const Discretization<2> &discretization, LevelSolution<2> &solution) {
     const StageTimer timer(solution.record.times.postprocess);
     std::optional<StepField> before;
     if (last_.discretization != nullptr)
       before.emplace(StepField{last_.discretization->space, last_.U});
-    StepFindings findings = examination_.examine({discretization.space, discretization.multipliers,
-                                                  solution.U, solution.P, solution.algebraic_error},
-                                                 before, plan_.aim);
+    StepFindings findings =
+      examination_.examine({discretization.space, discretization.multipliers, discretization.K,
+                            solution.U, solution.P, solution.P_t, solution.algebraic_error},
+                           before, plan_.aim);
     if (findings.has_estimate())
       solution.record.estimate = ErrorEstimate{
         {}, findings.error, findings.error > 0. ? findings.error / findings.scale : 0., {}, {}};

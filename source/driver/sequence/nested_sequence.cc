@@ -100,8 +100,10 @@ private:
     if (!context_.parameters.solver.warm_start || pressure_.patches.empty())
       return start;
     start.P = transfer_pressure<dim>(pressure_, discretization.surface.patches());
-    if (friction_.size() > 0)
-      start.P_t = start_of_friction(discretization, start.P);
+    if (shares_.size() > 0)
+      start.P_t = friction_of_shares(
+        discretization.K, start.P,
+        transfer_pressure<dim>({pressure_.patches, shares_}, discretization.surface.patches()));
     start.scale = scale_;
     start.relative_error = relative_error_;
     if (coarse_ != nullptr)
@@ -111,31 +113,10 @@ private:
     return start;
   }
 
-  /** Returns the same shares of the new bounds, so that patches begin with the state of their
-   * parents. */
-  Pressure start_of_friction(const Discretization<dim> &discretization, const Pressure &P) const {
-    constexpr double more_than_rounding = 1. + 1e-6;
-    Pressure P_t =
-      transfer_pressure<dim>({pressure_.patches, friction_}, discretization.surface.patches());
-    const AdmissibleSet K = discretization.K.at(join(P, P_t));
-    for (unsigned int k = 0, m = P.size(); k < m; ++k)
-      P_t[k] = K.project(m + k, more_than_rounding * P_t[k] * K[m + k].upper);
-    return P_t;
-  }
-
-  static Pressure share_of_friction(const Discretization<dim> &discretization,
-                                    const LevelSolution<dim> &solution) {
-    const AdmissibleSet K = discretization.K.at(solution.multipliers());
-    Pressure share = solution.P_t;
-    for (unsigned int k = 0, m = share.size(); k < m; ++k)
-      share[k] /= K[m + k].upper > 0. ? K[m + k].upper : 1.;
-    return share;
-  }
-
   void keep_for_next(const LevelResult<dim> &result) {
     const LevelSolution<dim> &solution = result.solution;
     pressure_ = result.pressure();
-    friction_ = share_of_friction(*result.discretization, solution);
+    shares_ = friction_shares(result.discretization->K, solution.P, solution.P_t);
     scale_ = solution.cycles ? solution.cycles->scale : 0.;
     relative_error_ = {};
     if (solution.record.estimate)
@@ -155,7 +136,7 @@ private:
   unsigned int next_level_;
   PatchPressure<dim> pressure_;
   /** The shares P_t/s of the same patches; empty without friction. */
-  Pressure friction_;
+  Pressure shares_;
   /** The last level and its displacement, if V-cycles find contact on the next one; else null. */
   std::shared_ptr<const Discretization<dim>> coarse_;
   Displacement coarse_U_;

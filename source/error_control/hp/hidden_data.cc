@@ -114,14 +114,16 @@ public:
     const auto positions = sample_positions(max_points);
     for (std::size_t i = 0; i < scene.boundary.size(); ++i) {
       const double length = scene.geometry.sides[i].length();
-      double largest = 0., sum = 0.;
-      for (const double t : positions)
-        for (const double value : on_side(i, t * length)) {
-          largest = std::max(largest, std::abs(value));
-          sum += std::abs(value);
-        }
-      max_on_side_.push_back(largest);
-      force_on_side_.push_back(sum * length / positions.size());
+      const BoundaryCondition<2> &condition = scene.boundary[i];
+      data_on_side_.push_back({{condition.data, condition.role == Role::traction},
+                               {condition.friction, true},
+                               {condition.shift, false}});
+      for (SideData &data : data_on_side_.back())
+        for (const double t : positions)
+          for (const double value : on_side(data, i, t * length)) {
+            data.largest = std::max(data.largest, std::abs(value));
+            data.force += std::abs(value) * length / positions.size();
+          }
     }
   }
 
@@ -152,15 +154,23 @@ public:
 private:
   static constexpr unsigned int max_points = 1000;
 
+  /** A function on a side. */
+  struct SideData {
+    FunctionPointer<2> function;
+    /** Whether its force has to be known, as that of a traction, or of a bound of one. */
+    bool acts;
+    /** The largest component, and the approximate force of its absolute value. */
+    double largest = 0., force = 0.;
+  };
+
   /** Returns the data of a side; empty where there is none, or no value. */
-  Values on_side(const unsigned int side, const double s) const {
-    const FunctionPointer<2> &data = scene_.boundary[side].data;
-    if (data == nullptr)
+  Values on_side(const SideData &data, const unsigned int side, const double s) const {
+    if (data.function == nullptr)
       return {};
     Values values;
     try {
-      for (unsigned int c = 0; c < data->n_components; ++c)
-        values.push_back(data->value(scene_.geometry.sides[side].point(s), c));
+      for (unsigned int c = 0; c < data.function->n_components; ++c)
+        values.push_back(data.function->value(scene_.geometry.sides[side].point(s), c));
     } catch (const InputError &) {
       values.clear();
     }
@@ -196,16 +206,17 @@ private:
       double length = side.arc_length(face->vertex(1)) - first;
       if (side.is_closed())
         length -= side.length() * std::round(length / side.length());
-      if (hides_between(number, first, length, n))
-        return true;
+      for (const SideData &data : data_on_side_[number])
+        if (hides_between(data, number, first, length, n))
+          return true;
     }
     return false;
   }
 
-  bool hides_between(const unsigned int side, const double first, const double length,
-                     const unsigned int n) const {
+  bool hides_between(const SideData &data, const unsigned int side, const double first,
+                     const double length, const unsigned int n) const {
     constexpr double tolerance = 1e-4;
-    const auto at = [&](const double t) { return on_side(side, first + t * length); };
+    const auto at = [&](const double t) { return on_side(data, side, first + t * length); };
     SampledRange seen;
     const QGauss<1> gauss(n_gauss);
     for (const Point<1> &t : gauss.get_points())
@@ -216,7 +227,7 @@ private:
     double jump = 0.;
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const Values values = at(positions[i]);
-      if (seen.is_far(values, tolerance * max_on_side_[side]))
+      if (seen.is_far(values, tolerance * data.largest))
         return true;
       if (i >= n)
         continue;
@@ -227,14 +238,13 @@ private:
     }
     // Smooth functions change by a few times their range/n from sample to sample.
     const double force = 0.25 * (jump - 8. * all.width() / n) * std::abs(length);
-    return scene_.boundary[side].role == Role::traction && force > tolerance * force_on_side_[side];
+    return data.acts && force > tolerance * data.force;
   }
 
   static constexpr unsigned int n_gauss = 4;
   const Scene<2> &scene_;
   MeshPlan &plan_;
-  /** The largest component, and the approximate force of its absolute value. */
-  std::vector<double> max_on_side_, force_on_side_;
+  std::vector<std::vector<SideData>> data_on_side_;
   /** The cells in which nothing hides. */
   std::set<CellId> checked_cells_;
   unsigned int n_split_ = 0;

@@ -163,21 +163,21 @@ double total(const std::vector<CellIndicator> &indicators) {
   return std::sqrt(square);
 }
 
-// The misfit u_n - g where the body presses.
+// The misfits u_n - g where the body presses, and u_t - g_t where it sticks.
 
 void add_contact_misfit(const DisplacementSpace<2> &space, const MultiplierSpace<2> &multipliers,
-                        const Scene<2> &scene, const Displacement &U, const Pressure &P,
+                        const Scene<2> &scene, const Displacement &U,
+                        const std::vector<bool> &follows, const Component component,
                         std::vector<CellIndicator> &indicators) {
   const ContactSurface<2> &surface = multipliers.surface();
   TraceValues<2> traces(space);
-  const std::vector<bool> presses = pressing_patches(multipliers, P);
   for (const Piece<2> &piece : surface.pieces()) {
-    if (!presses[piece.patch])
+    if (!follows[piece.patch])
       continue;
     const ContactFace<2> &face = surface.faces()[piece.face];
     const unsigned int p = space.element(face.cell).degree;
     const SurfaceRule<2> rule = surface.rule(piece, p + 2);
-    const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
+    const std::vector<double> depths = penetration(surface, piece, rule, U, traces, component);
     double square = 0.;
     for (std::size_t q = 0; q < rule.size(); ++q)
       square += depths[q] * depths[q] * rule.weights[q];
@@ -266,7 +266,7 @@ std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space
 // A pressure at the nodes of another mesh.
 
 Pressure transfer_pressure(const MultiplierSpace<2> &from, const Pressure &P,
-                           const MultiplierSpace<2> &to) {
+                           const MultiplierSpace<2> &to, const Interval &allowed) {
   const std::vector<Patch<2>> &known = from.surface().patches();
   Pressure transferred(to.n_multipliers());
   std::size_t patch = 0;
@@ -278,7 +278,7 @@ Pressure transfer_pressure(const MultiplierSpace<2> &from, const Pressure &P,
                                                                      known[patch].upper[0] < s[0])))
       ++patch;
     if (known[patch].side == side)
-      transferred[k] = std::min(0., from.value(P, patch, s));
+      transferred[k] = std::clamp(from.value(P, patch, s), allowed.lower, allowed.upper);
   }
   return transferred;
 }

@@ -41,8 +41,7 @@ std::vector<CellIndicator> indicators_at(const Singularity &singularity, const S
   return found;
 }
 
-Singularity end_of_contact(const ContactBracket &bracket, const Scene<2> &scene,
-                           const double layers) {
+Singularity end_of_contact(const ZoneBracket &bracket, const Scene<2> &scene, const double layers) {
   return {Singularity::Kind::end_of_contact,
           scene.geometry.sides[bracket.side].point(0.5 * (bracket.from + bracket.to)),
           exponent_at_ends,
@@ -100,7 +99,7 @@ std::vector<Singularity> grade_places(const MeshPlan &plan, const Scene<2> &scen
 }
 
 /** Returns the kink at which contact ends, if there is one in the bracket or next to it. */
-Singularity *kink_in(const ContactBracket &bracket, std::vector<Singularity> &places) {
+Singularity *kink_in(const ZoneBracket &bracket, std::vector<Singularity> &places) {
   const double width = bracket.to - bracket.from;
   for (Singularity &place : places)
     if (place.kind == Singularity::Kind::kink && place.side == bracket.side &&
@@ -126,7 +125,7 @@ void grade(const MeshPlan &plan, const Scene<2> &scene, const Mesh<2> &mesh,
   // An end that moves takes its layers along; a new one has as many as an old one of this age.
   const double usual = layers_per_step * plan.rise / rise_per_step;
   std::vector<Singularity> ends;
-  for (const ContactBracket &bracket : findings.brackets) {
+  for (const ZoneBracket &bracket : findings.brackets) {
     Singularity end = end_of_contact(bracket, scene, usual);
     if (const Singularity *const before = end_before(end, plan))
       end.layers = before->layers;

@@ -5,6 +5,8 @@
 #include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/hp/step_examination.h>
+#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/quantities/friction.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
@@ -162,12 +164,15 @@ StepExamination::StepExamination(const Scene<2> &scene, const double target)
 StepFindings StepExamination::examine(const SolvedStep &step,
                                       const std::optional<StepField> &before,
                                       const double planned) {
-  const auto &[space, multipliers, U, P, algebraic_error] = step;
+  const auto &[space, multipliers, K, U, P, P_t, algebraic_error] = step;
   StepFindings findings;
   findings.indicators = indicate(space, scene_, U);
-  add_contact_misfit(space, multipliers, scene_, U, P, findings.indicators);
+  add_contact_misfit(space, multipliers, scene_, U, pressing_patches(multipliers, P),
+                     Component::normal, findings.indicators);
+  add_contact_misfit(space, multipliers, scene_, U, sticking_patches(multipliers, K, P, P_t),
+                     Component::tangential, findings.indicators);
   add_jump_misfit(space, scene_, U, findings.indicators);
-  findings.brackets = contact_brackets(multipliers, P);
+  findings.brackets = zone_brackets(multipliers, zone_states(K, P, P_t));
   findings.missed_contact_cells = missed_contact_cells(space, multipliers, U, P);
   const double indicator = total(findings.indicators);
   const double norm = energy_norm(space, scene_, U);

@@ -10,9 +10,7 @@
 
 namespace Signorini {
 std::vector<std::vector<SideNode>> alternations(const SideNodes &side) {
-  const auto same_kind = [](const SideNode &a, const SideNode &b) {
-    return a.presses == b.presses;
-  };
+  const auto same_kind = [](const SideNode &a, const SideNode &b) { return a.state == b.state; };
   std::vector<SideNode> nodes = side.nodes;
   if (side.closed) {
     const auto same = std::adjacent_find(nodes.begin(), nodes.end(), same_kind);
@@ -21,7 +19,7 @@ std::vector<std::vector<SideNode>> alternations(const SideNodes &side) {
         node->s += side.length;
       std::rotate(nodes.begin(), same + 1, nodes.end());
     }
-    nodes.push_back({nodes.front().s + side.length, nodes.front().presses});
+    nodes.push_back({nodes.front().s + side.length, nodes.front().state});
   }
   std::vector<std::vector<SideNode>> runs;
   for (auto first = nodes.begin(), last = first; first != nodes.end(); first = last) {
@@ -42,18 +40,18 @@ struct Change {
 
 /** Returns the change between two nodes, the second of which presses if contact begins. */
 Change between(const SideNode &first, const SideNode &second) {
-  return {{0.5 * (first.s + second.s), 0.5 * (second.s - first.s)}, second.presses};
+  return {{0.5 * (first.s + second.s), 0.5 * (second.s - first.s)}, second.state != 0};
 }
 
 std::vector<PressedInterval> intervals_of(const SideNodes &side) {
-  const auto presses = [](const SideNode &node) { return node.presses; };
+  const auto presses = [](const SideNode &node) { return node.state != 0; };
   if (std::none_of(side.nodes.begin(), side.nodes.end(), presses))
     return {};
   if (std::all_of(side.nodes.begin(), side.nodes.end(), presses))
     return {{side.number, {0., 0.}, {side.length, 0.}}};
   std::vector<Change> changes;
   for (const std::vector<SideNode> &run : alternations(side))
-    if (run.front().presses != run.back().presses)
+    if (run.front().state != run.back().state)
       changes.push_back(between(run.front(), run.back()));
     else {
       changes.push_back(between(run[0], run[1]));
@@ -64,9 +62,9 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side) {
     std::rotate(changes.begin(), changes.begin() + 1, changes.end());
     changes.back().end.s += side.length;
   }
-  if (!side.closed && side.nodes.front().presses)
+  if (!side.closed && presses(side.nodes.front()))
     changes.insert(changes.begin(), {{0., 0.}, true});
-  if (!side.closed && side.nodes.back().presses)
+  if (!side.closed && presses(side.nodes.back()))
     changes.push_back({{side.length, 0.}, false});
   std::vector<PressedInterval> intervals;
   for (std::size_t i = 0; i + 1 < changes.size(); i += 2) {
@@ -84,7 +82,7 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side) {
 std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipliers,
                                                const Pressure &P) {
   std::vector<PressedInterval> intervals;
-  for (const SideNodes &side : nodes_by_side(multipliers, P)) {
+  for (const SideNodes &side : nodes_by_side(multipliers, pressing_states(P))) {
     const std::vector<PressedInterval> side_data = intervals_of(side);
     intervals.insert(intervals.end(), side_data.begin(), side_data.end());
   }
@@ -221,19 +219,27 @@ std::vector<SlipState> slip_states(const MultiplierSpace<2> &multipliers, const 
   return states;
 }
 
-// The nodes of multipliers that press.
+// The nodes of multipliers with their states.
 
-std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers, const Pressure &P) {
-  const ContactSurface<2> &surface = multipliers.surface();
+std::vector<int> pressing_states(const Pressure &P) {
   const double threshold = pressing_threshold(P);
+  std::vector<int> states;
+  for (const double p : P)
+    states.push_back(p < threshold ? 1 : 0);
+  return states;
+}
+
+std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
+                                     const std::vector<int> &states) {
+  const ContactSurface<2> &surface = multipliers.surface();
   std::vector<SideNodes> sides;
-  for (unsigned int k = 0; k < P.size(); ++k) {
+  for (unsigned int k = 0; k < states.size(); ++k) {
     const Patch<2> &patch = surface.patches()[multipliers.patch_of(k)];
     if (sides.empty() || sides.back().number != patch.side) {
       const Side<2> &side = surface.side(patch);
       sides.push_back({patch.side, side.length(), side.is_closed(), {}});
     }
-    sides.back().nodes.push_back({multipliers.node(k)[0], P[k] < threshold});
+    sides.back().nodes.push_back({multipliers.node(k)[0], states[k]});
   }
   return sides;
 }
@@ -285,10 +291,14 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers, const 
 template <int dim>
 std::vector<double> penetration(const ContactSurface<dim> &surface, const Piece<dim> &piece,
                                 const SurfaceRule<dim> &rule, const Displacement &U,
-                                TraceValues<dim> &traces) {
-  std::vector<double> depths = traces.normal_displacement(surface.faces()[piece.face], rule, U);
+                                TraceValues<dim> &traces, const Component component) {
+  const auto u = traces.displacement(surface.faces()[piece.face], rule, U);
+  const BoundaryCondition<dim> &condition = surface.condition(piece);
+  const auto &data = component == Component::normal ? condition.data : condition.shift;
+  std::vector<double> depths(rule.size());
   for (std::size_t q = 0; q < rule.size(); ++q)
-    depths[q] -= surface.condition(piece).data->value(rule.points[q]);
+    depths[q] = u[q] * direction_of(component, rule.normals[q]) -
+                (data != nullptr ? data->value(rule.points[q]) : 0.);
   return depths;
 }
 

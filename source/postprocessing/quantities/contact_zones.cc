@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The ends of contact, according to the nodes of the multipliers.
+// The ends of zones, according to the nodes of the multipliers.
 
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
@@ -9,10 +9,10 @@
 #include <tuple>
 
 namespace Signorini {
-std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multipliers,
-                                             const Pressure &P) {
-  std::vector<ContactBracket> brackets;
-  for (const SideNodes &side : nodes_by_side(multipliers, P))
+std::vector<ZoneBracket> zone_brackets(const MultiplierSpace<2> &multipliers,
+                                       const std::vector<int> &states) {
+  std::vector<ZoneBracket> brackets;
+  for (const SideNodes &side : nodes_by_side(multipliers, states))
     for (const std::vector<SideNode> &run : alternations(side)) {
       const double turn = side.closed && run.front().s >= side.length ? side.length : 0.;
       brackets.push_back({side.number, run.front().s - turn, run.back().s - turn});

@@ -18,6 +18,39 @@ std::vector<FrictionState> friction_states(const AdmissibleSet &K,
   return states;
 }
 
+std::vector<int> zone_states(const AdmissibleSet &K, const Pressure &P, const Pressure &P_t) {
+  std::vector<int> states = pressing_states(P);
+  const AdmissibleSet K_P = K.at(join(P, P_t));
+  for (unsigned int k = 0, m = P.size(); k < P_t.size(); ++k)
+    states[k] += K_P.is_inside(m + k, P_t[k]) ? 2 : P_t[k] >= K_P[m + k].upper ? 4 : 6;
+  return states;
+}
+
+std::vector<bool> sticking_patches(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
+                                   const Pressure &P, const Pressure &P_t) {
+  std::vector<bool> sticks;
+  for (const SlipState state : slip_states(multipliers, K, P, P_t))
+    sticks.push_back(P_t.size() > 0 && state == SlipState::none);
+  return sticks;
+}
+
+Pressure friction_shares(const AdmissibleSet &K, const Pressure &P, const Pressure &P_t) {
+  const AdmissibleSet K_P = K.at(join(P, P_t));
+  Pressure shares = P_t;
+  for (unsigned int k = 0, m = P.size(); k < P_t.size(); ++k)
+    shares[k] /= K_P[m + k].upper > 0. ? K_P[m + k].upper : 1.;
+  return shares;
+}
+
+Pressure friction_of_shares(const AdmissibleSet &K, const Pressure &P, const Pressure &shares) {
+  constexpr double more_than_rounding = 1. + 1e-6;
+  const AdmissibleSet K_P = K.at(join(P, shares));
+  Pressure P_t = shares;
+  for (unsigned int k = 0, m = P.size(); k < P_t.size(); ++k)
+    P_t[k] = K_P.project(m + k, more_than_rounding * shares[k] * K_P[m + k].upper);
+  return P_t;
+}
+
 Columns<FrictionSummary> FrictionSummary::columns() {
   return {{"tangential_force", &FrictionSummary::tangential_force},
           {"dissipation", &FrictionSummary::dissipation},
@@ -28,6 +61,15 @@ Columns<FrictionSummary> FrictionSummary::columns() {
           {"q_l2", &FrictionSummary::l2_error}};
 }
 
+namespace {
+double length_of(const std::vector<ContactZone> &zones) {
+  double length = 0.;
+  for (const ContactZone &zone : zones)
+    length += zone.length;
+  return length;
+}
+} // namespace
+
 FrictionSummary summarise_friction(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
                                    const dealii::Vector<double> &P,
                                    const dealii::Vector<double> &W) {
@@ -36,7 +78,7 @@ FrictionSummary summarise_friction(const MultiplierSpace<2> &multipliers, const 
   const dealii::Vector<double> lengths = multipliers.integrals();
   FrictionSummary summary;
   summary.dissipation = K.at(P).dissipation(W);
-  // Patches in one state press in the place of P.
+  // Nodes in one state press in the place of P.
   Pressure stick(m), slip(m);
   for (unsigned int k = 0; k < m; ++k) {
     summary.tangential_force += P[m + k] * lengths[k];
@@ -48,6 +90,12 @@ FrictionSummary summarise_friction(const MultiplierSpace<2> &multipliers, const 
   }
   summary.stick_zones = contact_zones(multipliers, stick);
   summary.slip_zones = contact_zones(multipliers, slip);
+  if (!multipliers.is_piecewise_constant()) {
+    const double all = summary.stick_length + summary.slip_length + summary.open_length;
+    summary.stick_length = length_of(summary.stick_zones);
+    summary.slip_length = length_of(summary.slip_zones);
+    summary.open_length = all - summary.stick_length - summary.slip_length;
+  }
   return summary;
 }
 } // namespace Signorini

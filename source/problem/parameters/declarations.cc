@@ -137,8 +137,8 @@ void Declarations::declare_data(Parameters &parameters) {
       "dx, dy by which the whole foundation is moved (length).");
   add("Contact/Friction", parameters.contact.friction,
       "Law of friction of the tangential traction q: none (q = 0), tresca (|q| <= Friction bound), "
-      "coulomb (|q| <= Friction coefficient times the pressure). Nested plane meshes of bilinear "
-      "elements, at least two faces per patch.");
+      "coulomb (|q| <= Friction coefficient times the pressure). Plane bodies: bilinear elements "
+      "with at least two faces per patch, or Strategy = hp.");
   add("Contact/Friction coefficient", parameters.contact.friction_coefficient,
       "Coulomb: f >= 0, an expression for all contact sides, or per side: bottom: ... | left: ...");
   add("Contact/Friction bound", parameters.contact.friction_bound,

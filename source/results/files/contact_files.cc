@@ -92,6 +92,9 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
   const RecoveredPressure<dim> recovered(multipliers, P);
   const dealii::Vector<double> all = join(P, P_t);
   const AdmissibleSet K_P = K.at(all);
+  Pressure bounds = P_t;
+  for (unsigned int k = 0; k < bounds.size(); ++k)
+    bounds[k] = K_P[P.size() + k].upper;
   std::vector<FrictionState> states;
   if (P_t.size() > 0)
     states = friction_states(K, all);
@@ -102,10 +105,12 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
     const auto value = [&](const FunctionPointer<dim> &f) {
       return f == nullptr ? std::nullopt : std::optional<double>(f->value(rule.points[q]));
     };
-    return FrictionPoint{P_t[piece.patch], K_P[P.size() + piece.patch].upper,
-                         u * direction_of(Component::tangential, rule.normals[q]) -
-                           value(condition.shift).value_or(0.),
-                         states[piece.patch], value(condition.exact_friction)};
+    const Point<dim - 1> &s = rule.on_side[q];
+    return FrictionPoint{
+      multipliers.value(P_t, piece.patch, s), multipliers.value(bounds, piece.patch, s),
+      u * direction_of(Component::tangential, rule.normals[q]) -
+        value(condition.shift).value_or(0.),
+      states[multipliers.nearest_node(piece.patch, s)], value(condition.exact_friction)};
   };
   const auto trace = [&](const Piece<dim> &piece, const std::vector<Point<dim - 1>> &positions) {
     const BoundaryCondition<dim> &condition = boundary[surface.patches()[piece.patch].side];

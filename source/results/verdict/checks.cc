@@ -189,8 +189,7 @@ std::string check_finest_level(const std::vector<LevelRecord> &levels, const Jud
 std::string check_error(const std::vector<LevelRecord> &levels, const Judge &judge) {
   const LevelRecord &finest = levels.back();
   const std::optional<double> error = relative_error(finest);
-  if ((finest.friction && !is_guaranteed(finest)) ||
-      (error && *error <= judge.demands.tolerated_error))
+  if (error && *error <= judge.demands.tolerated_error)
     return "";
   std::ostringstream text;
   text << "The error of " << finest.sizes.word() << " " << finest.sizes.level;
@@ -204,8 +203,8 @@ std::string check_error(const std::vector<LevelRecord> &levels, const Judge &jud
     text << " is about " << 100. * *error
          << " % (energy norm, estimated; Tolerated error: " << 100. * judge.demands.tolerated_error
          << " %)";
-  if (finest.bound && !finest.bound->missing.empty())
-    text << ", and there is no bound: " << finest.bound->missing;
+  if (const std::string reason = why_no_bound(finest); !reason.empty())
+    text << ", and there is no bound: " << reason;
   text << "; " << remedy_for(finest);
   return text.str();
 }

@@ -62,7 +62,14 @@ constexpr std::size_t min_trend_levels = 3;
 } // namespace
 
 std::optional<double> bound_of(const LevelRecord &level) {
-  return level.bound ? level.bound->relative : std::nullopt;
+  return level.bound && !level.bound->is_conditional ? level.bound->relative : std::nullopt;
+}
+
+std::string why_no_bound(const LevelRecord &level) {
+  if (!level.bound || !level.bound->is_conditional || !level.bound->relative)
+    return level.bound ? level.bound->missing : "";
+  return "with Coulomb's law it is conditional, at most " + percent(*level.bound->relative) +
+         " if friction carried at most f times the computed pressure";
 }
 
 bool is_guaranteed(const LevelRecord &level) {
@@ -87,8 +94,8 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
          << " (energy norm, estimated from u_h and "
          << (levels.size() > 1 ? "from its change over the steps" : "not checked by another step")
          << ")";
-    if (finest.bound)
-      text << "; there is no bound: " << finest.bound->missing;
+    if (const std::string reason = why_no_bound(finest); !reason.empty())
+      text << "; there is no bound: " << reason;
     return text.str();
   }
   if (const std::optional<double> bound = bound_of(finest)) {
@@ -97,18 +104,14 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
       if (finest.bound->post_relative)
         text << "; " << percent(*finest.bound->post_relative) << " for pi^2h u_h";
       text << ")";
-    } else if (finest.bound->is_conditional)
-      text
-        << "if friction carried at most f times the computed pressure, the error would be at most "
-        << percent(*bound) << " (energy norm, conditional with Coulomb's law)";
-    else
+    } else
       text << "the error is at most about " << percent(*bound)
            << " (energy norm, estimated bound; the sides are curved: geometric part "
            << percent(finest.bound->relative_geometry.value_or(0.)) << ")";
   } else {
     text << "there is no bound of the error";
-    if (finest.bound)
-      text << " (" << finest.bound->missing << ")";
+    if (const std::string reason = why_no_bound(finest); !reason.empty())
+      text << " (" << reason << ")";
     if (levels.size() < min_trend_levels)
       text << ", and with fewer than three levels the accuracy is not checked";
   }

@@ -133,6 +133,9 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
     for (unsigned int j = 0; j < n; ++j)
       set.add(-dz[j], resistance.X[j], x.P);
   }
+  // Sums over the passes round: exactly at their bounds, followers slip.
+  for (const Follower &follower : set.followers)
+    x.P[follower.P_t] = set.P[follower.P_t] + follower.factor * x.P[A[follower.P_n]];
   return x;
 }
 

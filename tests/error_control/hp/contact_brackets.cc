@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Where a pressure with given signs begins and ends.
 
+#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
 #include <cmath>
@@ -23,11 +24,11 @@ Pressure pressure(const MultiplierSpace<2> &space,
 }
 
 void check(Checks &checks, const std::string &name, const MultiplierSpace<2> &space,
-           const Pressure &P, const std::vector<ContactBracket> &expected) {
+           const Pressure &P, const std::vector<ZoneBracket> &expected) {
   std::vector<double> found, wanted;
-  for (const ContactBracket &bracket : contact_brackets(space, P))
+  for (const ZoneBracket &bracket : zone_brackets(space, pressing_states(P)))
     found.insert(found.end(), {double(bracket.side), bracket.from, bracket.to});
-  for (const ContactBracket &bracket : expected)
+  for (const ZoneBracket &bracket : expected)
     wanted.insert(wanted.end(), {double(bracket.side), bracket.from, bracket.to});
   checks.near(name, found, wanted, 1e-13);
 }
@@ -60,6 +61,18 @@ void two_sides(Checks &checks) {
   gaps[space.first_of(4 + 2) + 1] = gaps[space.first_of(4 + 3)] = 0.;
   check(checks, "gaps", space, gaps,
         {{2, 0.25 - a, 0.5 - a}, {2, 0.5 + a, 0.75 - a}, {2, 0.75 + a, 1. - a}});
+  // Slip, a node that sticks, and open: one bracket; slip both ways: another.
+  std::vector<int> states(space.n_multipliers(), 1);
+  const unsigned int first = space.first_of(4);
+  states[first + 2] = 2;
+  std::fill(states.begin() + first + 3, states.begin() + first + 6, 0);
+  std::fill(states.begin() + first + 6, states.end(), 3);
+  checks.that("three states", [&]() {
+    const std::vector<ZoneBracket> found = zone_brackets(space, states);
+    return found.size() == 2 && std::abs(found[0].from - 0.25 + a) < 1e-13 &&
+           std::abs(found[0].to - 0.5 + a) < 1e-13 && std::abs(found[1].from - 0.75 + a) < 1e-13 &&
+           std::abs(found[1].to - 0.75 - a) < 1e-13;
+  }());
   // What a solver leaves of a zero does not press.
   auto rounding = on(2, 0.25, 0.75);
   for (double &p : rounding)

@@ -2,6 +2,7 @@
 // u_n - g where the body presses, against its integral by hand.
 
 #include <signorini/error_control/hp/indicators.h>
+#include <signorini/postprocessing/fields/forces.h>
 
 #include <cmath>
 
@@ -23,7 +24,8 @@ void distances(Checks &checks) {
   const unsigned int open = 2;
   P[open] = 0.;
   std::vector<CellIndicator> indicators(level.mesh().triangulation().n_active_cells(), {0.5, 0.1});
-  add_contact_misfit(level.space(), level.multipliers(), level.scene, U, P, indicators);
+  add_contact_misfit(level.space(), level.multipliers(), level.scene, U,
+                     pressing_patches(level.multipliers(), P), Component::normal, indicators);
   double largest_difference = 0.;
   for (const auto &cell : level.mesh().triangulation().active_cell_iterators()) {
     double expected = 0.25;

@@ -36,13 +36,15 @@ public:
   static AdmissibleSet nonpositive(const unsigned int n) {
     return AdmissibleSet(std::vector<Interval>(n));
   }
-  /** Returns the set of contact with friction for P_n = 0. @param s, f of every patch. */
+  /** Returns the set of contact with friction for P_n = 0. @param s, f of every multiplier. Where a
+   * polynomial that is close to one of them is negative, it is zero. */
   static AdmissibleSet with_friction(const Vector &s, const Vector &f) {
     AdmissibleSet K = nonpositive(s.size());
     for (const double bound : s)
-      K.intervals_.push_back({-bound, bound});
+      K.intervals_.push_back({-std::max(0., bound), std::max(0., bound)});
     if (!f.all_zero())
-      K.f_.assign(f.begin(), f.end());
+      for (const double coefficient : f)
+        K.f_.push_back(std::max(0., coefficient));
     return K;
   }
 

@@ -77,6 +77,8 @@ public:
   }
   /** Returns the Gauss point of the side at which the unknown is the value of p_H. */
   Point<dim - 1> node(unsigned int unknown) const;
+  /** Returns the unknown of a patch whose node is nearest to a point of the side. */
+  unsigned int nearest_node(unsigned int patch, const Point<dim - 1> &s) const;
 
   /** Returns ψ_k at the point @p s of the side, on the patch to which the unknown belongs. */
   double shape_value(unsigned int unknown, const Point<dim - 1> &s) const;

@@ -71,15 +71,18 @@ double total(const std::vector<CellIndicator> &indicators);
 
 /**
  * Adds the misfit of contact to the indicators: where all multipliers of a face press, u_n = g in
- * the exact solution, but u_h fulfils it in the mean only. On a face of length h and degree p the
- * difference r has about p half-waves, and to press the body flat takes about the energy
+ * the exact solution, but u_h fulfils it in the mean only; where all stick, this holds for u_t =
+ * g_t. On a face of length h and degree p the difference r has about p half-waves, and to press the
+ * body flat takes about the energy
  *
  *     modulus π/2 p/h ‖r‖_0²,
  *
  * that of a half-space with waves of the number π p/h. @throws InputError where g has no value.
+ * @param follows for each patch whether the component follows the foundation there.
  */
 void add_contact_misfit(const DisplacementSpace<2> &space, const MultiplierSpace<2> &multipliers,
-                        const Scene<2> &scene, const Displacement &U, const Pressure &P,
+                        const Scene<2> &scene, const Displacement &U,
+                        const std::vector<bool> &follows, Component component,
                         std::vector<CellIndicator> &indicators);
 
 /** Returns the active cells with a contact face on which the body penetrates the foundation
@@ -90,8 +93,8 @@ std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space
                                                const MultiplierSpace<2> &multipliers,
                                                const Displacement &U, const Pressure &P);
 
-/** Returns the values of p_H at the nodes of other multipliers on the same sides, cut off at zero,
- * as a start for an active set. */
+/** Returns the values of p_H at the nodes of other multipliers on the same sides, cut off at the
+ * ends of an interval, as a start for an active set. */
 Pressure transfer_pressure(const MultiplierSpace<2> &from, const Pressure &P,
-                           const MultiplierSpace<2> &to);
+                           const MultiplierSpace<2> &to, const Interval &allowed = {});
 } // namespace Signorini

@@ -10,7 +10,7 @@ namespace Signorini {
 struct StepFindings {
   /** The indicators, by active cell. */
   std::vector<CellIndicator> indicators;
-  std::vector<ContactBracket> brackets;
+  std::vector<ZoneBracket> brackets;
   /** The numbers of the cells with a face on which the body penetrates though nothing presses. */
   std::vector<unsigned int> missed_contact_cells;
   /** The estimated error, where there is an estimate, and the one that is aimed at, (force

@@ -61,8 +61,11 @@ double energy_distance(const StepField &u, const StepField &v, const Scene<2> &s
 struct SolvedStep {
   const DisplacementSpace<2> &space;
   const MultiplierSpace<2> &multipliers;
+  const AdmissibleSet &K;
   const Displacement &U;
   const Pressure &P;
+  /** Empty without friction. */
+  const Pressure &P_t;
   /** The error that the contact solver leaves, (force length)^{1/2}. */
   double algebraic_error = 0.;
 };
@@ -77,7 +80,7 @@ public:
   StepExamination(const Scene<2> &scene, double target);
 
   /**
-   * Computes the indicators, the brackets of the ends of contact and the estimated error of a step.
+   * Computes the indicators, the brackets of the ends of zones and the estimated error of a step.
    * @param before the solution of the step before; empty for the first.
    * @param planned the factor by which the mesh was planned to reduce the error.
    * @throws InputError where g has no value.

@@ -51,6 +51,9 @@ std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipl
  * the tolerance of a solver. */
 double pressing_threshold(const Pressure &P);
 
+/** Returns for each multiplier 1 where it presses, below pressing_threshold(P), else 0. */
+std::vector<int> pressing_states(const Pressure &P);
+
 /** Returns for each patch whether all of its multipliers press. */
 std::vector<bool> pressing_patches(const MultiplierSpace<2> &multipliers, const Pressure &P);
 
@@ -134,7 +137,8 @@ Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Pat
 struct SideNode {
   /** The arc length (length). */
   double s;
-  bool presses;
+  /** What the body does there; where it presses or not, 1 or 0. */
+  int state;
 };
 
 /** The nodes of one side in the order of arc length. */
@@ -146,13 +150,13 @@ struct SideNodes {
   std::vector<SideNode> nodes;
 };
 
-/** Returns the nodes of all multipliers, side after side; those below pressing_threshold(P) press.
- */
-std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers, const Pressure &P);
+/** Returns the nodes of all multipliers, side after side, with the given states. */
+std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
+                                     const std::vector<int> &states);
 
-/** Returns the runs of two or more neighbouring nodes that press and are open by turns: contact
- * begins or ends between the first and the last of each. Around a closed side, the positions go on
- * beyond its length, and the first node comes again at the end. */
+/** Returns the runs of two or more neighbouring nodes each of which differs from the next: a zone
+ * ends between the first and the last of each. Around a closed side, the positions go on beyond its
+ * length, and the first node comes again at the end. */
 std::vector<std::vector<SideNode>> alternations(const SideNodes &side);
 
 /** The forces at all degrees of freedom j (force per thickness); every rank stores all of them.
@@ -201,12 +205,12 @@ template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers, const Pressure &P,
                                  const Piece<dim> &piece, const Pressure &P_t = {});
 
-/** Returns u_{h,n} - g at the points of a rule on a piece, positive where the body penetrates.
- * @throws InputError where g has no value. */
+/** Returns u_{h,n} - g at the points of a rule on a piece, positive where the body penetrates, or
+ * the slip u_{h,t} - g_t. @throws InputError where g has no value. */
 template <int dim>
 std::vector<double> penetration(const ContactSurface<dim> &surface, const Piece<dim> &piece,
                                 const SurfaceRule<dim> &rule, const Displacement &U,
-                                TraceValues<dim> &traces);
+                                TraceValues<dim> &traces, Component component = Component::normal);
 
 /** Returns ∫_{Γ_c} q φ_j.n for all j, as the column of a coupling: @p values_on (piece, rule) is q
  * at the points of @p rule_on (piece). With t in the place of n if the component is tangential. */

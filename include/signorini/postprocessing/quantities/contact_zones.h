@@ -7,16 +7,17 @@
 #include <vector>
 
 namespace Signorini {
-/** A part of a side in which contact ends: between a node that presses and one that does not. */
-struct ContactBracket {
+/** A part of a side in which a zone ends: between two nodes in different states. */
+struct ZoneBracket {
   unsigned int side;
   /** The arc lengths; around a closed side the second may exceed its length (length). */
   double from, to;
 };
 
-/** Returns all brackets of a pressure, side after side; those that share a node are one. */
-std::vector<ContactBracket> contact_brackets(const MultiplierSpace<2> &multipliers,
-                                             const Pressure &P);
+/** Returns all brackets, side after side; those that share a node are one.
+ * @param states of all multipliers, as pressing_states(). */
+std::vector<ZoneBracket> zone_brackets(const MultiplierSpace<2> &multipliers,
+                                       const std::vector<int> &states);
 
 /** One end of a contact zone. */
 struct ZoneEnd {

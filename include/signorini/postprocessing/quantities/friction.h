@@ -9,12 +9,29 @@
 #include <vector>
 
 namespace Signorini {
-/** What a patch does. The numbers are those of contact-LL.csv. */
+/** What the body does at the node of a multiplier, on most meshes on a patch. The numbers are those
+ * of contact-LL.csv. */
 enum class FrictionState { open = 0, stick = 1, slip = 2 };
 
-/** Returns the state of every patch: it is open where nothing presses, and sticks where P_t is
+/** Returns the state at every node: it is open where nothing presses, and sticks where P_t is
  * inside of its interval. @param P the vector (P_n, P_t). */
 std::vector<FrictionState> friction_states(const AdmissibleSet &K, const dealii::Vector<double> &P);
+
+/** Returns numbers that differ between nodes in different zones: whether they press, and whether
+ * P_t is at the lower or the upper end of its interval, or inside. @param P_t is empty without
+ * friction. */
+std::vector<int> zone_states(const AdmissibleSet &K, const Pressure &P, const Pressure &P_t);
+
+/** Returns for every patch whether it sticks at all nodes; no patch does without friction. */
+std::vector<bool> sticking_patches(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
+                                   const Pressure &P, const Pressure &P_t);
+
+/** Returns the shares of P_t in its bounds. */
+Pressure friction_shares(const AdmissibleSet &K, const Pressure &P, const Pressure &P_t);
+
+/** Returns the same shares of the bounds that belong to another P, so that an active set method
+ * begins with the states that the shares come from. */
+Pressure friction_of_shares(const AdmissibleSet &K, const Pressure &P, const Pressure &shares);
 
 /** Friction on one level (force per thickness, work per thickness, lengths). */
 struct FrictionSummary {
@@ -22,11 +39,11 @@ struct FrictionSummary {
   double tangential_force = 0.;
   /** The work Σ s |w_t| of friction on the slip w_t = D_tᵀ U - G_t. */
   double dissipation = 0.;
-  /** The lengths of the patches that stick, that slip and that are open. */
+  /** The lengths of the parts that stick, that slip and that are open. */
   double stick_length = 0.;
   double slip_length = 0.;
   double open_length = 0.;
-  /** The same patches as zones. */
+  /** The same parts as zones. */
   std::vector<ContactZone> stick_zones, slip_zones;
   /** Coulomb: the smallest factor of the coefficient for which the linear system of these zones is
    * singular, and whether its determinant has the sign that it has without friction. Empty where

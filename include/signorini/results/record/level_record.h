@@ -97,7 +97,8 @@ struct LevelRecord {
   DualSolve dual;
   ContactSummary contact;
   Answer answer;
-  /** Friction, if the scene has it. There is neither an estimate nor a bound of the error then. */
+  /** Friction, if the scene has it. There is no bound of the error then, and an estimate on graded
+   * meshes only. */
   std::optional<FrictionSummary> friction;
   MotionRecord motions;
   Certificate certificate;

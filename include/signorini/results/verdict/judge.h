@@ -31,6 +31,8 @@ double rounding(const LevelRecord &level);
 /** Returns the bound of the relative error of u_h in the energy norm, where there is one; on curved
  * sides it is an estimated bound. */
 std::optional<double> bound_of(const LevelRecord &level);
+/** Returns the reason why there is none, a clause; empty where it was not wanted. */
+std::string why_no_bound(const LevelRecord &level);
 
 /** Returns whether there is a bound that is guaranteed. */
 bool is_guaranteed(const LevelRecord &level);
