@@ -93,9 +93,10 @@ LAPACKFullMatrix<double> lu(const FullMatrix<double> &M) {
 
 /**
  * Solves C_AA P_A + B_A z = F_A - C_AI e_I, P_I = e_I, K z - Bᵀ P = b by block elimination, with
- * the Schur complement S of the motions, and three times more for what rounding leaves of both
- * equations. A motion that neither K nor patches of A resist stays
- * zero. @throws ExceptionBase if C_AA is not positive definite.
+ * the Schur complement S of the motions. With motions or followers three passes more solve for what
+ * rounding leaves: rows of patches on tiny faces are small, and LU does not scale rows. A motion
+ * that neither K nor patches of A resist stays zero. @throws ExceptionBase if C_AA is not positive
+ * definite.
  */
 Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
   const unsigned int n = qp.balances.size();
@@ -118,7 +119,8 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
     S = resistance.S;
     S.compute_inverse_svd(rounding);
   }
-  for (unsigned int pass = 0; pass < (n > 0 ? 4U : 1U); ++pass) {
+  const unsigned int n_passes = n > 0 || !set.followers.empty() ? 4 : 1;
+  for (unsigned int pass = 0; pass < n_passes; ++pass) {
     const Vector W = qp.gradient(x.P, x.z);
     Vector dP(A.size()), dz(n);
     for (unsigned int r = 0; r < A.size(); ++r)
