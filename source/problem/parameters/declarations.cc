@@ -154,7 +154,7 @@ void Declarations::declare_data(Parameters &parameters) {
     "2 | force 0 to 3 in 100 cases. What is not named keeps the factor 1 and the shift 0.");
   add("Load cases/Sequence", parameters.load_cases.sequence,
       "independent: every case begins with a body that has not slipped. steps: with friction, each "
-      "case goes on from the slip of the one before, in their order.");
+      "case goes on from the slip of the one before, in their order, on every nested level.");
   add("Load cases/Fields", parameters.load_cases.fields,
       "Numbers of the cases for which VTU files are written, separated by blanks; the first is 1.");
   add("Exact solution/Displacement", parameters.exact.displacement,
