@@ -100,7 +100,7 @@ private:
     if (!context_.parameters.solver.warm_start || pressure_.patches.empty())
       return start;
     start.P = transfer_pressure<dim>(pressure_, discretization.surface.patches());
-    if (friction_.size() > 0)
+    if (!friction_.empty())
       start.P_t = start_of_friction(discretization, start.P);
     start.scale = scale_;
     start.relative_error = relative_error_;
@@ -115,21 +115,30 @@ private:
    * parents. */
   Pressure start_of_friction(const Discretization<dim> &discretization, const Pressure &P) const {
     constexpr double more_than_rounding = 1. + 1e-6;
-    Pressure P_t =
-      transfer_pressure<dim>({pressure_.patches, friction_}, discretization.surface.patches());
-    const AdmissibleSet K = discretization.K.at(join(P, P_t));
+    Pressure P_t;
+    for (const Pressure &share : friction_)
+      P_t = Pressure(join(
+        P_t, transfer_pressure<dim>({pressure_.patches, share}, discretization.surface.patches())));
+    dealii::Vector<double> all = join(P, P_t);
+    const AdmissibleSet K = discretization.K.at(all);
+    for (unsigned int k = 0, m = P.size(); k < P_t.size(); ++k)
+      all[m + k] *= more_than_rounding * K[m + k % m].upper;
     for (unsigned int k = 0, m = P.size(); k < m; ++k)
-      P_t[k] = K.project(m + k, more_than_rounding * P_t[k] * K[m + k].upper);
+      K.project(m + k, all);
+    std::copy(all.begin() + P.size(), all.end(), P_t.begin());
     return P_t;
   }
 
-  static Pressure share_of_friction(const Discretization<dim> &discretization,
-                                    const LevelSolution<dim> &solution) {
+  static std::vector<Pressure> share_of_friction(const Discretization<dim> &discretization,
+                                                 const LevelSolution<dim> &solution) {
     const AdmissibleSet K = discretization.K.at(solution.multipliers());
-    Pressure share = solution.P_t;
-    for (unsigned int k = 0, m = share.size(); k < m; ++k)
-      share[k] /= K[m + k].upper > 0. ? K[m + k].upper : 1.;
-    return share;
+    const unsigned int m = solution.P.size();
+    std::vector<Pressure> shares(solution.P_t.size() / m, Pressure(m));
+    for (unsigned int k = 0; k < solution.P_t.size(); ++k) {
+      const double bound = K[m + k % m].upper;
+      shares[k / m][k % m] = solution.P_t[k] / (bound > 0. ? bound : 1.);
+    }
+    return shares;
   }
 
   void keep_for_next(const LevelResult<dim> &result) {
@@ -154,8 +163,8 @@ private:
   std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
   unsigned int next_level_;
   PatchPressure<dim> pressure_;
-  /** The shares P_t/s of the same patches; empty without friction. */
-  Pressure friction_;
+  /** The shares P_t/s of the same patches, by component; empty without friction. */
+  std::vector<Pressure> friction_;
   /** The last level and its displacement, if V-cycles find contact on the next one; else null. */
   std::shared_ptr<const Discretization<dim>> coarse_;
   Displacement coarse_U_;

@@ -207,7 +207,8 @@ void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
   refuse_if(contact == ContactSolver::mprgp || contact == ContactSolver::multigrid, contact,
             "with friction", "with it: automatic, psor, active set");
   refuse_if(given.strategy == Strategy::hp, given.strategy, "with friction", "with it: nested");
-  refuse_if(given.element == Element::q2, given.element, "with friction", "with it: Q1, Q1 B-bar");
+  refuse_if(given.element == Element::q2, given.element, "with friction",
+            dim == 2 ? "with it: Q1, Q1 B-bar" : "with it: Q1");
   if (given.target_error > 0.)
     throw error_at(given.target_error, "found '", given.target_error.value,
                    "' with friction, for which there is neither a bound nor an estimate of the "

@@ -137,15 +137,16 @@ void Declarations::declare_data(Parameters &parameters) {
       "dx, dy by which the whole foundation is moved (length).");
   add("Contact/Friction", parameters.contact.friction,
       "Law of friction of the tangential traction q: none (q = 0), tresca (|q| <= Friction bound), "
-      "coulomb (|q| <= Friction coefficient times the pressure). Nested plane meshes of bilinear "
-      "elements, at least two faces per patch.");
+      "coulomb (|q| <= Friction coefficient times the pressure). Nested meshes of bilinear or "
+      "trilinear elements, at least two faces per patch and direction.");
   add("Contact/Friction coefficient", parameters.contact.friction_coefficient,
       "Coulomb: f >= 0, an expression for all contact sides, or per side: bottom: ... | left: ...");
   add("Contact/Friction bound", parameters.contact.friction_bound,
       "Tresca: s >= 0 (force/area), an expression in the same way.");
   add("Contact/Foundation shift", parameters.contact.foundation_shift,
       "With friction: the motion of the foundation along the counter-clockwise tangent of the side "
-      "(length), an expression in the same way; empty: 0.");
+      "(length), an expression in the same way; in 3-D a vector u1; u2; u3 whose tangential part "
+      "counts; empty: 0.");
   add(
     "Load cases/Cases", parameters.load_cases.cases,
     "Other loads that the finest level is solved for, from the same factorisation: factors of "

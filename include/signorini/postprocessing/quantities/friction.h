@@ -13,12 +13,13 @@ namespace Signorini {
 enum class FrictionState { open = 0, stick = 1, slip = 2 };
 
 /** Returns the state of every patch: it is open where nothing presses, and sticks where P_t is
- * inside of its interval. @param P the vector (P_n, P_t). */
+ * inside of its interval or disc. @param P the vector (P_n, P_t). */
 std::vector<FrictionState> friction_states(const AdmissibleSet &K, const dealii::Vector<double> &P);
 
-/** Friction on one level (force per thickness, work per thickness, lengths). */
+/** Friction on one level (force per thickness, work per thickness, lengths; in space force, work,
+ * areas). */
 struct FrictionSummary {
-  /** The force ∫ p_t along the tangents of the sides. */
+  /** The force ∫ p_t along the tangents of the sides; in space the norm of the vector ∫ p_t. */
   double tangential_force = 0.;
   /** The work Σ s |w_t| of friction on the slip w_t = D_tᵀ U - G_t. */
   double dissipation = 0.;
@@ -26,7 +27,7 @@ struct FrictionSummary {
   double stick_length = 0.;
   double slip_length = 0.;
   double open_length = 0.;
-  /** The same patches as zones. */
+  /** The same patches as zones, in the plane. */
   std::vector<ContactZone> stick_zones, slip_zones;
   /** Coulomb: the smallest factor of the coefficient for which the linear system of these zones is
    * singular, and whether its determinant has the sign that it has without friction. Empty where
@@ -40,7 +41,8 @@ struct FrictionSummary {
 };
 
 /** Summarises friction. @param P the vector (P_n, P_t). @param W the vector Dᵀ U - G. */
-FrictionSummary summarise_friction(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
+template <int dim>
+FrictionSummary summarise_friction(const MultiplierSpace<dim> &multipliers, const AdmissibleSet &K,
                                    const dealii::Vector<double> &P,
                                    const dealii::Vector<double> &W);
 } // namespace Signorini
