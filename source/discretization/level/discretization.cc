@@ -132,11 +132,12 @@ void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim
   D = assemble_coupling(space, multipliers);
   K = AdmissibleSet::nonpositive(multipliers.n_multipliers());
   if (scene.friction != Friction::none) {
-    D = join(D, assemble_coupling(space, multipliers, Component::tangential));
+    for (const Component tangent : tangents<dim>())
+      D = join(D, assemble_coupling(space, multipliers, tangent));
     const dealii::Vector<double> none(multipliers.n_multipliers()),
       given = multipliers.project(moments_of(scene, &BoundaryCondition<dim>::friction));
-    K = scene.friction == Friction::tresca ? AdmissibleSet::with_friction(given, none)
-                                           : AdmissibleSet::with_friction(none, given);
+    K = scene.friction == Friction::tresca ? AdmissibleSet::with_friction(given, none, dim - 1)
+                                           : AdmissibleSet::with_friction(none, given, dim - 1);
   }
   condensed_D = condense(D, space.constraints());
   G = assemble_gap_of(scene);
@@ -150,16 +151,18 @@ void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim
 
 template <int dim>
 dealii::Vector<double> Discretization<dim>::assemble_gap_of(const Scene<dim> &scene) const {
-  const dealii::Vector<double> G = moments_of(scene, &BoundaryCondition<dim>::data);
-  return scene.friction == Friction::none
-           ? G
-           : join(G, moments_of(scene, &BoundaryCondition<dim>::shift));
+  dealii::Vector<double> G = moments_of(scene, &BoundaryCondition<dim>::data);
+  if (scene.friction != Friction::none)
+    for (const Component tangent : tangents<dim>())
+      G = join(G, moments_of(scene, &BoundaryCondition<dim>::shift, tangent));
+  return G;
 }
 
 template <int dim>
 dealii::Vector<double> Discretization<dim>::moments_of(
-  const Scene<dim> &scene, FunctionPointer<dim> BoundaryCondition<dim>::*const data) const {
-  return assemble_gap(multipliers, scene.boundary, n_gap_points, gap_grading, data);
+  const Scene<dim> &scene, FunctionPointer<dim> BoundaryCondition<dim>::*const data,
+  const Component component) const {
+  return assemble_gap(multipliers, scene.boundary, n_gap_points, gap_grading, data, component);
 }
 
 std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space) {

@@ -65,10 +65,10 @@ double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
 
 template <int dim>
 double MultiplierSpace<dim>::value(const Pressure &P, const unsigned int patch,
-                                   const Point<dim - 1> &s) const {
+                                   const Point<dim - 1> &s, const unsigned int component) const {
   double sum = 0.;
   for (unsigned int k = first_of(patch); k < first_of(patch + 1); ++k)
-    sum += P[k] * shape_value(k, s);
+    sum += P[component * n_multipliers() + k] * shape_value(k, s);
   return sum;
 }
 
@@ -93,15 +93,38 @@ dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) cons
   return coefficients;
 }
 
+template <>
+Tensor<1, 2> direction_of(const Component component, const Tensor<1, 2> &normal) {
+  return component == Component::normal ? normal : -cross_product_2d(normal);
+}
+
+template <>
+Tensor<1, 3> direction_of(const Component component, const Tensor<1, 3> &normal) {
+  if (component == Component::normal)
+    return normal;
+  constexpr double nearly_parallel = 0.9;
+  Tensor<1, 3> tangent;
+  tangent[std::abs(normal[0]) > nearly_parallel ? 1 : 0] = 1.;
+  tangent -= (tangent * normal) * normal;
+  tangent /= tangent.norm();
+  return component == Component::tangential ? tangent : cross_product_3d(normal, tangent);
+}
+
 template <int dim>
 dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
                                     const std::vector<BoundaryCondition<dim>> &boundary,
                                     const unsigned int n_points, const Grading grading,
-                                    FunctionPointer<dim> BoundaryCondition<dim>::*const data) {
+                                    FunctionPointer<dim> BoundaryCondition<dim>::*const data,
+                                    const Component component) {
   const auto gap_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
     std::vector<double> g(rule.size());
-    if (const auto &given = boundary[space.surface().patches()[piece.patch].side].*data)
+    const auto &given = boundary[space.surface().patches()[piece.patch].side].*data;
+    if (given != nullptr && given->n_components == 1)
       given->value_list(rule.points, g);
+    else if (given != nullptr)
+      for (std::size_t q = 0; q < rule.size(); ++q)
+        for (unsigned int d = 0; d < dim; ++d)
+          g[q] += given->value(rule.points[q], d) * direction_of(component, rule.normals[q])[d];
     for (std::size_t q = 0; q < rule.size(); ++q)
       if (!std::isfinite(g[q])) {
         std::ostringstream message;

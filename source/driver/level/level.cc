@@ -195,13 +195,12 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   record.contact = summarise_contact(discretization.multipliers, contact.P);
   const StageTimer timer(record.times.postprocess);
   const bool has_friction = contact.P_t.size() > 0;
-  if constexpr (dim == 2)
-    if (has_friction) {
-      dealii::Vector<double> W = discretization.D.transpose_product(contact.U);
-      W -= discretization.G;
-      record.friction =
-        summarise_friction(discretization.multipliers, discretization.K, contact.multipliers(), W);
-    }
+  if (has_friction) {
+    dealii::Vector<double> W = discretization.D.transpose_product(contact.U);
+    W -= discretization.G;
+    record.friction =
+      summarise_friction(discretization.multipliers, discretization.K, contact.multipliers(), W);
+  }
   if (!has_friction && wants_inf_sup<dim>(parameters, contact)) {
     progress("inf-sup constant");
     record.inf_sup = measure_inf_sup(discretization.space, discretization.multipliers,
@@ -209,7 +208,7 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   }
   progress("certificate");
   add_certificate_and_answer(discretization, solution.scene, contact, record);
-  if (discretization.mesh.has_parents() && (dim == 2 || !has_friction))
+  if (discretization.mesh.has_parents())
     record.estimate = estimate_of(discretization, solution.scene, contact);
   record.certificate.energy -= work_of_plates(record);
 }

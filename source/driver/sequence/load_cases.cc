@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// All load cases of a scene on its finest level.
+// All load cases of a scene on one level.
 
 #include <signorini/base/columns.h>
 #include <signorini/driver/sequence/sequence.h>
@@ -40,7 +40,9 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
     const std::size_t n = scene.load_cases.size(), every = std::max<std::size_t>(1, n / 20);
     for (const LoadCase &load_case : scene.load_cases) {
       results.push_back(solver.solve(load_case));
-      if (load_case.has_fields && results.back().escape.empty())
+      results.back().number = results.size();
+      results.back().level = level.discretization->mesh.level();
+      if (level.is_last && load_case.has_fields && results.back().escape.empty())
         use_fields(results.size(),
                    with_plates_moved(scene_of_case(scene, load_case), results.back().plates),
                    solver.displacement(), solver.pressure(), solver.friction());

@@ -100,10 +100,13 @@ private:
     if (!context_.parameters.solver.warm_start || pressure_.patches.empty())
       return start;
     start.P = transfer_pressure<dim>(pressure_, discretization.surface.patches());
-    if (shares_.size() > 0)
-      start.P_t = friction_of_shares(
-        discretization.K, start.P,
-        transfer_pressure<dim>({pressure_.patches, shares_}, discretization.surface.patches()));
+    if (shares_.size() > 0) {
+      Pressure shares;
+      for (const Pressure &share : components_of(shares_, pressure_.patches.size()))
+        shares = Pressure(join(shares, transfer_pressure<dim>({pressure_.patches, share},
+                                                              discretization.surface.patches())));
+      start.P_t = friction_of_shares(discretization.K, start.P, shares);
+    }
     start.scale = scale_;
     start.relative_error = relative_error_;
     if (coarse_ != nullptr)
@@ -111,6 +114,16 @@ private:
     coarse_.reset();
     coarse_U_ = Displacement();
     return start;
+  }
+
+  /** Returns the parts of m numbers. */
+  static std::vector<Pressure> components_of(const Pressure &P_t, const unsigned int m) {
+    std::vector<Pressure> parts;
+    for (unsigned int first = 0; first < P_t.size(); first += m) {
+      parts.emplace_back(m);
+      std::copy_n(P_t.begin() + first, m, parts.back().begin());
+    }
+    return parts;
   }
 
   void keep_for_next(const LevelResult<dim> &result) {
@@ -135,7 +148,8 @@ private:
   std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
   unsigned int next_level_;
   PatchPressure<dim> pressure_;
-  /** The shares P_t/s of the same patches; empty without friction. */
+  /** The shares P_t/s of the same patches, one component after the other; empty without friction.
+   */
   Pressure shares_;
   /** The last level and its displacement, if V-cycles find contact on the next one; else null. */
   std::shared_ptr<const Discretization<dim>> coarse_;

@@ -99,8 +99,7 @@ private:
     };
     LevelResult<dim> level = sequence_->solve_next(progress);
     LevelRecord &record = level.solution.record;
-    if (level.is_last)
-      solve_cases(level, progress);
+    solve_cases(level, progress);
     progress("output");
     {
       const StageTimer timer(record.times.output);
@@ -124,16 +123,23 @@ private:
     return level.is_last;
   }
 
+  /** Solves load cases on the last level, and the steps of a history on every nested one: each
+   * level has a history of its own. */
   void solve_cases(LevelResult<dim> &level, const Progress &progress) {
     if constexpr (dim == 2) {
       const Scene<2> &scene = sequence_->scene();
-      if (scene.load_cases.empty())
+      const bool on_every_level = parameters_.load_cases.sequence == CaseSequence::steps &&
+                                  parameters_.discretization.strategy == Strategy::nested;
+      if (scene.load_cases.empty() || !(level.is_last || on_every_level))
         return;
       const auto write_fields = [&](const unsigned int number, const Scene<2> &scene_of_case,
                                     const Displacement &U, const Pressure &P, const Pressure &P_t) {
         writer_.write_case_fields(*level.discretization, scene_of_case, U, P, P_t, number);
       };
-      writer_.write_cases(solve_load_cases(parameters_, scene, level, write_fields, progress));
+      const std::vector<CaseResult> found =
+        solve_load_cases(parameters_, scene, level, write_fields, progress);
+      cases_.insert(cases_.end(), found.begin(), found.end());
+      writer_.write_cases(cases_);
     }
   }
 
@@ -144,6 +150,8 @@ private:
   Judge judge_;
   std::unique_ptr<Sequence<dim>> sequence_;
   ResultsWriter writer_;
+  /** The load cases of all levels so far. */
+  std::vector<CaseResult> cases_;
   StudyResult<dim> result_;
 };
 } // namespace
@@ -200,7 +208,8 @@ void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
             "with friction", "with it: automatic, psor, active set");
   if (given.strategy == Strategy::hp)
     return;
-  refuse_if(given.element == Element::q2, given.element, "with friction", "with it: Q1, Q1 B-bar");
+  refuse_if(given.element == Element::q2, given.element, "with friction",
+            dim == 2 ? "with it: Q1, Q1 B-bar" : "with it: Q1");
 }
 } // namespace
 

@@ -176,8 +176,8 @@ void check_contact(const MultiplierSpace<dim> &multipliers, const SolvedContact<
     length_scale = std::max(length_scale, std::abs(solved.G[tau]) / measures[tau]);
   }
   // How far P lies outside of the admissible set.
-  for (unsigned int k = 0; k < K.size(); ++k)
-    outside = std::max(outside, std::abs(K.residual(k, P[k], 0.)));
+  for (const double distance : K.residual(P, dealii::Vector<double>(P.size())))
+    outside = std::max(outside, std::abs(distance));
   certificate.penetration = relative(deepest, length_scale);
   certificate.sign = relative(outside, P.linfty_norm());
   certificate.complementarity = relative(P * W + K.dissipation(W), energy_scale);
@@ -263,9 +263,11 @@ Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene
   certificate.energy = strain_energy - work_of_loads - P * W;
   if (solution.P_t.size() > 0) {
     double work = solution.U * forces.internal - work_of_loads - work_of_gap + K.dissipation(W);
+    double work_of_supports = 0.;
     for (const auto support : space.supports())
       if (forces.residual.in_local_range(support))
-        work -= solution.U(support) * forces.residual(support);
+        work_of_supports += solution.U(support) * forces.residual(support);
+    work -= Utilities::MPI::sum(work_of_supports, space.mesh().communicator());
     certificate.dissipation_balance = relative(work, energy_scale);
   }
 

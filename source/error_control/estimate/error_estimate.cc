@@ -88,32 +88,68 @@ private:
   dealii::Vector<double> shifts_;
 };
 
-/** Adds the load of the recovered q, which is cut off at s, or at f times the recovered |p|; where
- * a patch slips in one direction, it is that bound. */
-void add_friction_load(const PressureData<2> &data, Coupling::Column &load) {
-  const ShiftedPressure<2> pressure(data.multipliers, data.P),
-    friction(data.multipliers, data.P_t, Component::tangential);
-  const std::vector<SlipState> slips = slip_states(data.multipliers, data.K, data.P, data.P_t);
-  const auto rule_on = [](const Piece<2> &piece) -> const SurfaceRule<2> & {
+/** The recovered q by components. It is cut off at s, or at f times the recovered |p|; where a
+ * patch slips, it is as long as that. */
+template <int dim>
+class RecoveredFriction {
+public:
+  explicit RecoveredFriction(const PressureData<dim> &data)
+    : data_(data)
+    , pressure_(data.multipliers, data.P) {
+    const unsigned int m = data.P.size();
+    const dealii::Vector<double> all = join(data.P, data.P_t);
+    const AdmissibleSet K = data.K.at(all);
+    for (unsigned int k = 0; k < m; ++k)
+      slips_.push_back(!K.is_inside(m + k, K.length(m + k, all)));
+    for (unsigned int first = 0; first < data.P_t.size(); first += m) {
+      Pressure part(m);
+      std::copy_n(data.P_t.begin() + first, m, part.begin());
+      components_.emplace_back(data.multipliers, part, Component::tangential);
+    }
+  }
+  /** Returns component c of q at the points of a rule. */
+  std::vector<double> operator()(const unsigned int c, const Piece<dim> &piece,
+                                 const SurfaceRule<dim> &rule) const {
+    const auto &given =
+      *data_.scene.boundary[data_.multipliers.surface().faces()[piece.face].side].friction;
+    const std::vector<double> p = pressure_(piece, rule);
+    std::vector<std::vector<double>> q;
+    for (const ShiftedPressure<dim> &component : components_)
+      q.push_back(component(piece, rule));
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double bound = given.value(rule.points[i]) * (data_.K.moves() ? std::abs(p[i]) : 1.);
+      double square = 0.;
+      for (const std::vector<double> &component : q)
+        square += component[i] * component[i];
+      const double length = std::sqrt(square);
+      if (length > 0. && (slips_[piece.patch] || length > bound))
+        q[c][i] *= bound / length;
+    }
+    return q[c];
+  }
+
+private:
+  const PressureData<dim> &data_;
+  ShiftedPressure<dim> pressure_;
+  std::vector<ShiftedPressure<dim>> components_;
+  std::vector<bool> slips_;
+};
+
+/** Adds the load of the recovered q. */
+template <int dim>
+void add_friction_load(const PressureData<dim> &data, Coupling::Column &load) {
+  const RecoveredFriction<dim> friction(data);
+  const auto rule_on = [](const Piece<dim> &piece) -> const SurfaceRule<dim> & {
     return piece.on_mesh;
   };
-  const auto values_on = [&](const Piece<2> &piece, const SurfaceRule<2> &rule) {
-    const auto &given =
-      *data.scene.boundary[data.multipliers.surface().faces()[piece.face].side].friction;
-    const SlipState state = slips[piece.patch];
-    const std::vector<double> p = pressure(piece, rule);
-    std::vector<double> q = friction(piece, rule);
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      const double bound = given.value(rule.points[i]) * (data.K.moves() ? std::abs(p[i]) : 1.);
-      q[i] = state == SlipState::upper   ? bound
-             : state == SlipState::lower ? -bound
-                                         : std::clamp(q[i], -bound, bound);
-    }
-    return q;
-  };
-  for (const auto &[row, value] : contact_load(data.space, data.multipliers.surface(), rule_on,
-                                               values_on, Component::tangential))
-    load[row] += value;
+  for (unsigned int c = 0; c < tangents<dim>().size(); ++c) {
+    const auto values_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
+      return friction(c, piece, rule);
+    };
+    for (const auto &[row, value] : contact_load(data.space, data.multipliers.surface(), rule_on,
+                                                 values_on, tangents<dim>()[c]))
+      load[row] += value;
+  }
 }
 
 /** Returns z_h for a load. */
@@ -164,12 +200,11 @@ PressureCorrection correct_pressure(const PressureData<dim> &data) {
   std::optional<dealii::Vector<double>> P;
   if (data.solve_dual && data.P_t.size() == 0 && finer.patches().size() > surface.patches().size())
     P = solve_on(finer_multipliers, data);
-  if constexpr (dim == 2)
-    if (data.P_t.size() > 0) {
-      Coupling::Column load = pressure_load(data.space, data.multipliers, data.P);
-      add_friction_load(data, load);
-      return correct_by<dim>(condense(Coupling({load}), data.space.constraints()), data);
-    }
+  if (data.P_t.size() > 0) {
+    Coupling::Column load = pressure_load(data.space, data.multipliers, data.P);
+    add_friction_load(data, load);
+    return correct_by<dim>(condense(Coupling({load}), data.space.constraints()), data);
+  }
   if (presses_nowhere(data.P) && (!P || presses_nowhere(*P)))
     return {};
   return correct_by<dim>(P ? recovered_load(data.space, finer_multipliers, Pressure(*P))

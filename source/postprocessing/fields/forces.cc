@@ -280,10 +280,10 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers, const 
     resultant.add(multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q] *
                     rule.normals[q],
                   rule.points[q]);
-  if (P_t.size() > 0)
+  for (unsigned int c = 0; c * P.size() < P_t.size(); ++c)
     for (std::size_t q = 0; q < rule.size(); ++q)
-      resultant.add(multipliers.value(P_t, piece.patch, rule.on_side[q]) * rule.weights[q] *
-                      direction_of(Component::tangential, rule.normals[q]),
+      resultant.add(multipliers.value(P_t, piece.patch, rule.on_side[q], c) * rule.weights[q] *
+                      direction_of(tangents<dim>()[c], rule.normals[q]),
                     rule.points[q]);
   return resultant;
 }

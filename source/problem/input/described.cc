@@ -192,18 +192,20 @@ void read_friction(const ContactParameters &given, const SceneReader<dim> &reade
   if (scene.friction == Friction::none)
     return;
   const auto read = [&](const Given<std::string> &entry,
-                        FunctionPointer<dim> BoundaryCondition<dim>::*const data) {
+                        FunctionPointer<dim> BoundaryCondition<dim>::*const data,
+                        const unsigned int n_components) {
     if (entry.value.empty())
       throw error_at(entry, "found nothing with ", found,
                      ", allowed: an expression for all contact sides, or one per side.");
     for (const auto &[side, text] : read_list_for(contact_side_names(scene), entry.value,
                                                   entry.where(), scene.geometry.side_names()))
-      scene.boundary[scene.geometry.find_side(side)].*data = reader.function(text, 1, entry);
+      scene.boundary[scene.geometry.find_side(side)].*data =
+        reader.function(text, n_components, entry);
   };
   read(scene.friction == Friction::coulomb ? given.friction_coefficient : given.friction_bound,
-       &BoundaryCondition<dim>::friction);
+       &BoundaryCondition<dim>::friction, 1);
   if (!given.foundation_shift.value.empty())
-    read(given.foundation_shift, &BoundaryCondition<dim>::shift);
+    read(given.foundation_shift, &BoundaryCondition<dim>::shift, dim == 2 ? 1 : dim);
 }
 
 /** Reads one expression for all contact sides, or one per side. */

@@ -135,17 +135,19 @@ void Declarations::declare_data(Parameters &parameters) {
       "of the body, at most ten diameters of the body.");
   add("Contact/Foundation position", parameters.contact.foundation_position,
       "dx, dy by which the whole foundation is moved (length).");
-  add("Contact/Friction", parameters.contact.friction,
-      "Law of friction of the tangential traction q: none (q = 0), tresca (|q| <= Friction bound), "
-      "coulomb (|q| <= Friction coefficient times the pressure). Plane bodies: bilinear elements "
-      "with at least two faces per patch, or Strategy = hp.");
+  add(
+    "Contact/Friction", parameters.contact.friction,
+    "Law of friction of the tangential traction q: none (q = 0), tresca (|q| <= Friction bound), "
+    "coulomb (|q| <= Friction coefficient times the pressure). Bilinear or trilinear elements with "
+    "at least two faces per patch and direction, or Strategy = hp.");
   add("Contact/Friction coefficient", parameters.contact.friction_coefficient,
       "Coulomb: f >= 0, an expression for all contact sides, or per side: bottom: ... | left: ...");
   add("Contact/Friction bound", parameters.contact.friction_bound,
       "Tresca: s >= 0 (force/area), an expression in the same way.");
   add("Contact/Foundation shift", parameters.contact.foundation_shift,
       "With friction: the motion of the foundation along the counter-clockwise tangent of the side "
-      "(length), an expression in the same way; empty: 0.");
+      "(length), an expression in the same way; in 3-D a vector u1; u2; u3 whose tangential part "
+      "counts; empty: 0.");
   add(
     "Load cases/Cases", parameters.load_cases.cases,
     "Other loads that the finest level is solved for, from the same factorisation: factors of "
@@ -154,7 +156,7 @@ void Declarations::declare_data(Parameters &parameters) {
     "2 | force 0 to 3 in 100 cases. What is not named keeps the factor 1 and the shift 0.");
   add("Load cases/Sequence", parameters.load_cases.sequence,
       "independent: every case begins with a body that has not slipped. steps: with friction, each "
-      "case goes on from the slip of the one before, in their order.");
+      "case goes on from the slip of the one before, in their order, on every nested level.");
   add("Load cases/Fields", parameters.load_cases.fields,
       "Numbers of the cases for which VTU files are written, separated by blanks; the first is 1.");
   add("Exact solution/Displacement", parameters.exact.displacement,

@@ -125,9 +125,13 @@ public:
     if (!level_.friction)
       return;
     const Json &friction = answer["friction"];
-    add("Friction", "T = " + digits(friction["tangential_force"]) +
-                      ", T/N = " + digits(friction["ratio"]) + ", dissipation " +
+    add("Friction", "T = " + number_text(friction["tangential_force"], scale_) +
+                      ", T/N = " + number_text(friction["ratio"], 1.) + ", dissipation " +
                       digits(friction["dissipation"]));
+    if (answer.contains("contact_area"))
+      add("  areas", "stick " + digits(friction["stick_length"]) + ", slip " +
+                       digits(friction["slip_length"]) + ", open " +
+                       digits(friction["open_length"]));
     if (level_.friction->is_regular)
       add("  uniqueness", text_of_regularity(*level_.friction));
     add_zones("  stick zone", friction["stick_zones"], level_.friction->stick_zones);

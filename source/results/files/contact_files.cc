@@ -76,6 +76,12 @@ Columns<ContactRow<dim>> contact_columns(const bool has_friction) {
   add("s_H", &FrictionPoint::s_H);
   add("slip", &FrictionPoint::slip);
   add("q_exact", &FrictionPoint::q_exact);
+  for (const auto &[name, vector] :
+       {std::pair("q_H_", &FrictionPoint::traction), {"slip_", &FrictionPoint::slip_vector}})
+    for (unsigned int d = 0; d < dim && dim == 3; ++d)
+      columns.push_back({name + std::string(1, "xyz"[d]), [part = vector, d](const Row &row) {
+                           return ((*row.point.friction).*part)[d];
+                         }});
   columns.push_back(
     {"state", [](const Row &row) { return static_cast<int>(row.point.friction->state); }});
   return columns;
@@ -92,7 +98,7 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
   const RecoveredPressure<dim> recovered(multipliers, P);
   const dealii::Vector<double> all = join(P, P_t);
   const AdmissibleSet K_P = K.at(all);
-  Pressure bounds = P_t;
+  Pressure bounds(P_t.size() > 0 ? P.size() : 0);
   for (unsigned int k = 0; k < bounds.size(); ++k)
     bounds[k] = K_P[P.size() + k].upper;
   std::vector<FrictionState> states;
@@ -106,11 +112,24 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
       return f == nullptr ? std::nullopt : std::optional<double>(f->value(rule.points[q]));
     };
     const Point<dim - 1> &s = rule.on_side[q];
-    return FrictionPoint{
+    FrictionPoint point = {
       multipliers.value(P_t, piece.patch, s), multipliers.value(bounds, piece.patch, s),
-      u * direction_of(Component::tangential, rule.normals[q]) -
-        value(condition.shift).value_or(0.),
+      u * direction_of(Component::tangential, rule.normals[q]),
       states[multipliers.nearest_node(piece.patch, s)], value(condition.exact_friction)};
+    if constexpr (dim == 2)
+      point.slip -= value(condition.shift).value_or(0.);
+    else {
+      point.slip_vector = u;
+      for (unsigned int d = 0; d < dim && condition.shift != nullptr; ++d)
+        point.slip_vector[d] -= condition.shift->value(rule.points[q], d);
+      point.slip_vector -= (point.slip_vector * rule.normals[q]) * rule.normals[q];
+      for (unsigned int c = 0; c < tangents<dim>().size(); ++c)
+        point.traction +=
+          P_t[c * P.size() + piece.patch] * direction_of(tangents<dim>()[c], rule.normals[q]);
+      point.slip = point.slip_vector.norm();
+      point.q_H = K.length(P.size() + piece.patch, all);
+    }
+    return point;
   };
   const auto trace = [&](const Piece<dim> &piece, const std::vector<Point<dim - 1>> &positions) {
     const BoundaryCondition<dim> &condition = boundary[surface.patches()[piece.patch].side];
@@ -158,6 +177,18 @@ void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact) 
       stream << piece.side << "," << csv_row(columns, {piece, point}) << "\n";
 }
 
+namespace {
+/** Adds a number in the plane, a vector in space. */
+template <int dim>
+void add_friction(const char *const name, const double number, const Tensor<1, 3> &vector,
+                  VtuFields &fields) {
+  if (dim == 2)
+    fields.emplace_back(name, number);
+  for (unsigned int d = 0; d < 3 && dim == 3; ++d)
+    fields.emplace_back(name, vector[d]);
+}
+} // namespace
+
 template <int dim>
 void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
                        const std::vector<double> &bound) {
@@ -181,12 +212,12 @@ void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
            {"opening", point.g - point.u_n},
            {"patch", piece.patch},
            {"side", piece.side_number}});
-        if (const auto &friction = point.friction)
-          fields.back().insert(fields.back().end(),
-                               {{"friction_traction", friction->q_H},
-                                {"friction_limit", friction->s_H},
-                                {"slip", friction->slip},
-                                {"friction_state", static_cast<int>(friction->state)}});
+        if (const auto &friction = point.friction) {
+          add_friction<dim>("friction_traction", friction->q_H, friction->traction, fields.back());
+          fields.back().emplace_back("friction_limit", friction->s_H);
+          add_friction<dim>("slip", friction->slip, friction->slip_vector, fields.back());
+          fields.back().emplace_back("friction_state", static_cast<int>(friction->state));
+        }
         if (!bound.empty())
           fields.back().emplace_back("bound_contact", bound[piece.face]);
       }

@@ -185,6 +185,7 @@ Columns<CaseResult> case_columns(const bool has_friction) {
                          return c.escape.empty() ? answer.value(c) : std::nullopt;
                        }});
   if (has_friction) {
+    columns.push_back({"level", &Case::level});
     columns.push_back({"slide", [](const Case &c) { return c.load_case.slide; }});
     for (const Column<Case> &column : columns_of(&Case::friction))
       if (column.name != "q_l2" && column.name != "critical_friction_factor")
@@ -199,11 +200,11 @@ void write_cases_csv(std::ostream &stream, const std::vector<CaseResult> &cases)
     std::any_of(cases.begin(), cases.end(), [](const CaseResult &c) { return c.friction; });
   const Columns<CaseResult> columns = case_columns(has_friction);
   stream << "case," << csv_header(columns) << ",state\n";
-  for (std::size_t i = 0; i < cases.size(); ++i)
-    stream << i + 1 << "," << csv_row(columns, cases[i]) << ","
-           << (!cases[i].escape.empty() ? cases[i].escape
-               : cases[i].converged     ? "solved"
-                                        : "not converged")
+  for (const CaseResult &result : cases)
+    stream << result.number << "," << csv_row(columns, result) << ","
+           << (!result.escape.empty() ? result.escape
+               : result.converged     ? "solved"
+                                      : "not converged")
            << "\n";
 }
 } // namespace Signorini

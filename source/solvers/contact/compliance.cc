@@ -130,9 +130,9 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
 // F = G - Dᵀ A⁻¹ f of the dual problem.
 
 bool FreeState::nothing_touches(const AdmissibleSet &K) const {
-  const auto all = all_indices(K.size());
-  return std::all_of(all.begin(), all.end(),
-                     [&](const unsigned int i) { return K.residual(i, 0., -F[i]) == 0.; });
+  dealii::Vector<double> step(F);
+  step *= -1.;
+  return K.residual(dealii::Vector<double>(F.size()), step).all_zero();
 }
 
 template <int dim>

@@ -140,6 +140,7 @@ BoundConstrainedQP::BoundConstrainedQP(std::shared_ptr<const ComplianceOperator>
     if (!(diagonal[i] > 0.))
       throw std::invalid_argument("C has a diagonal entry that is not positive: row " +
                                   std::to_string(i) + ".");
+  K.average(diagonal);
 }
 
 BoundConstrainedQP::BoundConstrainedQP(Matrix C_, const Vector &F_, Balances balances_)
@@ -171,14 +172,17 @@ double BoundConstrainedQP::energy(const Vector &P) const {
 }
 
 double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const Vector &W) const {
-  const AdmissibleSet K_P = K.at(P);
+  Vector step(W);
+  for (unsigned int i = 0; i < size(); ++i)
+    step[i] /= diagonal[i];
+  const Vector rest = K.at(P).residual(P, step);
   double residual = 0., size_of_P = 0., size_of_F = 0., size_of_b = 0.;
   for (const double r : imbalance(P, z))
     residual += r * r;
   for (const double b : balances.b)
     size_of_b += b * b;
   for (unsigned int i = 0; i < size(); ++i) {
-    const double r = K_P.residual(i, P[i], W[i] / diagonal[i]);
+    const double r = rest[i];
     residual += r * r;
     size_of_P += P[i] * P[i];
     if (balances.size() == 0 || P[i] != 0. || r != 0.)

@@ -4,6 +4,7 @@
 #include <signorini/solvers/contact/projected_methods.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -11,20 +12,42 @@
 namespace Signorini {
 using Vector = dealii::Vector<double>;
 
+namespace {
+/** Returns the largest eigenvalue of the symmetric matrix of a block: C_ii if it has one unknown.
+ */
+double largest_eigenvalue(const FullMatrix<double> &C, const AdmissibleSet &K,
+                          const unsigned int i) {
+  if (!K.is_disc(i))
+    return C(i, i);
+  const unsigned int j = i + K.n_discs();
+  return 0.5 * (C(i, i) + C(j, j)) + std::hypot(0.5 * (C(i, i) - C(j, j)), C(i, j));
+}
+} // namespace
+
 double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, Vector &P) {
   const FullMatrix<double> &C = qp.C->dense();
   const AdmissibleSet K = qp.K.at(P);
+  const unsigned int stride = K.n_discs();
   double squared_increment = 0.;
-  for (unsigned int i = 0; i < qp.size(); ++i) {
-    const double *row = &C(i, 0);
-    double CP_i = 0.;
-    for (unsigned int j = 0; j < qp.size(); ++j)
-      CP_i += row[j] * P[j];
-    const double lambda = P[i] - (CP_i - qp.F[i]) / row[i];
-    const double relaxed = (1. - relaxation) * P[i] + relaxation * lambda;
-    const double projected = K.project(i, relaxed);
-    squared_increment += (projected - P[i]) * (projected - P[i]);
-    P[i] = projected;
+  std::array<double, 2> relaxed, before;
+  for (unsigned int i = 0; i < K.n_blocks(); ++i) {
+    const double c = largest_eigenvalue(C, K, i);
+    const unsigned int n = K.is_disc(i) ? 2 : 1;
+    for (unsigned int a = 0; a < n; ++a) {
+      const unsigned int k = i + a * stride;
+      const double *row = &C(k, 0);
+      double CP_k = 0.;
+      for (unsigned int j = 0; j < qp.size(); ++j)
+        CP_k += row[j] * P[j];
+      const double lambda = P[k] - (CP_k - qp.F[k]) / c;
+      before[a] = P[k];
+      relaxed[a] = (1. - relaxation) * P[k] + relaxation * lambda;
+    }
+    for (unsigned int a = 0; a < n; ++a)
+      P[i + a * stride] = relaxed[a];
+    K.project(i, P);
+    for (unsigned int a = 0; a < n; ++a)
+      squared_increment += std::pow(P[i + a * stride] - before[a], 2);
   }
   return std::sqrt(squared_increment);
 }

@@ -48,9 +48,12 @@ double algebraic_error(const AdmissibleSet &K, const dealii::Vector<double> &P,
                        const dealii::Vector<double> &W, const dealii::Vector<double> &diagonal) {
   constexpr double diagonal_over_eigenvalue = 6.;
   double energy = 0.;
+  dealii::Vector<double> step(P.size());
   for (unsigned int k = 0; k < P.size(); ++k)
-    if (diagonal[k] > 0.)
-      energy += diagonal[k] * std::pow(K.residual(k, P[k], W[k] / diagonal[k]), 2);
+    step[k] = diagonal[k] > 0. ? W[k] / diagonal[k] : 0.;
+  const dealii::Vector<double> rest = K.residual(P, step);
+  for (unsigned int k = 0; k < P.size(); ++k)
+    energy += diagonal[k] * rest[k] * rest[k];
   return std::sqrt(diagonal_over_eigenvalue * energy);
 }
 
@@ -157,7 +160,7 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters, const Scene<dim> &sc
                               MPI_Comm communicator)
   : n_coarse_cells_(scene.geometry.n_coarse_cells)
   , n_contact_sides_(static_cast<double>(scene.contact_sides().size()))
-  , n_components_(scene.friction == Friction::none ? 1. : 2.)
+  , n_components_(scene.friction == Friction::none ? 1. : dim)
   , given_(parameters.discretization)
   , solvers_(choose_solvers(parameters, scene, parameters.discretization.finest_level,
                             Utilities::MPI::n_mpi_processes(communicator)))

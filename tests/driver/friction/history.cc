@@ -109,8 +109,10 @@ void test_sequence(Checks &checks) {
     levels(3, 4,
            {"Load cases/Cases=slide 0 to 1 in 5 cases | slide 0", "Load cases/Sequence=steps"}));
   checks.that("certified", found.verdict.is_certified());
-  checks.near("cases", found.levels.back().load_cases->n_cases, 6, 0.);
-  checks.between("KKT residuals", found.levels.back().load_cases->max_kkt, 0., 1e-12);
+  for (const LevelRecord &level : found.levels) {
+    checks.near("cases of every level", level.load_cases->n_cases, 6, 0.);
+    checks.between("KKT residuals", level.load_cases->max_kkt, 0., 1e-12);
+  }
 }
 } // namespace
 

@@ -61,6 +61,23 @@ const std::vector<Problem> two_components = {{"sticks", {{2, 1}, {1, 2}}, {-1.5,
                                              {"slides back", {{2, 1}, {1, 2}}, {-3, -5}, {-1, -1}},
                                              {"opens", {{2, 1}, {1, 2}}, {2, 4}, {0, 1}}};
 
+/** A patch in space that slips: C P - F = (0, -3, -4) is opposite to P_t = (0.6, 0.8). */
+const Problem disc = {"slips", {{3, 1, 0}, {1, 2, 1}, {0, 1, 4}}, {-2.4, 4, 7.8}, {-1, 0.6, 0.8}};
+
+void solve_in_space(Checks &checks) {
+  dealii::Vector<double> one(1), none(1);
+  one = 1.;
+  for (const AdmissibleSet &K :
+       {AdmissibleSet::with_friction(one, none, 2), AdmissibleSet::with_friction(none, one, 2)}) {
+    const BoundConstrainedQP qp = make_qp(disc, K);
+    for (const QPResult &result :
+         {solve_by_psor(qp, {}, {1e-12, 1000, 1.1}), solve_by_disc_newton(qp, {}, {1e-12, 1000})}) {
+      checks.near("disc: P", std::vector<double>(result.P.begin(), result.P.end()), disc.P, 1e-10);
+      checks.near("disc: dissipation", K.at(result.P).dissipation(qp.gradient(result.P)), 5., 1e-9);
+    }
+  }
+}
+
 /** The energy falls in every sweep for every omega in (0, 2). */
 void descend(const Problem &problem, Checks &checks) {
   const BoundConstrainedQP qp = make_qp(problem);
@@ -85,6 +102,7 @@ int main() {
     }
     for (const Problem &problem : two_components)
       solve(problem, make_qp(problem, AdmissibleSet({Interval(), {-1., 1.}})), checks);
+    solve_in_space(checks);
     const BoundConstrainedQP qp = make_qp(problems[0]);
     const dealii::Vector<double> zero(2);
     for (const double omega : {-1., 0., 2., 2.05})

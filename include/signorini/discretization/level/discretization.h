@@ -8,7 +8,8 @@
 
 namespace Signorini {
 /** The mesh T^h, the spaces V^h and Q^H, Γ_c^H, D, G and K of one level. With friction D = (D_n,
- * D_t) has 2m columns, and G = (G_n, G_t), where G_t is the tangential motion of the foundation. */
+ * D_t) has dim·m columns, and G = (G_n, G_t), where G_t is the tangential motion of the foundation.
+ */
 template <int dim>
 struct Discretization {
   /**
@@ -51,7 +52,8 @@ struct Discretization {
 private:
   /** Returns ∫ g ψ_k for functions g of the contact sides. */
   dealii::Vector<double> moments_of(const Scene<dim> &scene,
-                                    FunctionPointer<dim> BoundaryCondition<dim>::*data) const;
+                                    FunctionPointer<dim> BoundaryCondition<dim>::*data,
+                                    Component component = Component::normal) const;
   /** Computes D, condensed D, G and K. @throws InputError for a multiplier without a free node. */
   void assemble(const Parameters &parameters, const Scene<dim> &scene);
 };

@@ -82,8 +82,9 @@ public:
 
   /** Returns ψ_k at the point @p s of the side, on the patch to which the unknown belongs. */
   double shape_value(unsigned int unknown, const Point<dim - 1> &s) const;
-  /** Returns p_H at a point of a patch. */
-  double value(const Pressure &P, unsigned int patch, const Point<dim - 1> &s) const;
+  /** Returns p_H at a point of a patch; of P_t = (P_t1, P_t2) a component. */
+  double value(const Pressure &P, unsigned int patch, const Point<dim - 1> &s,
+               unsigned int component = 0) const;
 
   /** Returns ∫ ψ_k for all k (length^{dim-1}). */
   Vector integrals() const;
@@ -123,17 +124,37 @@ dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> 
   return moments;
 }
 
+/** A component of a vector on Γ_c: along the outward normal n, or along a tangent. In the plane the
+ * tangent is n turned counter-clockwise. In space there are two: the first is the part of the x
+ * axis in the side (of the y axis where the side is nearly perpendicular to x), the second is n ×
+ * that. */
+enum class Component { normal, tangential, second_tangential };
+
+/** Returns the components of P_t. */
+template <int dim>
+std::vector<Component> tangents() {
+  if constexpr (dim == 2)
+    return {Component::tangential};
+  else
+    return {Component::tangential, Component::second_tangential};
+}
+
+/** Returns n or a tangent. */
+template <int dim>
+Tensor<1, dim> direction_of(Component component, const Tensor<1, dim> &normal);
+
 /**
  * Returns G_k = ∫ g ψ_k (length^dim), with @p n_points Gauss points per direction and part of a
  * piece for constants; @p grading of the rules. @p boundary holds the gap of every side, or another
- * function in its place; one that is missing is zero.
+ * function in its place; one that is missing is zero. Of a vector in space @p component counts.
  * @throws InputError where g has no value.
  */
 template <int dim>
 dealii::Vector<double>
 assemble_gap(const MultiplierSpace<dim> &space, const std::vector<BoundaryCondition<dim>> &boundary,
              unsigned int n_points, Grading grading = Grading::towards_kinks,
-             FunctionPointer<dim> BoundaryCondition<dim>::*data = &BoundaryCondition<dim>::data);
+             FunctionPointer<dim> BoundaryCondition<dim>::*data = &BoundaryCondition<dim>::data,
+             Component component = Component::normal);
 
 /** The coupling D, n x m: one sparse column per multiplier, nonzero at the degrees of freedom near
  * its patch. It is small, and every rank stores all of it. */
@@ -160,27 +181,14 @@ private:
   std::vector<Column> columns_;
 };
 
-/** A component of a vector on Γ_c: along the outward normal n, or along the tangent t, which is n
- * turned counter-clockwise (2-D only). */
-enum class Component { normal, tangential };
-
-/** Returns n or t. */
-template <int dim>
-Tensor<1, dim> direction_of(const Component component, const Tensor<1, dim> &normal) {
-  if constexpr (dim == 2)
-    if (component == Component::tangential)
-      return -cross_product_2d(normal);
-  return normal;
-}
-
-/** Assembles D_jk = ∫_{Γ_c} φ_j.n ψ_k, integrated exactly on the pieces face ∩ patch; with t in the
- * place of n if the component is tangential. */
+/** Assembles D_jk = ∫_{Γ_c} φ_j.n ψ_k, integrated exactly on the pieces face ∩ patch; with a
+ * tangent in the place of n if the component is tangential. */
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,
                            const MultiplierSpace<dim> &multipliers,
                            Component component = Component::normal);
 
-/** Returns (P_n, P_t), or (D_n, D_t). */
+/** Returns (P_n, P_t), or (D_n, D_t); in space P_t = (P_t1, P_t2). */
 dealii::Vector<double> join(const dealii::Vector<double> &normal,
                             const dealii::Vector<double> &tangential);
 Coupling join(const Coupling &normal, const Coupling &tangential);

@@ -60,7 +60,8 @@ using CaseFields = std::function<void(unsigned int, const Scene<2> &, const Disp
 /**
  * Solves the load cases of the scene on a level that is solved, and adds the summary to the record.
  * The factors of the level are released. Collective.
- * @param use_fields is called for each case whose fields are wanted, as soon as it is solved.
+ * @param use_fields is called on the last level for each case whose fields are wanted, as soon as
+ * it is solved.
  */
 std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Scene<2> &scene,
                                          LevelResult<2> &level, const CaseFields &use_fields,

@@ -18,6 +18,9 @@ namespace Signorini {
 /** The state of contact in one load case. */
 struct CaseResult {
   LoadCase load_case;
+  /** The number of the case, from 1, and that of the level. */
+  unsigned int number = 0;
+  unsigned int level = 0;
   /** The reason why there is no solution ("it tips over"); empty if there is one. Only then the
    * other members are set. */
   std::string escape;

@@ -14,7 +14,7 @@ namespace Signorini {
 enum class FrictionState { open = 0, stick = 1, slip = 2 };
 
 /** Returns the state at every node: it is open where nothing presses, and sticks where P_t is
- * inside of its interval. @param P the vector (P_n, P_t). */
+ * inside of its interval or disc. @param P the vector (P_n, P_t). */
 std::vector<FrictionState> friction_states(const AdmissibleSet &K, const dealii::Vector<double> &P);
 
 /** Returns numbers that differ between nodes in different zones: whether they press, and whether
@@ -33,9 +33,10 @@ Pressure friction_shares(const AdmissibleSet &K, const Pressure &P, const Pressu
  * begins with the states that the shares come from. */
 Pressure friction_of_shares(const AdmissibleSet &K, const Pressure &P, const Pressure &shares);
 
-/** Friction on one level (force per thickness, work per thickness, lengths). */
+/** Friction on one level (force per thickness, work per thickness, lengths; in space force, work,
+ * areas). */
 struct FrictionSummary {
-  /** The force ∫ p_t along the tangents of the sides. */
+  /** The force ∫ p_t along the tangents of the sides; in space the norm of the vector ∫ p_t. */
   double tangential_force = 0.;
   /** The work Σ s |w_t| of friction on the slip w_t = D_tᵀ U - G_t. */
   double dissipation = 0.;
@@ -43,7 +44,7 @@ struct FrictionSummary {
   double stick_length = 0.;
   double slip_length = 0.;
   double open_length = 0.;
-  /** The same parts as zones. */
+  /** The same parts as zones, in the plane. */
   std::vector<ContactZone> stick_zones, slip_zones;
   /** Coulomb: the smallest factor of the coefficient for which the linear system of these zones is
    * singular, and whether its determinant has the sign that it has without friction. Empty where
@@ -59,7 +60,8 @@ struct FrictionSummary {
 };
 
 /** Summarises friction. @param P the vector (P_n, P_t). @param W the vector Dᵀ U - G. */
-FrictionSummary summarise_friction(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
+template <int dim>
+FrictionSummary summarise_friction(const MultiplierSpace<dim> &multipliers, const AdmissibleSet &K,
                                    const dealii::Vector<double> &P,
                                    const dealii::Vector<double> &W);
 } // namespace Signorini

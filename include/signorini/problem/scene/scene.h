@@ -124,7 +124,8 @@ struct BoundaryCondition {
    * foundation, position) computes the gap for another position of theirs. Else empty. */
   std::shared_ptr<const Foundation> foundation = nullptr;
   /** With friction: Coulomb's coefficient f or Tresca's bound s, and the tangential motion g_t of
-   * the foundation, empty where it rests. The tangent t is n turned counter-clockwise. */
+   * the foundation, empty where it rests: in the plane along t, in space a vector whose tangential
+   * part counts. The tangent t is n turned counter-clockwise. */
   FunctionPointer<dim> friction = nullptr;
   FunctionPointer<dim> shift = nullptr;
   /** The exact tangential traction q = σn·t of a contact side, if known. */

@@ -14,12 +14,14 @@
 namespace Signorini {
 /** What friction does at one point. */
 struct FrictionPoint {
-  /** The tangential traction q_H, and the largest one that is allowed. */
+  /** The tangential traction q_H, and the largest one that is allowed; in space |q_H|. */
   double q_H, s_H;
-  /** The slip u_t - g_t (length). */
+  /** The slip u_t - g_t (length); in space its norm. */
   double slip;
   FrictionState state;
   std::optional<double> q_exact;
+  /** The same as vectors in space; empty in the plane. */
+  Tensor<1, 3> traction = {}, slip_vector = {};
 };
 
 /** The fields at one point of the contact boundary. Pressures are those of the formulas, sigma_n:

@@ -125,7 +125,7 @@ struct BoundConstrainedQP {
   BoundConstrainedQP(FullMatrix<double> C, const Vector &F, Balances balances = {});
 
   std::shared_ptr<const ComplianceOperator> C;
-  /** The diagonal of C. */
+  /** The diagonal of C; its means over the blocks of K. */
   Vector diagonal;
   Vector F;
   AdmissibleSet K;

@@ -73,6 +73,27 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const dealii::Vector<
                              const IterationOptions &options);
 
 /**
+ * Solves the dual problem of friction in space by the same semi-smooth Newton method with discs,
+ * without balances. With a = P - W/diag C a patch is open (a_n ≥ 0), sticks (|a_t| < s), or slips
+ * along e = a_t/|a_t|. There P_t = s e + y e⊥, and the derivative of the projection onto the disc
+ * gives
+ *
+ *     W_t·e⊥ + (|a_t|/s - 1) C_tt y = 0.
+ *
+ * So the unknowns are P_n of pressing patches, P_t of sticking ones and y of slipping ones; for
+ * Tresca's law the system is symmetric and positive definite. Slip that turns is found
+ * quadratically.
+ *
+ * It begins with ten sweeps of projected SOR. Steps are shortened where that decreases the residual
+ * and the whole step does not. Where four steps in a row do not decrease it, the method begins anew
+ * at the best P so far, with more sweeps each time: for Tresca's law they converge in any case.
+ * With Coulomb's law it may also begin anew at a random P (a fixed sequence of numbers).
+ * @param start may be empty.
+ */
+QPResult solve_by_disc_newton(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
+                              const IterationOptions &options);
+
+/**
  * How the linear system of the states of P depends on Coulomb's coefficient: with λ f in the place
  * of f it is singular for the real λ that are reciprocal eigenvalues of its slipping part.
  */
@@ -82,8 +103,8 @@ struct Regularity {
   /** Whether the determinant has the sign that it has for λ = 0. Otherwise P is one of at least two
    * solutions: the degrees of all add up to one. */
   bool has_sign_of_no_friction = true;
-  /** The spectral radius of the slipping part: the rate of convergence of Tresca's problems with s =
-   * f |P_n| of the one before, near P. */
+  /** The spectral radius of the slipping part: the rate of convergence of Tresca's problems with s
+   * = f |P_n| of the one before, near P. */
   double fixed_point_rate = 0.;
 };
 

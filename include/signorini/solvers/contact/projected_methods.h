@@ -14,6 +14,9 @@ double psor_sweep(const BoundConstrainedQP &qp, double relaxation, dealii::Vecto
  *     λ_i = -(Σ_{j<i} C_ij P_j^{k+1} + Σ_{j>i} C_ij P_j^k - F_i)/C_ii,
  *     P_i^{k+1} = projection of (1 - ω) P_i^k + ω λ_i onto K.
  *
+ * A block of two unknowns (a disc) takes one step with the largest eigenvalue of its part of C in
+ * the place of C_ii.
+ *
  * It stops when |P^{k+1} - P^k| ≤ tolerance |P^{k+1}| and the KKT residual is below the tolerance,
  * and goes on while the increments fall so slowly that the error, estimated from them, is above 50
  * times the tolerance. With balances this is the inner iteration of a proximal method: with a
