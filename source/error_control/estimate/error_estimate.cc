@@ -100,7 +100,7 @@ public:
     const dealii::Vector<double> all = join(data.P, data.P_t);
     const AdmissibleSet K = data.K.at(all);
     for (unsigned int k = 0; k < m; ++k)
-      slips_.push_back(!K.is_inside(m + k, K.length(m + k, all)));
+      slips_.push_back(K.slips(m + k, all));
     for (unsigned int first = 0; first < data.P_t.size(); first += m) {
       Pressure part(m);
       std::copy_n(data.P_t.begin() + first, m, part.begin());

@@ -207,12 +207,13 @@ std::vector<bool> pressing_patches(const MultiplierSpace<2> &multipliers, const 
 std::vector<SlipState> slip_states(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
                                    const Pressure &P, const Pressure &P_t) {
   std::vector<SlipState> states(multipliers.surface().patches().size(), SlipState::none);
-  const AdmissibleSet K_P = K.at(P);
+  const dealii::Vector<double> all = join(P, P_t);
+  const AdmissibleSet K_P = K.at(all);
   for (unsigned int k = 0; k < P_t.size(); ++k) {
-    const unsigned int i = P.size() + k, patch = multipliers.patch_of(k);
-    const SlipState here = K_P.is_inside(i, P_t[k]) ? SlipState::none
-                           : P_t[k] >= K_P[i].upper ? SlipState::upper
-                                                    : SlipState::lower;
+    const unsigned int patch = multipliers.patch_of(k);
+    const SlipState here = !K_P.slips(P.size() + k, all) ? SlipState::none
+                           : P_t[k] >= 0.                ? SlipState::upper
+                                                         : SlipState::lower;
     SlipState &state = states[patch];
     state = k == multipliers.first_of(patch) || state == here ? here : SlipState::mixed;
   }

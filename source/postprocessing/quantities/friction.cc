@@ -16,20 +16,19 @@ std::vector<FrictionState> friction_states(const AdmissibleSet &K,
   const double threshold = pressing_threshold(Pressure(P));
   std::vector<FrictionState> states(m);
   for (unsigned int k = 0; k < m; ++k) {
-    // Up to the tolerance of the solver: P_t of projected SOR follows P_n of the sweep before.
-    const double limit = (1. - 1e-8) * K_P[m + k].upper;
-    states[k] = !(P[k] < threshold)                      ? FrictionState::open
-                : std::abs(K_P.length(m + k, P)) < limit ? FrictionState::stick
-                                                         : FrictionState::slip;
+    states[k] = !(P[k] < threshold)   ? FrictionState::open
+                : K_P.slips(m + k, P) ? FrictionState::slip
+                                      : FrictionState::stick;
   }
   return states;
 }
 
 std::vector<int> zone_states(const AdmissibleSet &K, const Pressure &P, const Pressure &P_t) {
   std::vector<int> states = pressing_states(P);
-  const AdmissibleSet K_P = K.at(join(P, P_t));
+  const dealii::Vector<double> all = join(P, P_t);
+  const AdmissibleSet K_P = K.at(all);
   for (unsigned int k = 0, m = P.size(); k < P_t.size(); ++k)
-    states[k] += K_P.is_inside(m + k, P_t[k]) ? 2 : P_t[k] >= K_P[m + k].upper ? 4 : 6;
+    states[k] += !K_P.slips(m + k, all) ? 2 : P_t[k] >= 0. ? 4 : 6;
   return states;
 }
 

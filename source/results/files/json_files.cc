@@ -52,16 +52,12 @@ static void to_json(Json &json, const ContactZone &zone) {
 }
 
 static void to_json(Json &json, const FrictionSummary &friction) {
-  json = {{"tangential_force", friction.tangential_force},
-          {"dissipation", friction.dissipation},
-          {"stick_length", friction.stick_length},
-          {"slip_length", friction.slip_length},
-          {"open_length", friction.open_length},
-          {"critical_factor", friction.critical_factor},
-          {"fixed_point_rate", friction.fixed_point_rate},
-          {"regular", friction.is_regular},
-          {"stick_zones", friction.stick_zones},
-          {"slip_zones", friction.slip_zones}};
+  json = {
+    {"tangential_force", friction.tangential_force}, {"dissipation", friction.dissipation},
+    {"stick_length", friction.stick_length},         {"slip_length", friction.slip_length},
+    {"open_length", friction.open_length},           {"critical_factor", friction.critical_factor},
+    {"fixed_point_rate", friction.fixed_point_rate}, {"regular", friction.is_regular},
+    {"stick_zones", friction.stick_zones},           {"slip_zones", friction.slip_zones}};
 }
 
 static void to_json(Json &json, const PressureMaximum &peak) {

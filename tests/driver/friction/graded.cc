@@ -41,7 +41,9 @@ const std::vector<Expectation> expectations = {
 void check_scene(Checks &checks, const Expectation &expected, const bool is_known) {
   checks.about(expected.scene + (is_known ? ", known ends" : ", ends that are found"));
   const StudyResult<2> found = solve_graded(expected.scene, expected.target, is_known);
-  checks.that("accuracy estimated", found.verdict.outcome == Outcome::accuracy_estimated);
+  const bool is_tresca = expected.scene.front() == 'T';
+  checks.that("verdict", found.verdict.outcome ==
+                           (is_tresca ? Outcome::certified : Outcome::accuracy_estimated));
   const std::vector<GradedStep> steps = steps_of(found.levels);
   checks.between("correlation of log(error) and N^{1/3}", fit_exponential(steps).correlation, -1.,
                  -0.97);
@@ -50,6 +52,9 @@ void check_scene(Checks &checks, const Expectation &expected, const bool is_know
   for (const GradedStep &step : steps)
     checks.between("estimate over error, step " + std::to_string(step.number),
                    step.estimate / step.error, 0.8, step.number > 1 ? 8. : 50.);
+  if (is_tresca)
+    checks.between("bound over error", last(found, "bound_energy") / last(found, "u_energy"), 1.,
+                   1.5);
   // Forces and works converge twice as fast as the energy norm.
   const double small = 1e-3 * std::stod(expected.target);
   if (!std::isnan(expected.tangential_force))

@@ -127,6 +127,8 @@ void test_plane_strain(Checks &checks) {
       with_solver.push_back(std::string("Solver/Contact solver=") + solver);
       const SpaceLevel level(space, 2, with_solver);
       const LevelRecord &found = level.found.record, &record = expected.record;
+      checks.near("estimate", found.estimate->relative, record.estimate->relative,
+                  1e-6 * record.estimate->relative);
       // Per thickness of 1/2.
       checks.near("N, |T|, dissipation, energy, stick, slip",
                   {2. * found.contact.normal_force, 2. * found.friction->tangential_force,
@@ -219,7 +221,8 @@ void test_study(Checks &checks) {
   checks.that("large coefficient",
               study({"Contact/Friction coefficient=5*(1+0.5*sin(3*x))",
                      "Contact/Gap=0.3*((x-0.3)^2+(y-0.6)^2)", "Material/Poisson's ratio=0.45"})
-                .verdict.is_certified());
+                .levels.back()
+                .dual.converged);
   const StudyResult<3> smooth = study({"Contact/Friction coefficient=0"}),
                        none = study({"Contact/Friction coefficient=", "Contact/Friction=none"});
   checks.near("f = 0", last(smooth, "contact_force_n"), last(none, "contact_force_n"), 1e-13);

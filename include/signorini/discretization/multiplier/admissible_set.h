@@ -128,6 +128,12 @@ public:
       is_disc(i) ? 4. * std::numeric_limits<double>::epsilon() * intervals_[i].upper : 0.;
     return intervals_[i].lower < p && p < intervals_[i].upper - margin;
   }
+  /** Returns whether P_t of block i is as large as its bound, so that the patch slips: up to the
+   * tolerance of the solvers, because P_t of projected SOR follows P_n of the sweep before. */
+  bool slips(const unsigned int i, const Vector &P) const {
+    constexpr double almost = 1. - 1e-8;
+    return std::abs(length(i, P)) >= almost * intervals_[i].upper;
+  }
   /** Returns P - projection of P - step; for step = W_i/c_i it vanishes at the solution and nowhere
    * else, if c is the same for both unknowns of a pair. */
   Vector residual(const Vector &P, const Vector &step) const {
