@@ -36,6 +36,7 @@ std::string name_of_worst_cell(const StressBound &bound, const DisplacementSpace
 template <typename Numbers>
 std::vector<double> roots(const Numbers &squares) {
   std::vector<double> result;
+  result.reserve(squares.size());
   for (const double square : squares)
     result.push_back(std::sqrt(std::max(0., square)));
   return result;

@@ -154,7 +154,7 @@ PolynomialLoad CellFitter::project_load(const CellShape &shape, const Quadrature
   double square = 0., rest = 0.;
   for (std::size_t q = 0; q < points.size(); ++q)
     square += weights[q] * forces[q].norm_square();
-  const PolynomialLoad load = fit.airy->project(points, weights, forces, rest);
+  PolynomialLoad load = fit.airy->project(points, weights, forces, rest);
   fit.load_norm = std::sqrt(square) / fit.size;
   fit.load_rest = std::sqrt(rest) / fit.size;
   return load;

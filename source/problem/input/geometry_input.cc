@@ -133,7 +133,7 @@ std::string read_mesh_file(const GeometryParameters &given) {
                    ", which is neither in the folder of the parameter file",
                    given.folder.empty() ? "" : " (" + shorten_path(given.folder) + ")",
                    " nor in the working folder", allowed);
-  const std::string content =
+  std::string content =
     read_whole_file(path.string(), given.file.where() + ": ", "mesh file", max_mesh_file_size);
   if (is_gmsh_text(content))
     return content;

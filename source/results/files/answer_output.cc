@@ -195,7 +195,7 @@ private:
     }
   }
   std::string force_text(const Json &force) const {
-    const std::string text = number_text(force["force"], scale_);
+    std::string text = number_text(force["force"], scale_);
     if (force["through"].is_null())
       return text;
     const Json &moment = force["moment"];

@@ -136,6 +136,7 @@ bool share_mesh(const Maximum &a, const Maximum &b) {
 template <typename Maximum>
 Json with_trend(const std::vector<std::optional<Maximum>> &maxima, const bool is_unlimited) {
   std::vector<std::optional<double>> values;
+  values.reserve(maxima.size());
   for (const std::optional<Maximum> &maximum : maxima)
     values.push_back(maximum ? std::optional<double>(maximum->value) : std::nullopt);
   Trend trend = trend_of(values);

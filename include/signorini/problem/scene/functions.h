@@ -5,6 +5,7 @@
 #include <signorini/problem/scene/expression.h>
 
 #include <deal.II/base/function.h>
+#include <deal.II/lac/vector.h>
 
 #include <functional>
 #include <vector>
