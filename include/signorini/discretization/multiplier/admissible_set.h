@@ -138,6 +138,8 @@ public:
    * else, if c is the same for both unknowns of a pair. */
   Vector residual(const Vector &P, const Vector &step) const {
     Vector r(P);
+    if (r.size() == 0)
+      return r;
     r -= step;
     project(r);
     r.sadd(-1., 1., P);
