@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Formulas of the parameter file, on top of muParser. (FunctionParser takes up to twice the time,
-// and accepts what nobody means: 1, 2 and x = 3 and 0.2<x<0.4.)
+// Formulas of the parameter file: muParser says whether a text is one, its tree evaluates it.
+// (FunctionParser accepts what nobody means: 1, 2 and x = 3 and 0.2<x<0.4.)
 
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
@@ -13,7 +13,6 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <regex>
 #include <string>
 
 #include "formulas.h"
@@ -82,20 +81,19 @@ bool is_name(const std::string &text) {
                      [](const unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
 }
 
-/** The operators that rewrite_powers() puts in. */
-constexpr const char *square_operator = "'", *cube_operator = "~";
-
-/**
- * Returns the formula with own operators behind the bracket in place of (...)^2 and (...)^3:
- * muParser multiplies out the powers of a plain coordinate only and calls the library's pow for all
- * else, which costs more than the rest of a typical formula. The formula must be one that muParser
- * accepts. A digit that begins a longer number, or a tower a^2^b = a^(2^b), stays.
- */
-std::string rewrite_powers(const std::string &text) {
-  static const std::regex squares(R"(\)\s*\^\s*2(?![\w.]|\s*\^))"),
-    cubes(R"(\)\s*\^\s*3(?![\w.]|\s*\^))");
-  const std::string once = std::regex_replace(text, squares, std::string(")") + square_operator);
-  return std::regex_replace(once, cubes, std::string(")") + cube_operator);
+/** Lets muParser read a formula. @throws mu::ParserError */
+template <int dim>
+void check_syntax(const std::string &text, const Constants &constants) {
+  std::array<double, dim> x = {};
+  mu::Parser parser;
+  parser.DefineConst("pi", numbers::PI);
+  for (const auto &[name, value] : constants)
+    parser.DefineConst(name, value);
+  define_functions(parser);
+  for (unsigned int d = 0; d < dim; ++d)
+    parser.DefineVar(coordinate_names[d], &x[d]);
+  parser.SetExpr(text);
+  parser.Eval();
 }
 } // namespace
 
@@ -111,89 +109,39 @@ void define_functions(mu::Parser &parser) {
     });
 }
 
-/** One muParser bound to its own coordinates. */
-template <int dim>
-class Expression<dim>::Parser {
-public:
-  /** @param text a formula as the user wrote it, or as rewrite_powers() returns it. */
-  Parser(const std::string &text, const Constants &constants, const bool rewritten) {
-    parser_.DefineConst("pi", numbers::PI);
-    for (const auto &constant : constants)
-      parser_.DefineConst(constant.first, constant.second);
-    define_functions(parser_);
-    if (rewritten) {
-      parser_.DefinePostfixOprt(
-        square_operator, +[](const double x) { return x * x; });
-      parser_.DefinePostfixOprt(
-        cube_operator, +[](const double x) { return x * x * x; });
-    }
-    for (unsigned int d = 0; d < dim; ++d)
-      parser_.DefineVar(coordinate_names[d], &coordinates_[d]);
-    parser_.SetExpr(text);
-    uses_coordinates = !parser_.GetUsedVar().empty();
-    parser_.Eval();
-  }
-  Parser(const Parser &) = delete;
-  Parser &operator=(const Parser &) = delete;
-
-  double evaluate(const Point<dim> &x) {
-    std::copy(x.begin_raw(), x.end_raw(), coordinates_.begin());
-    return parser_.Eval();
-  }
-
-  bool uses_coordinates = false;
-
-private:
-  std::array<double, dim> coordinates_ = {};
-  mu::Parser parser_;
-};
-
 template <int dim>
 Expression<dim>::Expression(const std::string &text, const Constants &constants,
                             const std::string &where)
   : text_(trim(text))
-  , constants_(constants)
   , where_(where) {
   const std::string misuse = find_misuse(text_);
   if (!misuse.empty())
     throw input_error(where_, ": the expression ", quote(text_), " cannot be used: ", misuse,
                       "; allowed: a formula in x, y, the constants and pi.");
   try {
-    Parser parser(text_, constants_, false);
-    if (parser.uses_coordinates)
-      parsers_ = std::make_shared<Threads::ThreadLocalStorage<std::shared_ptr<Parser>>>();
-    else
-      constant_ = parser.evaluate(Point<dim>());
+    check_syntax<dim>(text_, constants);
+    formula_ = std::make_shared<const FormulaTree<dim>>(text_, constants);
   } catch (const mu::ParserError &error) {
     throw input_error(where_, ": the expression ", quote(text_),
                       " cannot be parsed: ", reason_of(error),
                       "; allowed: a formula in x, y, the constants and pi.");
   }
-}
-
-template <int dim>
-typename Expression<dim>::Parser &Expression<dim>::thread_parser() const {
-  std::shared_ptr<Parser> &parser = parsers_->get();
-  if (parser == nullptr)
-    parser = std::make_shared<Parser>(rewrite_powers(text_), constants_, true);
-  return *parser;
+  if (formula_->is_constant())
+    constant_ = formula_->value(Point<dim>());
 }
 
 template <int dim>
 double Expression<dim>::operator()(const Point<dim> &x) const {
-  return constant_ ? *constant_ : thread_parser().evaluate(x);
+  return constant_ ? *constant_ : formula_->value(x);
 }
 
-// muParser's own bulk mode starts OpenMP threads for every call; a cell has too few points for
-// that.
 template <int dim>
 void Expression<dim>::evaluate(const std::vector<Point<dim>> &points,
                                std::vector<double> &values) const {
   if (constant_)
     values.assign(points.size(), *constant_);
   else
-    std::transform(points.begin(), points.end(), values.begin(),
-                   [&parser = thread_parser()](const Point<dim> &x) { return parser.evaluate(x); });
+    formula_->values(points.data(), points.size(), values.data());
 }
 
 Constants read_constants(const std::string &text, const std::string &where) {

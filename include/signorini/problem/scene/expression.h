@@ -4,11 +4,10 @@
 #include <signorini/base/dealii.h>
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/scene/formula.h>
 
 #include <deal.II/base/point.h>
-#include <deal.II/base/thread_local_storage.h>
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -16,16 +15,12 @@
 #include <vector>
 
 namespace Signorini {
-/** Named numbers that expressions may use. */
-using Constants = std::map<std::string, double>;
-
 /**
- * A formula in x, y (and z), parsed once by muParser.
+ * A formula in x, y (and z).
  *
  * It may contain the operators and functions of muParser (+ - * / ^ < > <= >= == != && || ?:, sin,
  * cos, tan, exp, log, sqrt, abs, min, max, ...), besides them floor, ceil, pow, erf, erfc and
- * if(c,a,b), the constant pi and the named constants. Evaluation is thread-safe: every thread gets
- * a parser of its own.
+ * if(c,a,b), the constant pi and the named constants. Evaluation is thread-safe.
  */
 template <int dim>
 class Expression {
@@ -52,19 +47,16 @@ public:
     return where_;
   }
 
+  /** Returns the tree of the formula. */
+  const FormulaTree<dim> &formula() const {
+    return *formula_;
+  }
+
 private:
-  class Parser;
-
-  /** Returns the parser of this thread, which is made when the thread first evaluates the formula.
-   */
-  Parser &thread_parser() const;
-
-  std::string text_;
-  Constants constants_;
-  std::string where_;
+  std::string text_, where_;
+  std::shared_ptr<const FormulaTree<dim>> formula_;
   /** The value of a formula without coordinates. */
   std::optional<double> constant_;
-  std::shared_ptr<Threads::ThreadLocalStorage<std::shared_ptr<Parser>>> parsers_;
 };
 
 /** Throws InputError with "WHERE: found FOUND at (X), allowed: ALLOWED." */
