@@ -3,6 +3,7 @@
 """Solves the dual problem of a run with 'Output/Compliance = true' once more, with another method, and builds C and F from
 A, D, f and G (packages python3-scipy, python3-numpy). Exit code 1 if P, C or F differ.
 usage: solve_dual.py RESULTS LEVEL"""
+import json
 import sys
 
 import numpy
@@ -12,6 +13,9 @@ from scipy.optimize import nnls
 from scipy.sparse.linalg import splu
 
 results, level = sys.argv[1], int(sys.argv[2])
+with open(f"{results}/answer.json", encoding="utf-8") as file:
+    if "friction" in json.load(file):
+        sys.exit(f"solve_dual.py: {results} has friction, whose bounds are in no file, allowed: runs without friction.")
 A, C, D, F, G, P, f = (mmread(f"{results}/{name}-{level:02d}.mtx") for name in "ACDFGPf")
 
 # Q = -P >= 0 minimises Q'CQ/2 + Q'F, that is |L'Q + L^-1 F|^2/2 with C = LL'.

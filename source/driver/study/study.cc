@@ -59,8 +59,7 @@ public:
     , n_ranks_(Utilities::MPI::n_mpi_processes(communicator))
     , report_(report)
     , judge_({parameters.solver.tolerance, parameters.solver.tolerated_error,
-              target_error(parameters.discretization), parameters.discretization.target_error > 0.,
-              dim == 2 && n_ranks_ == 1, dim == 2})
+              target_error(parameters.discretization), dim == 2 && n_ranks_ == 1, dim == 2})
     , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_}))
     , writer_(parameters, judge_, scene.description, report.directory, communicator) {}
 

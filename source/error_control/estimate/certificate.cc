@@ -63,7 +63,8 @@ void balance(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
   // About the centre of the body: the origin may be far away.
   const Point<dim> centre =
     scene.geometry.lower + 0.5 * (scene.geometry.upper - scene.geometry.lower);
-  const double largest = std::max({sum_of_sizes, applied.force.norm(), size_of_contact});
+  // Loads in balance have no resultant: the forces at the nodes are the size of loads.
+  const double largest = std::max({sum_of_sizes, forces.loads.l1_norm(), size_of_contact});
   const double scale = forces.rigid ? std::max(forces.magnitude, largest) : largest;
   certificate.force_balance = relative(sum.force.norm(), scale);
   certificate.moment_balance =

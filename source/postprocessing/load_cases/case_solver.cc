@@ -103,7 +103,7 @@ CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {
   const MotionResult solved = solve_dual_problem(C_, F, motions, join(P_, P_t_), data_.options);
   if (solved.escape)
     result.escape = text_of_escape(rigid_part(data_.modes, *solved.escape),
-                                   opens(B_, *solved.escape) && !solved.sliding);
+                                   opens(B_, *solved.escape, m) && !solved.sliding);
   const QPResult &qp = solved.qp;
   q_ = solved.q;
   P_ = Pressure(dealii::Vector<double>(qp.P.begin(), qp.P.begin() + m));

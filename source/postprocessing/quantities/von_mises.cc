@@ -282,7 +282,7 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
     for (unsigned int q = at_nodes ? 1 : 0; q < strains.size(); ++q)
       try {
         const Point<dim> &x = values->quadrature_point(q);
-        const double value = von_mises(stress_in_3d(field.material, x, strains[q]));
+        const double value = von_mises(stress_in_3d(field.material, x, cell->center(), strains[q]));
         // Most stresses are smaller, and nothing is stored for them.
         const auto matters = [&](const StressMaximum &largest) {
           return value >= (1. - rounding) * largest.value;

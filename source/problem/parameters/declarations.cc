@@ -175,7 +175,9 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
       "graded to ends of contact and other singularities, and the degree rises away from them; "
       "Finest level, Element, Patch ratio and Patches have no meaning then. One process.");
   add("Discretization/Coarsest level", discretization.coarsest_level,
-      "Refinements of the coarse mesh on the first level.", 0U, 14U);
+      "Refinements of the coarse mesh on the first level. Where none is given, hp begins with the "
+      "mesh of a file as it is.",
+      0U, 14U);
   add("Discretization/Finest level", discretization.finest_level,
       "Refinements of the coarse mesh on the last level.", 0U, 14U);
   add("Discretization/Element", discretization.element,
@@ -191,7 +193,7 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
   add("Discretization/Target error", discretization.target_error,
       "If positive: stop refining when the relative error of u_h in the energy norm is below it: "
       "its guaranteed bound, or, where there is no bound, its estimate. Where none is given, hp "
-      "aims at 1e-3, and an estimate below Tolerated error suffices.",
+      "aims at 1e-3.",
       0., 1.);
   add("Discretization/Maximum unknowns", discretization.maximum_unknowns,
       "hp: no mesh with more unknowns is solved.", 100U, 100000000U);

@@ -107,6 +107,11 @@ Parameters parse_parameters(const std::string &text, const std::string &file_nam
       assignment.value = find_file(assignment.value, folder);
     declarations.assign(assignment);
   }
+  // The mesh of a file is fine already; a value without a line has the place of a default.
+  Given<unsigned int> &coarsest_level = parameters.discretization.coarsest_level;
+  if (parameters.discretization.strategy == Strategy::hp &&
+      parameters.geometry.shape == Shape::file && coarsest_level.place == file_name)
+    coarsest_level.value = 0;
   parameters.changes_of_scene = declarations.changes(sections_of_scene);
   check(parameters);
   parameters.echo = declarations.print(false);

@@ -125,9 +125,10 @@ public:
     if (!level_.friction)
       return;
     const Json &friction = answer["friction"];
-    add("Friction", "T = " + number_text(friction["tangential_force"], scale_) +
-                      ", T/N = " + number_text(friction["ratio"], 1.) + ", dissipation " +
-                      digits(friction["dissipation"]));
+    add("Friction",
+        "T = " + number_text(friction["tangential_force"], scale_) +
+          (friction["ratio"].is_null() ? "" : ", T/N = " + number_text(friction["ratio"], 1.)) +
+          ", dissipation " + digits(friction["dissipation"]));
     if (answer.contains("contact_area"))
       add("  areas", "stick " + digits(friction["stick_length"]) + ", slip " +
                        digits(friction["slip_length"]) + ", open " +

@@ -204,7 +204,9 @@ Json answer_of(const std::vector<LevelRecord> &levels, const StudyVerdict &verdi
     {"seconds", seconds}};
   if (finest.friction) {
     json["friction"] = *finest.friction;
-    json["friction"]["ratio"] = finest.friction->tangential_force / finest.contact.normal_force;
+    json["friction"]["ratio"] = nullptr;
+    if (finest.contact.active > 0 && finest.contact.normal_force != 0.)
+      json["friction"]["ratio"] = finest.friction->tangential_force / finest.contact.normal_force;
   }
   if (answer.dimension == 3)
     json["contact_area"] = finest.contact.length;

@@ -29,7 +29,7 @@ public:
   BodyFields(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U,
              const BoundFields &bound)
     : space_(space)
-    , material_(*scene.material)
+    , scene_(scene)
     , U_(U)
     , bound_(bound)
     , is_recovered_(space.max_element_degree() == 1 && space.mesh().has_parents()) {
@@ -86,7 +86,9 @@ private:
       SymmetricTensor<2, dim> strain = symmetrize(recovered.gradients[q]);
       if (!dilatations_.empty())
         replace_trace(strain, dilatations_[index]);
-      add_stress(values.quadrature_point(q), strain, fields[q]);
+      add_stress(values.quadrature_point(q), cell->center(), strain, fields[q]);
+      if (!scene_.geometry.regions.empty())
+        fields[q].emplace_back("region", scene_.geometry.region_at(cell->center()));
       if (!bound_.mesh.empty())
         fields[q].insert(fields[q].end(), {{"bound_mesh", bound_.mesh[index]},
                                            {"bound_oscillation", bound_.oscillation[index]},
@@ -103,13 +105,13 @@ private:
   }
 
   /** Adds the tensor, its components and its invariants. */
-  void add_stress(const Point<dim> &x, const SymmetricTensor<2, dim> &strain,
-                  VtuFields &fields) const {
+  void add_stress(const Point<dim> &x, const Point<dim> &middle,
+                  const SymmetricTensor<2, dim> &strain, VtuFields &fields) const {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     Stress3D stress = unknown * unit_symmetric_tensor<3>();
     std::array<double, 3> principal = {{unknown, unknown, unknown}};
     try {
-      stress = stress_in_3d(material_, x, strain);
+      stress = stress_in_3d(*scene_.material, x, middle, strain);
       principal = principal_stresses(stress);
     } catch (const InputError &) {
       // Mesh nodes may be the only points where the material's data has no value.
@@ -130,7 +132,7 @@ private:
   }
 
   const DisplacementSpace<dim> &space_;
-  const Material<dim> &material_;
+  const Scene<dim> &scene_;
   const Displacement &U_;
   const BoundFields &bound_;
   /** Whether stresses come from the patch interpolation. */

@@ -15,11 +15,10 @@ constexpr std::size_t block_size = 32;
 } // namespace
 
 ColumnCompliance::ColumnCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D,
-                                   double &seconds, ColumnProgress progress)
+                                   ColumnProgress progress)
   : DenseCompliance(Matrix(condensed_D.n_columns(), condensed_D.n_columns()))
   , inverse_(inverse)
   , D_(condensed_D)
-  , seconds_(seconds)
   , progress_(std::move(progress))
   , known_(condensed_D.n_columns(), false) {}
 
@@ -56,7 +55,6 @@ void ColumnCompliance::require(const Indices &numbers) const {
       missing.push_back(k);
   if (missing.empty())
     return;
-  const StageTimer timer(seconds_);
   const Matrix found = solve_for(missing);
   // Where both columns are computed now, the mean; elsewhere the row is the column.
   for (unsigned int j = 0; j < missing.size(); ++j)
@@ -124,7 +122,7 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
   const StageTimer timer(seconds);
   if (auto factor = inverse.trailing_factor(contact_unknowns(condensed_D)))
     return std::make_shared<const DenseCompliance>(compliance_from(*factor, condensed_D));
-  return std::make_shared<const ColumnCompliance>(inverse, condensed_D, seconds, progress);
+  return std::make_shared<const ColumnCompliance>(inverse, condensed_D, progress);
 }
 
 // F = G - Dᵀ A⁻¹ f of the dual problem.

@@ -185,10 +185,12 @@ RigidMotion rigid_part(const MotionModes<2> &modes, const dealii::Vector<double>
   return combine(rigid, weights);
 }
 
-bool opens(const FullMatrix<double> &B, const dealii::Vector<double> &v) {
+bool opens(const FullMatrix<double> &B, const dealii::Vector<double> &v, const unsigned int m) {
   constexpr double negligible = 1e-8;
   dealii::Vector<double> opening(B.m());
   B.vmult(opening, v);
-  return opening.linfty_norm() > negligible * B.linfty_norm() * v.linfty_norm();
+  const double small = negligible * B.linfty_norm() * v.linfty_norm();
+  return std::any_of(opening.begin(), opening.begin() + m,
+                     [small](const double x) { return std::abs(x) > small; });
 }
 } // namespace Signorini

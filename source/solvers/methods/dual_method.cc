@@ -123,11 +123,12 @@ void refuse_undetermined(const Parameters &parameters, const MotionModes<2> &mod
                      "act closer to the end of contact (the body would move " +
                      motion.direction() + "), allowed: a finer coarsest level.");
   }
-  throw InputError(parameters.boundary.where + ": the loads move the body " + motion.direction() +
-                   ", and no pressure of the foundation balances them (" +
-                   text_of_escape(motion, opens(motions.B, v)) +
-                   "); allowed: loads that press it onto the foundation, or more sides that hold "
-                   "it.");
+  throw InputError(
+    parameters.boundary.where + ": the loads move the body " + motion.direction() +
+    ", and no pressure of the foundation balances them (" +
+    text_of_escape(motion, opens(motions.B, v, discretization.multipliers.n_multipliers())) +
+    "); allowed: loads that press it onto the foundation, or more sides that hold "
+    "it.");
 }
 DualSolve summary_of(const QPResult &result, const ContactSolver method) {
   DualSolve summary;

@@ -148,6 +148,20 @@ void von_mises_stress(Checks &checks) {
     "plane stress",
     largest_von_mises(stress.space(), stress.scene, nodal_values(stress.space(), linear)).value,
     std::sqrt(0.67), 1e-13);
+  // A uniform pressure on two materials: nodes of the interface belong to both.
+  for (const std::string jump : {"y<=0.5", "y<0.5", "y>0.5", "y>=0.5"}) {
+    const bool soft_below = jump[1] == '>';
+    const OneLevel layers(square + entry("Material", "Young's modulus", jump + " ? 1000 : 1") +
+                            entry("Material", "Poisson's ratio", "0"),
+                          2);
+    const double below = soft_below ? 1. : 1e-3, above = soft_below ? 1e-3 : 1.;
+    const VonMises uniform = largest_von_mises(
+      layers.space(), layers.scene, nodal_values(layers.space(), [&](const dealii::Point<2> &x) {
+        return Vector2(
+          {0., -0.01 * (below * std::min(x[1], 0.5) + above * std::max(x[1] - 0.5, 0.))});
+      }));
+    checks.near("two materials, " + jump, uniform.value, 0.01, 1e-12);
+  }
   // u = (0, x² / 2): sigma_12 = x, largest at the right, where the lowest point comes first.
   const OneLevel bending(material + square, 2);
   const VonMises found = largest_von_mises(

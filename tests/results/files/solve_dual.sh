@@ -30,5 +30,9 @@ open(sys.argv[1], "w").write("\n".join(lines))
 CHANGE
 "$python" "$script" o1 3 >stdout 2>stderr
 check "a pressure that is wrong by a thousandth is found" [ $? -eq 1 ]
+"$program" "$scenes/friction/k1.prm" --set 'Discretization/Finest level=2' --set Output/Compliance=true \
+  --set 'Solver/Tolerated error=1' --output k1 >stdout 2>stderr
+"$python" "$script" k1 2 >stdout 2>stderr
+check "friction is refused in a sentence" grep -q "k1 has friction, whose bounds are in no file" stderr
 echo "$failures failures"
 [ "$failures" -eq 0 ]

@@ -175,11 +175,10 @@ void errors(Checks &checks) {
                                   Judge({1e-10, 0.2, 0.06}).reaches_target(level));
 }
 
-/** Whatever number judges: above Tolerated error nothing is resolved, and below it an aim that the
- * user has not set condemns nothing. */
+/** Whatever number judges: above Tolerated error nothing is resolved, nor on graded meshes above
+ * the target, and that is said. */
 void estimates(Checks &checks) {
-  Study study = {checks, {1e-10, 0.02, 1e-4}};
-  study.demands.target_is_given = false;
+  Study study = {checks, {1e-10, 0.02, 0.}};
   study.demands.can_be_graded = true;
   LevelRecord &level = study.levels[2];
   level.estimate->relative = 0.03;
@@ -197,6 +196,9 @@ void estimates(Checks &checks) {
   study.is(solved);
   level.sizes.strategy = Strategy::hp;
   study.is(Outcome::accuracy_estimated);
+  study.demands.target_error = 1e-3;
+  study.is(coarse, {"The target error is not reached on step 4, the finest: the relative error is "
+                    "1.9 % (energy norm, estimated), allowed: below 0.1 %; raise Maximum"});
   level.estimate->relative = 0.03;
   study.is(coarse, {"The error of step 4 is about 3 %"});
   checks.that("no other strategy is named",

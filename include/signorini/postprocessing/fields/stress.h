@@ -23,12 +23,13 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
 using Stress3D = SymmetricTensor<2, 3>;
 
 /**
- * Returns σ = E : ε at @p x. In 2-D σ_xz = σ_yz = 0, and σ_zz is
+ * Returns σ = E : ε at @p x, a point of the cell with the middle @p middle. E is that of the cell
+ * where it jumps from cell to cell. In 2-D σ_xz = σ_yz = 0, and σ_zz is
  * Material::out_of_plane_stress().
  * @throws InputError where the material's data has no value.
  */
 template <int dim>
-Stress3D stress_in_3d(const Material<dim> &material, const Point<dim> &x,
+Stress3D stress_in_3d(const Material<dim> &material, const Point<dim> &x, const Point<dim> &middle,
                       const SymmetricTensor<2, dim> &strain);
 
 /** Returns the von Mises stress sqrt(3/2 s:s), s = σ - tr σ/3 I. */

@@ -92,8 +92,6 @@ struct Demands {
   double tolerated_error = 0.2;
   /** The target of the same error for a study that refines until it is reached; 0: none. */
   double target_error = 0.;
-  /** Whether the user has set the target. The default target of graded meshes is not required. */
-  bool target_is_given = true;
   /** Whether graded meshes can solve the scene, too. */
   bool can_be_graded = false;
   /** Whether there is Element = Q1 B-bar. */

@@ -37,7 +37,7 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
  * is computed at its first use and kept. Columns are symmetrised among each other. */
 class ColumnCompliance final : public DenseCompliance {
 public:
-  ColumnCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D, double &seconds,
+  ColumnCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D,
                    ColumnProgress progress);
 
   bool is_explicit() const override {
@@ -51,7 +51,6 @@ private:
 
   const StiffnessInverse &inverse_;
   const Coupling &D_;
-  double &seconds_;
   ColumnProgress progress_;
   mutable std::vector<bool> known_;
   mutable unsigned int n_known_ = 0;

@@ -79,6 +79,7 @@ std::string text_of_escape(const RigidMotion &motion, bool opens);
 /** Returns the rigid motion of a body in a combination of modes. */
 RigidMotion rigid_part(const MotionModes<2> &modes, const dealii::Vector<double> &v);
 
-/** Returns whether the motion v leaves contact somewhere; otherwise it slides. */
-bool opens(const FullMatrix<double> &B, const dealii::Vector<double> &v);
+/** Returns whether the motion v leaves contact somewhere; otherwise it slides.
+ * @param m the number of pressures, which are the first rows of B; those of friction follow. */
+bool opens(const FullMatrix<double> &B, const dealii::Vector<double> &v, unsigned int m);
 } // namespace Signorini
