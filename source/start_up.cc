@@ -71,10 +71,9 @@ void check_surroundings() {
   constexpr rlim_t least_stack = 1U << 20U;
   rlimit stack = {};
   if (getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur < least_stack)
-    throw InputError("The stack of a process is limited to " +
-                     std::to_string(stack.rlim_cur / 1024) +
-                     " KiB (ulimit -s); allowed: at least " + std::to_string(least_stack / 1024) +
-                     " KiB.");
+    throw InputError(
+      "The stack of a process is limited to " + std::to_string(stack.rlim_cur / 1024) +
+      " KiB (ulimit -s); allowed: at least " + std::to_string(least_stack / 1024) + " KiB.");
   reserve_buffers();
 }
 } // namespace Signorini
