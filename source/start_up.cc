@@ -67,6 +67,13 @@ void check_surroundings() {
   if (std::filesystem::current_path(error).empty() || error)
     throw InputError("The working directory cannot be found any more: " + error.message() +
                      "; allowed: to start in a directory that is there.");
+  // A small stack ends the program in the middle of a level, without a message.
+  constexpr rlim_t least_stack = 1U << 20U;
+  rlimit stack = {};
+  if (getrlimit(RLIMIT_STACK, &stack) == 0 && stack.rlim_cur < least_stack)
+    throw InputError(
+      "The stack of a process is limited to " + std::to_string(stack.rlim_cur / 1024) +
+      " KiB (ulimit -s); allowed: at least " + std::to_string(least_stack / 1024) + " KiB.");
   reserve_buffers();
 }
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // T^h by nested refinement, partitioned by METIS.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/discretization/mesh/mesh.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -10,7 +11,7 @@
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/grid/grid_tools.h>
 
-#include <sstream>
+#include <functional>
 
 namespace Signorini {
 namespace {
@@ -26,13 +27,30 @@ void distort(const Geometry<dim> &geometry, Triangulation<dim> &triangulation) {
       vertices[v] = cell->vertex(v);
     Info::alternating_form_at_vertices(vertices, determinants);
     for (const double determinant : determinants)
-      if (!(determinant > 0.)) {
-        std::ostringstream message;
-        message << geometry.where_distortion << ": found " << geometry.distortion
-                << ", with which the cell at (" << cell->center()
-                << ") is not convex, allowed: a smaller share.";
-        throw InputError(message.str());
-      }
+      if (!(determinant > 0.))
+        throw input_error(geometry.where_distortion, ": found ", geometry.distortion,
+                          ", with which the cell at (", cell->center(),
+                          ") is not convex, allowed: a smaller share.");
+  }
+}
+
+/** Refines a mesh by @p work. Cells at curved sides are maps of coarse cells as they were before
+ * their vertices moved: points may leave them. @throws InputError where they do. */
+template <int dim>
+void refine(const Geometry<dim> &geometry, const std::function<void()> &work) {
+  const auto explain = [&]() {
+    if (!geometry.curved || geometry.distortion == 0.)
+      throw;
+    throw input_error(geometry.where_distortion, ": found ", geometry.distortion,
+                      ", with which cells at a curved side leave the coarse cells that follow it, "
+                      "allowed: a smaller share.");
+  };
+  try {
+    work();
+  } catch (const ComputationError &) {
+    explain();
+  } catch (const ExceptionBase &) {
+    explain();
   }
 }
 
@@ -108,10 +126,12 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level
   triangulation_.refine_global(first);
   if (geometry.distortion > 0.)
     distort(geometry, triangulation_);
-  triangulation_.refine_global(level - first);
-  if (geometry.number_after_refinement)
-    geometry.number_after_refinement(triangulation_);
-  make_mappings(2);
+  refine(geometry, [&]() {
+    triangulation_.refine_global(level - first);
+    if (geometry.number_after_refinement)
+      geometry.number_after_refinement(triangulation_);
+    make_mappings(2);
+  });
 }
 
 template <int dim>

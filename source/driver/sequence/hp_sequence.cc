@@ -143,13 +143,26 @@ private:
     return findings;
   }
 
-  /** Makes the next mesh. @return whether it has few enough unknowns. */
+  /** Makes the next mesh. @return whether it has few enough unknowns, and whether meshes still
+   * change: a plan adds shares of a degree or a layer, which may sum up to one in a later step. */
   bool plan_next(const StepFindings &findings) {
+    constexpr unsigned int patience = 4;
     const Discretization<2> &discretization = *last_.discretization;
-    plan_ =
-      next_plan(plan_, scene_, discretization.mesh, degrees_of(discretization.space), findings);
+    const std::vector<unsigned int> degrees = degrees_of(discretization.space);
+    plan_ = next_plan(plan_, scene_, discretization.mesh, degrees, findings);
     next_ = make_discretization();
-    return next_->space.dofs().n_dofs() <= context_.parameters.discretization.maximum_unknowns;
+    const bool is_same =
+      degrees_of(next_->space) == degrees && cells_of(next_->mesh) == cells_of(discretization.mesh);
+    n_equal_steps_ = is_same ? n_equal_steps_ + 1 : 0;
+    return n_equal_steps_ < patience &&
+           next_->space.dofs().n_dofs() <= context_.parameters.discretization.maximum_unknowns;
+  }
+
+  static std::vector<CellId> cells_of(const Mesh<2> &mesh) {
+    std::vector<CellId> cells;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      cells.push_back(cell->id());
+    return cells;
   }
 
   StudyContext<2> context_;
@@ -160,7 +173,7 @@ private:
   /** The mesh of the step that is solved next. */
   std::shared_ptr<const Discretization<2>> next_;
   HpStep last_;
-  unsigned int n_steps_ = 0;
+  unsigned int n_steps_ = 0, n_equal_steps_ = 0;
 };
 } // namespace
 

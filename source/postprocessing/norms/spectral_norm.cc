@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The norm of V^h as a matrix.
+// The norm of V^h as a matrix, and dual norms by eigenvectors.
 
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/linear_system.h>

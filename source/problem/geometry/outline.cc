@@ -205,8 +205,10 @@ void refuse_crossings(const std::vector<Side<2>> &sides, const std::vector<Chord
 }
 
 /** Refuses sides that cross or touch elsewhere than at common ends, and holes that are not inside
- * of the body, each by itself. Chords that turn by 2 degrees stand for the sides. */
-void check_outline(const std::vector<Side<2>> &sides, const double size, const std::string &where) {
+ * of the body, each by itself. Chords that turn by 2 degrees stand for the sides.
+ * @return the area of the body. */
+double check_outline(const std::vector<Side<2>> &sides, const double size,
+                     const std::string &where) {
   constexpr double same_point = 1e-9;
   const CoarseMesh polygons = make_chords(sides, numbers::PI / 90., 0., max_coarse_cells);
   std::vector<Chord> chords;
@@ -225,6 +227,17 @@ void check_outline(const std::vector<Side<2>> &sides, const double size, const s
         throw input_error(where, ": ", sides[hole].name(), " lies ",
                           loop == 0 ? "outside of the body" : "inside of " + sides[loop].name(),
                           ", allowed: holes inside of the body, each by itself.");
+  // Holes run clockwise: their area is negative.
+  double area = 0.;
+  for (const auto &loop : loops)
+    area += boost::geometry::area(loop.second);
+  return area;
+}
+
+[[noreturn]] void refuse_many_cells(const std::string &where) {
+  throw input_error(where, ": found more than ", max_coarse_cells,
+                    " coarse cells, allowed: a larger Mesh size, and sides that do not come very "
+                    "close to each other.");
 }
 
 /** Returns the mesh of make_outlined_body(), with chords of at most @p step (radians) on arcs; none
@@ -239,9 +252,7 @@ std::optional<CoarseMesh> mesh_outline(const std::vector<Side<2>> &sides, const 
   if (!triangles.too_many)
     triangles = triangulate(chords.vertices, chords.edges, mesh_size, max_coarse_cells / 6);
   if (triangles.too_many)
-    throw input_error(where, ": found more than ", max_coarse_cells,
-                      " coarse cells, allowed: a larger Mesh size, and sides that do not come very "
-                      "close to each other.");
+    refuse_many_cells(where);
   CoarseMesh mesh = {triangles.points, triangles.triangles, {}};
   std::map<unsigned int, unsigned int> next;
   for (const auto &[start, end] : triangles.boundary)
@@ -264,7 +275,10 @@ std::optional<CoarseMesh> mesh_outline(const std::vector<Side<2>> &sides, const 
 
 Geometry<2> make_outlined_body(const std::vector<Side<2>> &sides, const double mesh_size,
                                const std::string &where) {
-  check_outline(sides, bounded_by(sides).diameter(), where);
+  const double area = check_outline(sides, bounded_by(sides).diameter(), where);
+  // No triangle is larger than an equilateral one, and each becomes three cells.
+  if (3. * area > max_coarse_cells * 0.25 * std::sqrt(3.) * mesh_size * mesh_size && mesh_size > 0.)
+    refuse_many_cells(where);
   // With shorter chords the cells next to arcs are less bent.
   double step = 0.25 * numbers::PI;
   for (unsigned int attempt = 0; attempt < 10; ++attempt, step *= 0.7)

@@ -179,10 +179,14 @@ void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Sce
 
 /** Reads the law of friction of all contact sides: one expression for all, or one per side. */
 template <int dim>
-void read_friction(const ContactParameters &given, const SceneReader<dim> &reader,
+void read_friction(const Parameters &parameters, const SceneReader<dim> &reader,
                    Scene<dim> &scene) {
+  const ContactParameters &given = parameters.contact;
   const std::string found = "Friction = " + to_text(given.friction.value);
   scene.friction = given.friction;
+  // Where it is said, none stands above what the rest of the file says about friction.
+  if (given.friction.place != parameters.file_name && scene.friction == Friction::none)
+    return;
   refuse_foreign_entries(scene.friction == Friction::coulomb, {&given.friction_coefficient},
                          "Friction = coulomb", found);
   refuse_foreign_entries(scene.friction == Friction::tresca, {&given.friction_bound},
@@ -252,7 +256,7 @@ Scene<dim> make_described_scene(const Parameters &parameters) {
   scene.material = read_material(parameters.material, reader, scene.geometry);
   read_boundary(parameters.boundary, parameters.load, reader, scene);
   read_gaps(parameters, reader, scene);
-  read_friction(parameters.contact, reader, scene);
+  read_friction(parameters, reader, scene);
   read_exact_pressure(parameters.exact.pressure, reader, scene);
   const Given<std::string> &body_force = parameters.load.body_force;
   if (dim == 2 || body_force.changed) {

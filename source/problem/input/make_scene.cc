@@ -210,20 +210,18 @@ unsigned int whole_number(const std::string &text, const double min, const doubl
 /** Reads one entry between '|': one case, or a range of them. */
 void read_cases(const std::string &entry, const Given<std::string> &given, const Scene<2> &scene,
                 std::vector<LoadCase> &cases) {
-  const auto require = [&](const bool is_understood) {
-    if (!is_understood)
-      throw error_at(given, "found ", quote(entry),
-                     ", allowed: entries separated by '|' like force 0.5, weight 2 or force 0 to "
-                     "3 in 100 cases, with the names ",
-                     join(factor_names),
-                     "; what changes the stiffness needs a run of its own (--sweep).");
+  const auto require = [&](const bool is_allowed, const std::string &found,
+                           const std::string &allowed) {
+    if (!is_allowed)
+      throw error_at(given, "found ", quote(found), " in ", quote(entry), ", allowed: ", allowed,
+                     ".");
   };
   std::string text = entry;
   unsigned int n = 1;
   const std::vector<std::string> all = split_words(text);
   if (all.size() >= 3 && all.back() == "cases" && all[all.size() - 3] == "in") {
     n = whole_number(all[all.size() - 2], 2., max_cases);
-    require(n > 0);
+    require(n > 0, all[all.size() - 2], "2 to " + std::to_string(max_cases) + " cases");
     text = text.substr(0, text.rfind("in "));
   }
   if (cases.size() + n > max_cases)
@@ -234,15 +232,23 @@ void read_cases(const std::string &entry, const Given<std::string> &given, const
     const auto name =
       std::find_if(factor_names.begin(), factor_names.end(),
                    [&](const std::string &known) { return part.rfind(known + " ", 0) == 0; });
-    require(name != factor_names.end());
+    require(name != factor_names.end(), part,
+            "one of " + join(factor_names) +
+              ", a blank and a number; what changes the stiffness needs a run of its own "
+              "(--sweep)");
     const std::string useless = uselessness(*name, scene);
     if (!useless.empty())
       throw error_at(given, "found the factor '", *name, "', but ", useless, ".");
     const std::vector<std::string> words = split_words(part.substr(name->size()));
     double from = 0., to = 0.;
-    require((words.size() == 1 || (words.size() == 3 && words[1] == "to" && n > 1)) &&
-            read_number(words.front(), from) && read_number(words.back(), to) &&
-            std::max(std::abs(from), std::abs(to)) <= max_magnitude);
+    const bool is_range = words.size() == 3 && words[1] == "to";
+    require(words.size() == 1 || is_range, part,
+            "one number, or two with 'to' between them, and a comma before the next factor");
+    require(!is_range || n > 1, part, "a range with the number of its cases, 'in 100 cases'");
+    require(read_number(words.front(), from), words.front(), "a number");
+    require(read_number(words.back(), to), words.back(), "a number");
+    require(std::max(std::abs(from), std::abs(to)) <= max_magnitude, part,
+            "numbers up to " + number_text(max_magnitude));
     for (unsigned int i = 0; i < n; ++i) {
       const double t = n > 1 ? static_cast<double>(i) / (n - 1) : 0.;
       factor_of(cases[first + i], *name) = (1. - t) * from + t * to;

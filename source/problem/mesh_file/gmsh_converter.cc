@@ -13,6 +13,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <sys/prctl.h>
@@ -24,12 +25,21 @@ namespace Signorini {
 namespace {
 constexpr rlim_t max_seconds = 30, max_memory = 4ULL << 30, max_file_size = 500000000;
 
-/** Shapes, which Gmsh has to mesh, and meshes. */
-const std::set<std::string> shapes = {"geo", "step", "stp", "iges", "igs", "brep"};
-const std::set<std::string> meshes = {"msh",  "unv", "bdf", "nas", "inp",
-                                      "mesh", "vtk", "su2", "med"};
+/** How the files of each kind begin, behind blanks; empty: there is no sign. Gmsh runs other kinds
+ * as scripts. */
+const std::map<std::string, std::string> shapes = {
+  {"geo", ""}, {"step", "ISO-10303-21"}, {"stp", "ISO-10303-21"}, {"iges", ""}, {"igs", ""},
+  {"brep", ""}};
+const std::map<std::string, std::string> meshes = {{"msh", "$"},
+                                                   {"unv", "-1"},
+                                                   {"bdf", ""},
+                                                   {"nas", ""},
+                                                   {"mesh", "MeshVersionFormatted"},
+                                                   {"vtk", "# vtk DataFile"},
+                                                   {"med", "\x89HDF"}};
 
-/** A folder that is removed with all that it contains. */
+/** A folder that a process of its own removes with all that it contains, also where this process
+ * is ended. */
 struct TemporaryFolder {
   explicit TemporaryFolder(const std::string &where) {
     std::string name = (std::filesystem::temp_directory_path() / "signorini-XXXXXX").string();
@@ -37,15 +47,42 @@ struct TemporaryFolder {
       throw input_error(where, "no temporary folder can be made in ",
                         std::filesystem::temp_directory_path().string(), ".");
     path = name;
+    // No signal ends the remover; it waits for the end of the pipe, which this process holds open.
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
+    int ends[2] = {-1, -1};
+    if (pipe2(ends, O_CLOEXEC) == 0)
+      remover = fork();
+    if (remover == 0) {
+      close(ends[1]);
+      char nothing;
+      while (read(ends[0], &nothing, 1) > 0) {
+      }
+      remove();
+      _exit(0);
+    }
+    close(ends[0]);
+    life = ends[1];
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
   TemporaryFolder(const TemporaryFolder &) = delete;
   TemporaryFolder &operator=(const TemporaryFolder &) = delete;
   ~TemporaryFolder() {
+    close(life);
+    while (remover > 0 && waitpid(remover, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    remove();
+  }
+
+  void remove() const {
     std::error_code ignored;
     std::filesystem::remove_all(path, ignored);
   }
 
   std::filesystem::path path;
+  pid_t remover = -1;
+  int life = -1;
 };
 
 /** A script is a program: refuses words by which it runs others, or reads and writes files. */
@@ -64,9 +101,18 @@ void check_script(const std::string &text, const std::string &where) {
                                                 "Printf",
                                                 "Plugin",
                                                 "General",
-                                                "Solver",
                                                 "CreateDir",
                                                 "Error",
+                                                "Sleep",
+                                                "ListFromFile",
+                                                "FileExists",
+                                                "GetEnv",
+                                                "ParseString",
+                                                "CurrentDirectory",
+                                                "CurrentDir",
+                                                "GmshExecutableName",
+                                                "Solver",
+                                                "PostProcessing",
                                                 "Structured"};
   std::size_t line = 1;
   std::string word;
@@ -96,7 +142,7 @@ void check_script(const std::string &text, const std::string &where) {
   limit(RLIMIT_AS, max_memory);
   limit(RLIMIT_FSIZE, max_file_size);
   limit(RLIMIT_CORE, 0);
-  alarm(4 * max_seconds);
+  alarm(max_seconds);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int output = chdir(folder) == 0 ? open("log", O_WRONLY | O_CREAT, 0600) : -1;
   const int input = open("/dev/null", O_RDONLY);
@@ -151,17 +197,19 @@ bool is_gmsh_ending(const std::string &ending) {
 
 std::string convert_with_gmsh(const std::string &content, const std::string &ending,
                               const double mesh_size, const std::string &where) {
-  // Gmsh runs what it does not know as a script.
-  if (ending == "geo")
-    check_script(content, where);
   if (ending == "msh" && content.rfind("$MeshFormat", 0) != 0 && content.rfind("$NOD", 0) != 0)
     throw input_error(where,
                       "found no $MeshFormat at its beginning, allowed: a mesh file of Gmsh.");
+  const bool is_shape = shapes.count(ending) > 0;
+  const std::string &sign = (is_shape ? shapes : meshes).at(ending);
+  const std::size_t start = std::min(content.find_first_not_of(" \t\r\n"), content.size());
+  if (sign.empty() || content.compare(start, sign.size(), sign) != 0)
+    check_script(content, where);
   const TemporaryFolder folder(where);
   const std::string input = "part." + ending;
   std::ofstream(folder.path / input, std::ios::binary) << content;
   std::vector<std::string> arguments = {"gmsh", input};
-  if (shapes.count(ending) > 0)
+  if (is_shape)
     arguments.insert(arguments.end(), {"-2", "-order", "2"});
   else
     arguments.emplace_back("-save");

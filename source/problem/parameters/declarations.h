@@ -30,7 +30,7 @@ public:
   explicit Declarations(Parameters &parameters);
 
   /**
-   * Sets one entry; an empty value means its default.
+   * Sets one entry.
    * @throws InputError if the entry is unknown or its value is not allowed.
    */
   void assign(const Assignment &assignment);

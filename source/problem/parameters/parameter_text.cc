@@ -8,6 +8,7 @@
 #include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameter_text.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
@@ -204,6 +205,12 @@ std::size_t edit_distance(const std::string &a, const std::string &b) {
   return row[b.size()];
 }
 
+/** Returns the distance of two paths; another subsection, or none, counts as one character. */
+std::size_t distance_of_paths(const std::string &a, const std::string &b) {
+  const auto name = [](const std::string &path) { return path.substr(path.rfind('/') + 1); };
+  return std::min(edit_distance(a, b), edit_distance(name(a), name(b)) + 1);
+}
+
 /** Returns whether two values mean the same, however blanks and digits are written. */
 bool is_same_value(std::string a, std::string b) {
   double first = 0., second = 0.;
@@ -221,7 +228,7 @@ void Declarations::assign(const Assignment &assignment) {
   if (known == declared_.end()) {
     const auto nearest =
       std::min_element(declared_.begin(), declared_.end(), [&](const auto &a, const auto &b) {
-        return edit_distance(a.first, path) < edit_distance(b.first, path);
+        return distance_of_paths(a.first, path) < distance_of_paths(b.first, path);
       });
     throw input_error(assignment.place, ": ", shorten(path), ": unknown parameter; did you mean '",
                       nearest->first, "'? (--print-parameters lists all)");
@@ -229,11 +236,19 @@ void Declarations::assign(const Assignment &assignment) {
   const Declared &declared = known->second;
   Entry &entry = *declared.entry;
   entry.place = assignment.place;
-  entry.changed = !value.empty() && !is_same_value(value, declared.default_text);
+  if (value.empty() && !declared.default_text.empty())
+    throw error_at(entry, "found '', allowed: ",
+                   declared.allowed.empty() ? "a value, by default " + quote(declared.default_text)
+                                            : declared.allowed,
+                   ".");
+  // The names of options may begin with a capital.
+  std::string text = value;
+  for (const std::string &allowed : split_list(declared.allowed, ','))
+    if (boost::iequals(allowed, value))
+      text = allowed;
+  entry.changed = !is_same_value(text, declared.default_text);
   try {
-    in_section(path, [&](const std::string &name) {
-      handler_.set(name, value.empty() ? declared.default_text : value);
-    });
+    in_section(path, [&](const std::string &name) { handler_.set(name, text); });
   } catch (const ExceptionBase &) {
     throw error_at(entry, "found ", quote(value), ", allowed: ", declared.allowed, ".");
   }

@@ -150,7 +150,8 @@ constexpr std::size_t n_stagnant_levels = 3;
 std::string remedy_for(const LevelRecord &level) {
   if (level.sizes.is_graded())
     return "take a Target error below Tolerated error, raise Maximum unknowns, or see where the "
-           "mesh is finest (mesh-LL.svg): data that contradict each other there have no solution.";
+           "mesh is finest (mesh-LL.svg, with Output/Pictures): data that contradict each other "
+           "there have no solution.";
   constexpr const char *usual = "refine, or take cells that are as wide as high (long cells are "
                                 "too stiff in bending).";
   if (!bound_of(level)) {
@@ -250,8 +251,8 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
     text << "not known";
   text << ", allowed: below " << 100. * judge.demands.target_error << " %";
   text << (finest.sizes.is_graded()
-             ? "; raise Maximum unknowns, or see where the mesh is finest (mesh-LL.svg): "
-               "data that contradict each other there have no solution."
+             ? "; raise Maximum unknowns, or see where the mesh is finest (mesh-LL.svg, with "
+               "Output/Pictures): data that contradict each other there have no solution."
              : "; raise Finest level.");
   return text.str();
 }

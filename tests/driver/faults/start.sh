@@ -49,6 +49,14 @@ for limit in $limits; do
     'signorini: out of memory: there is not enough for this computation.' ]
 done
 
+(
+  ulimit -s 64
+  timeout 100 "$program" scene.prm --output none >stdout 2>stderr
+)
+code=$?
+check "a stack of 64 KiB: exit code 1" [ "$code" -eq 1 ]
+check "  one sentence" grep -q '^signorini: The stack of a process is limited to 64 KiB' stderr
+
 mkdir nowhere
 scene=$PWD/scene.prm
 cd nowhere && rmdir ../nowhere

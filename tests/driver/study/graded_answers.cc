@@ -69,6 +69,17 @@ void check_missed_contact(Checks &checks) {
   }
 }
 
+/** Nothing deforms the body, and the foundation touches it in one point. */
+void check_body_at_rest(Checks &checks) {
+  const StudyResult<2> result =
+    solve("subsection Boundary\n set Clamped = top\n set Contact = bottom\n end\n"
+          "subsection Contact\n set Foundation = circle 0.5,-1 radius 1\n end\n",
+          {"Discretization/Strategy=hp"});
+  checks.about("A body at rest");
+  checks.that("meshes that do not change end the run", result.levels.size() < 20);
+  checks.near("no force", last(result, "contact_force_n"), 0., 1e-12);
+}
+
 void check_too_few_unknowns(Checks &checks) {
   std::vector<std::string> overrides = graded("1e-6");
   overrides.emplace_back("Discretization/Maximum unknowns=3000");
@@ -85,5 +96,7 @@ void check_too_few_unknowns(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {check_agreement, check_missed_contact, check_too_few_unknowns});
+  return run_tests(
+    argc, argv,
+    {check_agreement, check_missed_contact, check_body_at_rest, check_too_few_unknowns});
 }

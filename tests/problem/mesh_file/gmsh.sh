@@ -134,9 +134,30 @@ printf '\nInclude "two.geo";' >include.geo
 refuse "found 'Include' in line 2" include.geo
 echo 'SystemCall "touch done";' >call.msh
 refuse "found no \$MeshFormat" call.msh
+for ending in unv bdf nas mesh vtk med step stp iges igs brep; do
+  echo "SystemCall \"touch $PWD/done\";" >call.$ending
+  refuse "found 'SystemCall' in line 1" call.$ending
+done
+for ending in inp su2 txt; do
+  cp call.unv call.$ending
+  refuse "allowed: a file that Gmsh reads" call.$ending
+done
 check "nothing was called" [ ! -e done ]
+echo 'x() = ListFromFile["/etc/hostname"]; Error("%g", x(0));' >list.geo
+refuse "found 'ListFromFile' in line 1" list.geo
+echo 'Sleep 1000;' >sleep.geo
+refuse "found 'Sleep' in line 1" sleep.geo
 printf 'For i In {1:1000000000}\n  x = i;\nEndFor\n' >loop.geo
 refuse "Gmsh did not end within" loop.geo
+for signal in INT TERM KILL; do
+  env --default-signal timeout -s KILL 20 "$program" "$prm/bracket_from_step.prm" --output none --set Geometry/File=loop.geo >stdout 2>stderr </dev/null &
+  process=$!
+  for i in $(seq 100); do [ -n "$(ls -A left)" ] && break; sleep 0.05; done
+  pkill -"$signal" -P "$process"
+  wait "$process"
+  for i in $(seq 100); do [ -z "$(ls -A left)" ] && break; sleep 0.05; done
+  check "SIG$signal while Gmsh runs leaves no folder" [ -z "$(ls -A left)" ]
+done
 echo 'Point(1) = {0, 0, 0' >wrong.geo
 refuse "Gmsh says" wrong.geo
 path=/nowhere

@@ -65,7 +65,7 @@ void check_bracket(Checks &checks) {
                                           "rest.2", "tip",    "top"};
   const Geometry<2> bracket = read(parts + "bracket.msh");
   check_body(checks, "bracket", bracket, names, area, length);
-  const Side<2> &foot = side_of(bracket, "foot"), &fillet = side_of(bracket, "fillet");
+  const Side<2> foot = side_of(bracket, "foot"), fillet = side_of(bracket, "fillet");
   checks.near("an arc, a segment, and the parts of a name",
               {fillet.length(), foot.length(), foot.normal(1.)[1],
                side_of(bracket, "rest.1").start()[1], side_of(bracket, "rest.2").start()[0]},
@@ -85,7 +85,7 @@ void check_plate(Checks &checks) {
   const double radius = 0.2, area = 2. - PI * radius * radius, length = 6. + 2. * PI * radius;
   const Geometry<2> plate = read(parts + "plate_with_hole.msh");
   check_body(checks, "plate", plate, names, area, length);
-  const Side<2> &hole = side_of(plate, "hole");
+  const Side<2> hole = side_of(plate, "hole");
   checks.near("the hole is a circle", hole.length(), 2. * PI * radius, 1e-12);
   const dealii::Tensor<1, 2> outwards = dealii::Point<2>(1., 0.5) - hole.point(0.3);
   checks.near("normals of the hole", hole.normal(0.3) * outwards, radius, 1e-12);

@@ -121,12 +121,12 @@ void test_overrides(Checks &checks) {
   const Parameters same = parse_parameters(
     "subsection Geometry\n set Cells = 4, 4\n set Distortion = 0.1\nend\n"
     "subsection Solver\n set Tolerance = 1e-6\nend",
-    "a.prm", {"Geometry/Cells=1,1", "Geometry/Distortion=0.0", "Solver/Tolerance="});
+    "a.prm", {"Geometry/Cells=1,1", "Geometry/Distortion=0.0", "Solver/Tolerance=1e-10"});
   checks.that("back at the default",
               same.changes_of_scene.empty() && !same.geometry.cells.changed &&
                 !same.geometry.distortion.changed && !same.solver.tolerance.changed);
   checks.that("the place is the last one", same.geometry.cells.place == "--set");
-  checks.near("empty means not given", same.solver.tolerance, 1e-10, 0.);
+  checks.near("the last value holds", same.solver.tolerance, 1e-10, 0.);
 }
 
 /** A run can be repeated from its echo alone. */

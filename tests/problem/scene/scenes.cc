@@ -142,8 +142,20 @@ void test_materials(Checks &checks) {
     checks.that("is_constant", material->is_constant() == row.is_constant);
   }
 }
+
+/** "none" stands above the coefficient that the file gives, where it is said. */
+void test_friction(Checks &checks) {
+  const std::vector<std::string> settings = {
+    "Boundary/Clamped=top", "Boundary/Contact=bottom", "Contact/Friction=Coulomb",
+    "Contact/Friction coefficient=0.3", "Contact/Foundation shift=0.01"};
+  std::vector<std::string> without = settings;
+  without.emplace_back("Contact/Friction=none");
+  checks.that("a capital", scene(settings).friction == Friction::coulomb);
+  checks.that("none overrides", scene(without).friction == Friction::none &&
+                                  condition(scene(without), "bottom").friction == nullptr);
+}
 } // namespace
 
 int main() {
-  return run_tests({test_kinks, test_catalogue, test_described, test_materials});
+  return run_tests({test_kinks, test_catalogue, test_described, test_materials, test_friction});
 }

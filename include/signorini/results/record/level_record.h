@@ -97,8 +97,7 @@ struct LevelRecord {
   DualSolve dual;
   ContactSummary contact;
   Answer answer;
-  /** Friction, if the scene has it. There is no bound of the error then, and an estimate on graded
-   * meshes only. */
+  /** Friction, if the scene has it. */
   std::optional<FrictionSummary> friction;
   MotionRecord motions;
   Certificate certificate;

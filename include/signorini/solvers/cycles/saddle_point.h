@@ -24,8 +24,8 @@ dealii::Vector<double> solve_boundary_problem(const BoundaryModel &model,
  *     ( A     -D_S) (U  )   (f   )
  *     (-D_Sᵀ    0 ) (P_S) = (-G_S),    P = 0 elsewhere,
  *
- * with the preconditioner diag(V, (t Ĉ_1)_SS⁻¹), to a hundredth of the residual or to the
- * tolerance. Then S is {P < 0} within S and {W > 0} outside.
+ * with the preconditioner diag(V, (t Ĉ_1)_SS⁻¹), to a thousandth of the residual. Then S
+ * is {P < 0} within S and {W > 0} outside.
  */
 void solve_by_minres(const ContactSystem &system, const ContactIterationOptions &options,
                      ContactIterationResult &result);

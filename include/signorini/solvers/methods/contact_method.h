@@ -209,8 +209,8 @@ std::optional<dealii::Vector<double>> solve_on_other_patches(const ContactState<
  * Refuses levels that cannot fit into memory before hours of work end in the kernel's out-of-memory
  * killer, which leaves no message. Compares a low estimate for a direct factorisation and for the
  * dense matrices on the contact boundary with the memory that this process may have: that of the
- * machine, or less where RLIMIT_AS or a control group limits it. An iterative solver needs an
- * estimate of its own.
+ * machine, or less where RLIMIT_AS or a control group limits it. V-cycles
+ * are held against an estimate without a factor.
  */
 template <int dim>
 class MemoryLimit {
