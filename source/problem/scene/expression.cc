@@ -13,6 +13,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include "formulas.h"
@@ -124,6 +125,9 @@ Expression<dim>::Expression(const std::string &text, const Constants &constants,
   } catch (const mu::ParserError &error) {
     throw input_error(where_, ": the expression ", quote(text_),
                       " cannot be parsed: ", reason_of(error),
+                      "; allowed: a formula in x, y, the constants and pi.");
+  } catch (const std::invalid_argument &) {
+    throw input_error(where_, ": the expression ", quote(text_), " cannot be read",
                       "; allowed: a formula in x, y, the constants and pi.");
   }
   if (formula_->is_constant())
