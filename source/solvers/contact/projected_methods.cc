@@ -81,21 +81,37 @@ QPResult sweep_until_settled(const BoundConstrainedQP &qp, const Vector &start,
   return result;
 }
 
+/** Returns Bᵀ C_AA⁻¹ B, the resistance of patches to the motions. */
+FullMatrix<double> resistance_of(const BoundConstrainedQP &qp,
+                                 const ComplianceOperator::Indices &A) {
+  constexpr double regular = 1e-8;
+  FullMatrix<double> C_AA = submatrix(*qp.C, A);
+  C_AA.diagadd(regular * C_AA.trace() / A.size());
+  FullMatrix<double> S = MotionResistance(qp.balances, A, cholesky(C_AA)).S;
+  S.add(-1., qp.balances.K);
+  return S;
+}
+
 /** Returns E: part of the stiffness of the patches that press, or of all; motions that it does not
  * resist get some, too. */
 FullMatrix<double> proximal_stiffness(const BoundConstrainedQP &qp, const Vector &P) {
-  constexpr double part = 0.3, small = 1e-4, regular = 1e-8;
+  constexpr double part = 0.3, small = 1e-4, rounding = 1e-10;
   ComplianceOperator::Indices A;
   const AdmissibleSet K = qp.K.at(P);
-  for (unsigned int i = 0; i < qp.size(); ++i)
+  // What separate patches would resist; B may be rounding on A.
+  double typical = 0.;
+  for (unsigned int i = 0; i < qp.size(); ++i) {
     if (K.is_inside(i, P[i]))
       A.push_back(i);
-  if (A.empty())
-    A = all_indices(qp.size());
-  FullMatrix<double> C_AA = submatrix(*qp.C, A);
-  C_AA.diagadd(regular * C_AA.trace() / A.size());
-  FullMatrix<double> E = MotionResistance(qp.balances, A, cholesky(C_AA)).S;
-  E.add(-1., qp.balances.K);
+    for (unsigned int j = 0; j < qp.balances.size(); ++j)
+      typical += std::pow(qp.balances.B(i, j), 2) / qp.diagonal[i];
+  }
+  FullMatrix<double> E(qp.balances.size(), qp.balances.size());
+  if (!A.empty())
+    E = resistance_of(qp, A);
+  // Where all of them slip, P_n resists no motion along the contact sides.
+  if (E.trace() <= rounding * typical)
+    E = resistance_of(qp, all_indices(qp.size()));
   E.diagadd(small * E.trace());
   E *= part;
   return E;

@@ -372,11 +372,13 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   result.unseen = reduced.unseen;
   result.escape = reduced.escape;
   result.qp.converged = nothing_happens;
-  if (reduced.escape && motions.admissible.size() > 0) {
+  const auto slides_along_all = [&]() {
     Vector all(m);
     all = -1.;
-    result.sliding = steady_sliding(C, F, motions, options, all);
-  }
+    return steady_sliding(C, F, motions, options, all);
+  };
+  if (reduced.escape && motions.admissible.size() > 0)
+    result.sliding = slides_along_all();
   if (reduced.escape || nothing_happens)
     return result;
   const bool needs_start = start.size() == 0 && !C->is_explicit() && motions.admissible.size() == 0;
@@ -386,10 +388,13 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   if (reduced.balances.size() > 0)
     reduced.T.vmult(result.q, result.qp.z);
   if (!result.qp.converged && motions.admissible.size() > 0) {
-    // Sweeps follow the body while it slides.
-    const Vector drifting =
-      solve_by_psor({C, F, options.K, reduced.balances}, {}, {options.tolerance, 2000, 1., {}}).P;
-    result.sliding = steady_sliding(C, F, motions, options, drifting);
+    // Sweeps follow the body while it slides; along all of its contact sides it needs none.
+    result.sliding = slides_along_all();
+    if (!result.sliding) {
+      const Vector drifting =
+        solve_by_psor({C, F, options.K, reduced.balances}, {}, {options.tolerance, 2000, 1., {}}).P;
+      result.sliding = steady_sliding(C, F, motions, options, drifting);
+    }
     if (result.sliding)
       result.escape = result.sliding->v;
   }

@@ -13,6 +13,7 @@
 #include <signorini/solvers/multigrid/stiffness_multigrid.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "methods.h"
 
@@ -79,12 +80,19 @@ bool points_balance(const Discretization<2> &discretization, const MotionModes<2
 /** Refuses a motion of the body that the pressing patches leave free, where all loads are zero and
  * only a negative gap presses. @throws InputError if there is such a motion. */
 void refuse_undetermined(const Parameters &parameters, const MotionModes<2> &modes,
-                         const FreeMotions &motions, const Vector &P) {
+                         const DualData &dual, const Vector &P) {
+  const FreeMotions &motions = dual.motions;
   if (!motions.b.all_zero())
     return;
+  // A body that has lifted off keeps pressures that are rounding, or what the tolerance allows: its
+  // KKT residual compares C_ii P_i with F. They hold nothing.
+  constexpr double rounding = 1e-10;
+  const double negligible =
+    std::max<double>(rounding, parameters.solver.tolerance) * dual.F.l2_norm();
+  const Vector closing = dual.C->diagonal_times(P);
   FreeMotions pressing_motions = motions;
   for (unsigned int i = 0; i < P.size(); ++i)
-    for (unsigned int j = 0; j < modes.size() && P[i] == 0.; ++j)
+    for (unsigned int j = 0; j < modes.size() && std::abs(closing[i]) <= negligible; ++j)
       pressing_motions.B(i, j) = 0.;
   const auto unseen = ReducedMotions(pressing_motions, P.size(), typical_stiffness(motions)).unseen;
   if (!unseen.empty())
@@ -260,7 +268,7 @@ private:
     if constexpr (dim == 2)
       if (state.modes.size() > 0 &&
           std::any_of(dual.F.begin(), dual.F.end(), [](const double F_k) { return F_k < 0.; }))
-        refuse_undetermined(parameters_, state.modes, dual.motions, found.qp.P);
+        refuse_undetermined(parameters_, state.modes, dual, found.qp.P);
     state.q = found.q;
     state.report = summary_of(found.qp, choice_.contact);
     state.set_multipliers(found.qp.P, discretization.multipliers.n_multipliers());

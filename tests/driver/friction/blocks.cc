@@ -193,6 +193,20 @@ void test_free_bodies(Checks &checks) {
   checks.throws<InputError>("Tresca: it slides",
                             "friction carries at most 0.003, the loads pull with",
                             [&]() { block(shallow, tresca("0.003")); });
+  // Interference presses it between rollers and foundation; where it slips, P_n resists nothing.
+  const auto squeezed = [](const std::string &f, const std::string &solver) {
+    return OneLevel("Boundary/Rollers = top\nBoundary/Contact = bottom\nLoad/Body force = 0.01; 0\n"
+                    "Contact/Gap = -0.01\nContact/Friction = coulomb\n",
+                    3, {"Contact/Friction coefficient=" + f, "Solver/Contact solver=" + solver})
+      .solve();
+  };
+  for (const std::string solver : {"active set", "psor"}) {
+    checks.throws<InputError>("squeezed, " + solver + ": it slides",
+                              "the body slides along (1, 0): friction carries at most 0.0028",
+                              [&]() { squeezed("0.3", solver); });
+    checks.near("squeezed, " + solver + ": it sticks",
+                squeezed("1.5", solver).record.friction->tangential_force, -0.01, 1e-8);
+  }
   // The cone of patches where f is large could carry the loads, but the body presses elsewhere.
   checks.throws<InputError>(
     "it slides off a wall", "the body slides along (-1, 0): friction carries at most 0.0677571",
