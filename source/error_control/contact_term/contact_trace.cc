@@ -36,10 +36,16 @@ bool PenetrationFace::presses_everywhere() const {
 
 PenetrationFace::Polynomial PenetrationFace::trace(const Displacement &V,
                                                    const Tensor<1, 2> &direction) const {
-  Polynomial sum(0);
-  for (std::size_t i = 0; i < dofs.size(); ++i) {
+  const auto at = [&](const std::size_t i) {
+    return direction[0] * V[dofs[i][0]] + direction[1] * V[dofs[i][1]];
+  };
+  // The first two nodes are the ends. Monomials lose digits, a hundred times rounding at degree
+  // six: they stand only for the difference from the chord, which is small where the face is short.
+  const double first = at(0), rise = at(1) - first;
+  Polynomial sum(std::vector<double>{first, rise});
+  for (std::size_t i = 2; i < dofs.size(); ++i) {
     Polynomial at_node = basis[i];
-    at_node *= direction[0] * V[dofs[i][0]] + direction[1] * V[dofs[i][1]];
+    at_node *= at(i) - (first + nodes[i] * rise);
     sum += at_node;
   }
   return sum;
