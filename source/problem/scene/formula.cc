@@ -345,7 +345,7 @@ Tensor<1, dim> FormulaTree<dim>::gradient(const Point<dim> &x) const {
 namespace {
 /** Returns whether two lines are the same in a box, up to rounding. */
 template <int dim>
-bool are_same(const KinkLine<dim> &a, const KinkLine<dim> &b, const Box<dim> &box) {
+bool are_same(const KinkLine<dim> &a, const KinkLine<dim> &b, const FormulaBox<dim> &box) {
   const double sign = a.normal * b.normal < 0. ? -1. : 1.;
   const double rounding =
     1e-9 * box.upper.distance(box.lower) + 1e-12 * box.upper.distance(Point<dim>());
@@ -356,7 +356,7 @@ bool are_same(const KinkLine<dim> &a, const KinkLine<dim> &b, const Box<dim> &bo
 
 /** Returns the coordinates of a box without its boundary: what happens there has no area. */
 template <int dim>
-std::array<Interval, dim> interior_of(const Box<dim> &box) {
+std::array<Interval, dim> interior_of(const FormulaBox<dim> &box) {
   std::array<Interval, dim> x;
   for (int d = 0; d < dim; ++d) {
     const double margin = 1e-9 * (box.upper[d] - box.lower[d]);
@@ -390,7 +390,7 @@ Enclosure<dim> FormulaTree<dim>::enclosure(const Run<Number> &run) const {
 }
 
 template <int dim>
-Enclosure<dim> FormulaTree<dim>::enclose(const Box<dim> &box) const {
+Enclosure<dim> FormulaTree<dim>::enclose(const FormulaBox<dim> &box) const {
   Run<Interval> run = {interior_of(box)};
   evaluate(run);
   return enclosure(run);
@@ -420,7 +420,7 @@ std::optional<KinkLine<dim>> FormulaTree<dim>::line_of(const unsigned int k,
 }
 
 template <int dim>
-std::vector<KinkLine<dim>> FormulaTree<dim>::lines_in(const Box<dim> &box, bool &all) const {
+std::vector<KinkLine<dim>> FormulaTree<dim>::lines_in(const FormulaBox<dim> &box, bool &all) const {
   Run<Interval> run = {interior_of(box)};
   evaluate(run);
   const std::uint64_t switches = run.parts.back().undecided;
@@ -437,7 +437,7 @@ std::vector<KinkLine<dim>> FormulaTree<dim>::lines_in(const Box<dim> &box, bool 
 }
 
 template <int dim>
-bool FormulaTree<dim>::is_shown(const Box<dim> &box, const std::vector<KinkLine<dim>> &lines,
+bool FormulaTree<dim>::is_shown(const FormulaBox<dim> &box, const std::vector<KinkLine<dim>> &lines,
                                 const double tolerance) const {
   Run<Interval> run = {interior_of(box)};
   evaluate(run);
@@ -472,7 +472,7 @@ bool FormulaTree<dim>::is_shown(const Box<dim> &box, const std::vector<KinkLine<
 
 template <int dim>
 template <typename Number>
-double FormulaTree<dim>::spread(const Box<dim> &box, const Run<Number> &of_box) const {
+double FormulaTree<dim>::spread(const FormulaBox<dim> &box, const Run<Number> &of_box) const {
   constexpr unsigned int n = 4;
   double lowest = infinity, highest = -infinity;
   Run<double> run;

@@ -50,7 +50,7 @@ void test_bounds(Checks &checks) {
     for (unsigned int i = 0; i < 200; ++i) {
       const Point corner(random_number(), random_number());
       const double size = std::pow(0.1, 1 + i % 4);
-      const Box<2> box = {corner, corner + dealii::Tensor<1, 2>({size, 0.5 * size})};
+      const FormulaBox<2> box = {corner, corner + dealii::Tensor<1, 2>({size, 0.5 * size})};
       const Enclosure<2> bounds = formula.enclose(box);
       for (unsigned int k = 0; k < 20; ++k) {
         const double value = formula.value(
@@ -93,7 +93,8 @@ void test_derivatives(Checks &checks) {
 
 /** Bands and peaks between samples are not shown; smooth formulas and known lines are. */
 void test_samples(Checks &checks) {
-  const Box<2> square = {Point(0., 0.), Point(1., 1.)}, part = {Point(0.25, 0.25), Point(0.5, 0.5)};
+  const FormulaBox<2> square = {Point(0., 0.), Point(1., 1.)},
+                      part = {Point(0.25, 0.25), Point(0.5, 0.5)};
   for (const char *text :
        {"abs(y - 0.3) < 0.006 ? -4 : 0", "exp(-((x - 0.317)/3e-5)^2)", "x < a && y < a ? 1 : 0",
         "cos(400*pi*x) < 0 ? 1 : 0", "(x - 0.3)^2 + y^2 < 1e-3 ? 1 : 0"})

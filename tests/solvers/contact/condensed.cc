@@ -84,8 +84,7 @@ void columns_on_demand(Checks &checks) {
     checks.about("columns by " + std::string(to_text(solver)));
     const auto inverse = factorise(system.matrix, system.unit, solver);
     unsigned int n_done = 0;
-    const ColumnCompliance by_columns(*inverse, D, seconds,
-                                      [&](const unsigned int n) { n_done = n; });
+    const ColumnCompliance by_columns(*inverse, D, [&](const unsigned int n) { n_done = n; });
     checks.that("size", by_columns.size() == m && !by_columns.is_explicit());
     checks.near("C P for two pressing patches", distance(by_columns.apply(few), product), 0.,
                 1e-12 * size);

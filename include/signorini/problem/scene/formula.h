@@ -22,7 +22,7 @@ enum class Operation;
 
 /** The box of all points between two corners. */
 template <int dim>
-struct Box {
+struct FormulaBox {
   Point<dim> lower, upper;
 
   Point<dim> centre() const {
@@ -68,18 +68,18 @@ public:
   /** Returns the exact derivatives; at a switch, those of one branch. */
   Tensor<1, dim> gradient(const Point<dim> &x) const;
 
-  Enclosure<dim> enclose(const Box<dim> &box) const;
+  Enclosure<dim> enclose(const FormulaBox<dim> &box) const;
 
   /** Returns whether 4 samples in each direction show what the formula does in a box: it varies by
    * at most @p tolerance, or no switch but those of the given @p lines is undecided, and on either
    * side of these lines it varies by at most three times as much as the samples do, plus the
    * tolerance. */
-  bool is_shown(const Box<dim> &box, const std::vector<KinkLine<dim>> &lines,
+  bool is_shown(const FormulaBox<dim> &box, const std::vector<KinkLine<dim>> &lines,
                 double tolerance) const;
 
   /** Returns the lines of all switches that a box does not decide and whose arguments are affine in
    * it. @param all whether every undecided switch has such a line. */
-  std::vector<KinkLine<dim>> lines_in(const Box<dim> &box, bool &all) const;
+  std::vector<KinkLine<dim>> lines_in(const FormulaBox<dim> &box, bool &all) const;
 
 private:
   /** A part of the formula: an operation on earlier parts. */
@@ -108,7 +108,7 @@ private:
   std::optional<KinkLine<dim>> line_of(unsigned int k, const Run<Number> &run) const;
   /** Returns the largest difference of samples on the branches of an evaluation. */
   template <typename Number>
-  double spread(const Box<dim> &box, const Run<Number> &of_box) const;
+  double spread(const FormulaBox<dim> &box, const Run<Number> &of_box) const;
 
   std::vector<Node> nodes_;
   unsigned int n_switches_ = 0;
