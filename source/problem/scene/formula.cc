@@ -374,7 +374,10 @@ Enclosure<dim> FormulaTree<dim>::enclosure(const Run<Number> &run) const {
   Point<dim> centre;
   for (int d = 0; d < dim; ++d)
     centre[d] = boost::numeric::median(run.x[d]);
-  Interval mean(run.forced == 0 ? value(centre) : infinity);
+  // The formula may have another value on a line through the centre, such as where x == 0.5.
+  const double at_centre = run.forced == 0 ? value(centre) : infinity;
+  const bool is_typical = at_centre >= result.lower && at_centre <= result.upper;
+  Interval mean(is_typical ? at_centre : infinity);
   for (int d = 0; d < dim; ++d) {
     result.varies[d] = !is_point(root.slope[d], 0.);
     if (result.varies[d])

@@ -78,6 +78,9 @@ private:
   void add_cell(const Cell &cell, const unsigned int n, const FEValues<dim> &values,
                 const FieldValues<dim> &u, const FieldValues<dim> &recovered) {
     const unsigned int index = cell->active_cell_index();
+    const Point<dim> middle = cell->center();
+    const bool has_regions = !scene_.geometry.regions.empty();
+    const double region = has_regions ? scene_.geometry.region_at(middle) : 0.;
     std::vector<VtuFields> fields(u.values.size());
     for (unsigned int q = 0; q < fields.size(); ++q) {
       add_vector("displacement", u.values[q], fields[q]);
@@ -86,9 +89,9 @@ private:
       SymmetricTensor<2, dim> strain = symmetrize(recovered.gradients[q]);
       if (!dilatations_.empty())
         replace_trace(strain, dilatations_[index]);
-      add_stress(values.quadrature_point(q), cell->center(), strain, fields[q]);
-      if (!scene_.geometry.regions.empty())
-        fields[q].emplace_back("region", scene_.geometry.region_at(cell->center()));
+      add_stress(values.quadrature_point(q), middle, strain, fields[q]);
+      if (has_regions)
+        fields[q].emplace_back("region", region);
       if (!bound_.mesh.empty())
         fields[q].insert(fields[q].end(), {{"bound_mesh", bound_.mesh[index]},
                                            {"bound_oscillation", bound_.oscillation[index]},

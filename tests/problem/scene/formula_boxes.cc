@@ -64,6 +64,17 @@ void test_bounds(Checks &checks) {
   }
 }
 
+/** Values on lines have no area: they are no bounds, not even at the centre of a box. */
+void test_values_on_lines(Checks &checks) {
+  const FormulaBox<2> box = {Point(0., 0.), Point(1., 1.)};
+  for (const char *text : {"x == 0.5 ? 7 : 1", "1 + 6*(x == 0.5 && y > 2)", "x != y || x < 0",
+                           "2 - abs(sign(x + 1))"}) {
+    const Enclosure<2> bounds = tree(text).enclose(box);
+    checks.near("lower bound of " + std::string(text), bounds.lower, 1., 0.);
+    checks.near("upper bound of " + std::string(text), bounds.upper, 1., 0.);
+  }
+}
+
 /** Bounds by derivatives are of second order: a box of the size h adds h² only. */
 void test_order(Checks &checks) {
   const FormulaTree<2> formula = tree("x*(1 - x)*y*(1 - y)");
@@ -123,5 +134,5 @@ void test_samples(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests({test_bounds, test_order, test_derivatives, test_samples});
+  return run_tests({test_bounds, test_values_on_lines, test_order, test_derivatives, test_samples});
 }
