@@ -3,492 +3,406 @@
 
 #include <signorini/problem/scene/formula.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <boost/container/small_vector.hpp>
+
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 
 #include "formula_reader.h"
 #include "formula_tree.h"
 
 namespace Signorini {
-using namespace FormulaNumbers;
-
-template <int dim>
-FormulaTree<dim>::FormulaTree(const std::string &text, const Constants &constants) {
-  Reader(text, constants, *this);
+namespace FormulaParts {
+namespace {
+bool is_zero(const Interval &a) {
+  return singleton(a) && zero_in(a);
 }
 
-template <int dim>
-bool FormulaTree<dim>::is_constant() const {
-  return std::none_of(nodes_.begin(), nodes_.end(),
-                      [](const Node &node) { return node.operation == Operation::coordinate; });
+// The answer of a comparison is 0, 1, or both.
+double positive(const double a) {
+  return a > 0.;
+}
+double not_negative(const double a) {
+  return a >= 0.;
+}
+double equals_zero(const double a) {
+  return a == 0.;
+}
+Interval equals_zero(const Interval &a) {
+  return {double(is_zero(a)), double(zero_in(a))};
+}
+double choose(const double a, const double b, const double c) {
+  return a != 0. ? b : c;
+}
+/** Returns what contains both values; BoxRun knows where the condition is decided. */
+Interval choose(const Interval &, const Interval &b, const Interval &c) {
+  return hull(b, c);
+}
+
+/** Makes an operation of a function that takes numbers and intervals. */
+template <typename Rule>
+Operation rule(const char *name, const Rule &function, const char *in_a = nullptr,
+               const char *in_b = nullptr, unsigned int kind = 0) {
+  static const Rule f = function;
+  return {name,
+          in_a,
+          in_b,
+          kind,
+          [](double a, double b, double c) { return f(a, b, c); },
+          [](const double *a, const double *b, const double *c, std::size_t n, double *result) {
+            for (std::size_t q = 0; q < n; ++q)
+              result[q] = f(a[q], b[q], c[q]);
+          },
+          [](const Interval &a, const Interval &b, const Interval &c) { return f(a, b, c); }};
+}
+
+template <double (*f)(double)>
+double monotone(const double a, double, double) {
+  return f(a);
+}
+/** Returns f on an interval where it increases or decreases, restricted to where it is defined. */
+template <double (*f)(double)>
+Interval monotone(const Interval &a, const double low, const double high) {
+  return hull(Interval(f(std::clamp(a.lower(), low, high))), f(std::clamp(a.upper(), low, high)));
+}
+template <double (*f)(double)>
+Operation monotone(const char *name, const char *derivative, unsigned int kind = 0,
+                   double low = -HUGE_VAL, double high = HUGE_VAL) {
+  [[maybe_unused]] static const double ends[] = {low, high};
+  return rule(
+    name, [](auto a, auto, auto) { return monotone<f>(a, ends[0], ends[1]); }, derivative, nullptr,
+    kind);
+}
+
+double power(const double a, const double b) {
+  return b == 2. ? a * a : b == 3. ? a * a * a : std::pow(a, b);
+}
+Interval power(const Interval &a, const Interval &b) {
+  const double n = b.lower();
+  return singleton(b) && n == std::round(n) && std::abs(n) < 1e9
+           ? pow(a, static_cast<int>(n))
+           : exp(b * monotone<std::log>(a, 0., HUGE_VAL));
+}
+
+/** The derivative of what jumps: zero, but anything in a box that does not decide. */
+constexpr const char *jump = "1e300*(f - f)";
+} // namespace
+
+const std::vector<Operation> &operations() {
+  using std::cos, std::max, std::min, std::sin;
+  static const std::vector<Operation> list = {
+    {"||", "a ? 1 : b ? 1 : 0", nullptr, 1},
+    {"&&", "a ? b ? 1 : 0 : 0", nullptr, 2},
+    {"<=", "not_negative(b - a)", nullptr, 3},
+    {">=", "b <= a", nullptr, 3},
+    {"==", "zero(b - a)", nullptr, 3},
+    {"!=", "a == b ? 0 : 1", nullptr, 3},
+    {"<", "positive(b - a)", nullptr, 3},
+    {">", "b < a", nullptr, 3},
+    rule(
+      "+", [](auto a, auto b, auto) { return a + b; }, "1", "1", 4),
+    rule(
+      "-", [](auto a, auto b, auto) { return a - b; }, "1", "-1", 4),
+    rule(
+      "*", [](auto a, auto b, auto) { return a * b; }, "b", "a", 5),
+    rule(
+      "/", [](auto a, auto b, auto) { return a / b; }, "1/b", "-f/b", 5),
+    rule(
+      "^", [](auto a, auto b, auto) { return power(a, b); }, "b*a^(b-1)", "f*log(a)"),
+    monotone<positive>("positive", jump, step),
+    monotone<not_negative>("not_negative", jump, step),
+    rule(
+      "zero", [](auto a, auto, auto) { return equals_zero(a); }, jump, nullptr, step),
+    rule(
+      "?", [](auto a, auto b, auto c) { return choose(a, b, c); }, jump, nullptr, choice),
+    rule(
+      "larger", [](auto, auto b, auto c) { return max(c, b); }, nullptr, nullptr, choice),
+    rule(
+      "smaller", [](auto, auto b, auto c) { return min(c, b); }, nullptr, nullptr, choice),
+    rule(
+      "sin", [](auto a, auto, auto) { return sin(a); }, "cos(a)"),
+    rule(
+      "cos", [](auto a, auto, auto) { return cos(a); }, "-sin(a)"),
+    monotone<std::floor>("floor", jump, step),
+    monotone<std::exp>("exp", "f"),
+    monotone<std::log>("log", "1/a", 0, 0.),
+    monotone<std::log2>("log2", "1/(a*log(2))", 0, 0.),
+    monotone<std::log10>("log10", "1/(a*log(10))", 0, 0.),
+    monotone<std::sqrt>("sqrt", "0.5/f", 0, 0.),
+    monotone<std::asin>("asin", "1/sqrt(1 - a^2)", 0, -1., 1.),
+    monotone<std::acos>("acos", "-1/sqrt(1 - a^2)", 0, -1., 1.),
+    monotone<std::atan>("atan", "1/(1 + a^2)"),
+    monotone<std::sinh>("sinh", "sqrt(1 + f^2)"),
+    monotone<std::tanh>("tanh", "1 - f^2"),
+    monotone<std::asinh>("asinh", "1/sqrt(a^2 + 1)"),
+    monotone<std::acosh>("acosh", "1/sqrt(a^2 - 1)", 0, 1.),
+    monotone<std::atanh>("atanh", "1/(1 - a^2)", 0, -1., 1.),
+    monotone<std::erf>("erf", "2/sqrt(pi)*exp(-a^2)"),
+    monotone<std::erfc>("erfc", "-2/sqrt(pi)*exp(-a^2)"),
+    {"ln", "log(a)"},
+    {"tan", "sin(a)/cos(a)"},
+    {"cosh", "0.5*(exp(a) + exp(-a))"},
+    {"ceil", "-floor(-a)"},
+    {"rint", "floor(a + 0.5)"},
+    {"abs", "larger(positive(a), a, 0 - a)"},
+    {"sign", "positive(a) - positive(-a)"},
+    {"if", "a ? b : c"},
+    {"pow", "a^b"},
+    {"max", "larger(a < b, b, a)"},
+    {"min", "smaller(b < a, b, a)"},
+    {"sum", "a + b"},
+    {"avg", "a + b"},
+    {"atan2", "angle(a, b, atan(a/b))"},
+    {"angle", "b == 0 ? 0.5*sign(a)*pi : b < 0 ? c + (a < 0 ? -pi : pi) : c"}};
+  return list;
 }
 
 namespace {
-enum Branch { no, yes, undecided };
-
-/** Returns whether an argument is positive at all points of a box but those of a set without area.
- * @param at_zero the answer where the argument is zero. */
-Branch sign_of(const double value, const bool at_zero) {
-  return value > 0. || (at_zero && value == 0.) ? yes : no;
-}
-Branch sign_of(const Interval &value, const bool at_zero) {
-  if (is_point(value, 0.))
-    return at_zero ? yes : no;
-  return value.lower() >= 0. ? yes : value.upper() <= 0. ? no : undecided;
-}
-Branch truth_of(const double value) {
-  return value != 0. ? yes : no;
-}
-Branch truth_of(const Interval &value) {
-  if (is_point(value, 0.))
-    return no;
-  return value.lower() > 0. || value.upper() < 0. ? yes : undecided;
-}
-
-double larger_of(const double a, const double b) {
-  return std::max(a, b);
-}
-Interval larger_of(const Interval &a, const Interval &b) {
-  return {std::max(a.lower(), b.lower()), std::max(a.upper(), b.upper())};
-}
-double lower_end(const double a) {
-  return a;
-}
-double lower_end(const Interval &a) {
-  return a.lower();
-}
-double upper_end(const double a) {
-  return a;
-}
-double upper_end(const Interval &a) {
-  return a.upper();
-}
-
-/** Returns the derivative of a monotone function. @param f its values. */
-template <typename Number>
-Number derivative(const std::string &name, const Number &a, const Number &f) {
-  const std::array<double, 2> positive = {{0., infinity}};
-  const auto root = [&](const Number &square) { return apply(std::sqrt, positive, square); };
-  const auto bell = [&] {
-    return Number(2. / std::sqrt(std::acos(-1.))) *
-           apply(std::exp, {{-infinity, infinity}}, Number(-power_of(a, Number(2.))));
-  };
-  const Number one(1.), square = power_of(a, Number(2.));
-  if (name == "exp")
-    return f;
-  if (name == "log" || name == "ln")
-    return one / a;
-  if (name == "log2" || name == "log10")
-    return one / (a * Number(std::log(name == "log2" ? 2. : 10.)));
-  if (name == "sqrt")
-    return Number(0.5) / f;
-  if (name == "asin" || name == "acos")
-    return Number(name == "asin" ? 1. : -1.) / root(Number(one - square));
-  if (name == "atan")
-    return one / (one + square);
-  if (name == "sinh")
-    return root(Number(one + power_of(f, Number(2.))));
-  if (name == "tanh")
-    return one - power_of(f, Number(2.));
-  if (name == "asinh")
-    return one / root(Number(square + one));
-  if (name == "acosh")
-    return one / root(Number(square - one));
-  if (name == "atanh")
-    return one / (one - square);
-  return name == "erf" ? bell() : Number(-bell());
-}
-
-std::uint64_t bit(const unsigned int k) {
-  return k < 63 ? std::uint64_t(1) << k : unknown_switch;
-}
-} // namespace
-
-/** One evaluation of all parts with jets of a type of numbers. */
-template <int dim>
-template <typename Number>
-struct FormulaTree<dim>::Run {
-  using Value = Jet<dim, Number>;
-
-  std::array<Number, dim> x;
-  /** The switches whose branch is given, and the branches. */
-  std::uint64_t forced = 0, branches = 0;
-  std::vector<Value> parts = {};
-  /** What the switches compare with zero. */
-  std::vector<Value> arguments = {};
-
-  Branch decide(const unsigned int k, const Value &argument, const bool at_zero) {
-    arguments[k] = argument;
-    if ((forced & bit(k) & ~unknown_switch) != 0)
-      return (branches & bit(k)) != 0 ? yes : no;
-    return sign_of(argument.value, at_zero);
-  }
-  /** Returns one of two values, by the sign of the argument. */
-  Value step(const unsigned int k, const Value &argument, const bool at_zero, const double low,
-             const double high) {
-    const Branch branch = decide(k, argument, at_zero);
-    if (branch == undecided)
-      return jump(Value(Number(low)), Value(Number(high)), argument, bit(k));
-    return Value(Number(branch == yes ? high : low));
-  }
-  /** Returns whether two values are equal: nowhere, but on a line, if they vary. */
-  static Value equal(const Value &a, const Value &b) {
-    const Value difference = sum(a, -1., b);
-    const Branch differs = truth_of(difference.value);
-    const bool varies = std::any_of(difference.slope.begin(), difference.slope.end(),
-                                    [](const Number &d) { return !is_point(d, 0.); });
-    if (differs == undecided && (difference.undecided != 0 || !varies))
-      return jump(Value(Number(0.)), Value(Number(1.)), difference, unknown_switch);
-    return Value(Number(differs == no ? 1. : 0.));
-  }
-  Value larger(const unsigned int k, const Value &difference, const Value &a, const Value &b) {
-    const Branch branch = decide(k, difference, true);
-    if (branch != undecided)
-      return branch == yes ? a : b;
-    Value result = hull_of(a, b);
-    result.value = larger_of(a.value, b.value);
-    result.undecided |= bit(k);
-    return result;
-  }
-  Value sign(const unsigned int k, const Value &a) {
-    return is_point(a.value, 0.) ? Value() : step(k, a, false, -1., 1.);
-  }
-  /** A box may touch the next step with its upper end. */
-  Value floor(const unsigned int k, const Value &a) {
-    const double low = std::floor(lower_end(a.value)), high = std::floor(upper_end(a.value));
-    if (low == high)
-      return Value(Number(low));
-    if (high == low + 1.)
-      return step(k, sum(a, -1., Value(Number(high))), true, low, high);
-    return jump(Value(Number(low)), Value(Number(high)), a, unknown_switch);
-  }
-  static Value both(const Value &a, const Value &b) {
-    const Branch of_a = truth_of(a.value), of_b = truth_of(b.value);
-    if (of_a == no || of_b == no)
-      return Value();
-    const Value &rest = of_a == undecided ? a : b;
-    if (of_a == yes && of_b == yes)
-      return Value(Number(1.));
-    const bool known = rest.undecided != 0;
-    const Value first = jump(Value(), Value(Number(1.)), rest, known ? 0 : unknown_switch);
-    return of_a == undecided && of_b == undecided ? jump(first, first, b, 0) : first;
-  }
-  static Value not_of(const Value &a) {
-    const Branch of_a = truth_of(a.value);
-    if (of_a != undecided)
-      return Value(Number(of_a == yes ? 0. : 1.));
-    return jump(Value(), Value(Number(1.)), a, a.undecided != 0 ? 0 : unknown_switch);
-  }
-  static Value choose(const Value &condition, const Value &a, const Value &b) {
-    const Branch branch = truth_of(condition.value);
-    if (branch != undecided)
-      return branch == yes ? a : b;
-    return jump(a, b, condition, condition.undecided != 0 ? 0 : unknown_switch);
-  }
-  static Value cosine(const Value &a, const double shift) {
-    const Number moved = a.value - Number(shift);
-    return a.follow(cosine_of(moved), Number(-cosine_of(Number(moved - Number(half_pi)))));
-  }
-  static constexpr double half_pi = 1.57079632679489661923;
-
-  Value part(const Node &node) {
-    const Value &a = parts[node.arguments[0]], &b = parts[node.arguments[1]];
-    const unsigned int k = node.switch_number;
-    switch (node.operation) {
-    case Operation::number:
-      return Value(Number(node.value));
-    case Operation::coordinate: {
-      const auto d = static_cast<unsigned int>(node.value);
-      Value result(x[d]);
-      result.slope[d] = Number(1.);
-      return result;
-    }
-    case Operation::plus:
-      return sum(a, 1., b);
-    case Operation::minus:
-      return sum(a, -1., b);
-    case Operation::times:
-      return product(a, b);
-    case Operation::divided:
-      return quotient(a, b);
-    case Operation::power:
-      return power_of(a, b);
-    case Operation::less:
-      return step(k, sum(b, -1., a), false, 0., 1.);
-    case Operation::less_or_equal:
-      return step(k, sum(b, -1., a), true, 0., 1.);
-    case Operation::equal:
-      return equal(a, b);
-    case Operation::both:
-      return both(a, b);
-    case Operation::either:
-      return not_of(both(not_of(a), not_of(b)));
-    case Operation::choice:
-      return choose(a, b, parts[node.arguments[2]]);
-    case Operation::maximum:
-      return larger(k, sum(a, -1., b), a, b);
-    case Operation::absolute:
-      return larger(k, a, a, product(Value(Number(-1.)), a));
-    case Operation::sign:
-      return sign(k, a);
-    case Operation::floor:
-      return floor(k, a);
-    case Operation::sine:
-      return cosine(a, half_pi);
-    case Operation::cosine:
-      return cosine(a, 0.);
-    default: {
-      const auto &[name, f, domain] = monotone_functions[static_cast<unsigned int>(node.value)];
-      const Number value = apply(f, domain, a.value);
-      return a.follow(value, derivative(name, a.value, value));
-    }
+/** The values of the first parts at n points. */
+struct PointRun : boost::container::small_vector<double, 1024> {
+  template <int dim>
+  PointRun(const Formula &formula, const Point<dim> *points, const std::size_t n,
+           const Index n_parts)
+    : small_vector(n * n_parts, boost::container::default_init) {
+    for (std::size_t q = 0; q < n; ++q)
+      for (Index d = 0; d < dim; ++d)
+        (*this)[d * n + q] = points[q][d];
+    double *part = data() + 3 * n;
+    for (Index i = 3; i < n_parts; ++i, part += n) {
+      const auto &[operation, arguments, value, is_fixed, bit] = formula.nodes[i];
+      const double *const a = data() + arguments[0] * n, *const b = data() + arguments[1] * n,
+                          *const c = data() + arguments[2] * n;
+      if (n == 1)
+        *part = operation == nullptr ? value : operation->value(*a, *b, *c);
+      else if (operation == nullptr)
+        std::fill_n(part, n, value);
+      else
+        operation->values(a, b, c, n, part);
     }
   }
 };
 
+/** Returns whether a line is among others in a box, up to rounding. */
 template <int dim>
-template <typename Number>
-void FormulaTree<dim>::evaluate(Run<Number> &run) const {
-  run.parts.assign(nodes_.size(), Jet<dim, Number>());
-  run.arguments.resize(n_switches_);
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    run.parts[i] = run.part(nodes_[i]);
+bool is_among(const std::vector<KinkLine<dim>> &lines, const KinkLine<dim> &line,
+              const FormulaBox<dim> &box) {
+  const double rounding = 1e-9 * box.upper.distance(box.lower) + 1e-12 * box.upper.norm();
+  return std::any_of(lines.begin(), lines.end(), [&](const KinkLine<dim> &other) {
+    const double sign = line.normal * other.normal < 0. ? -1. : 1.,
+                 distance =
+                   line.signed_distance(box.centre()) - sign * other.signed_distance(box.centre());
+    return (line.normal - sign * other.normal).norm() < 1e-9 && std::abs(distance) < rounding;
+  });
+}
+
+/** A part in a box. */
+struct Box {
+  Interval value;
+  bool is_fixed = false;
+  /** The switches that the box does not decide. */
+  std::uint64_t undecided = 0;
+};
+
+/** The parts of a formula in a box. */
+template <int dim>
+class BoxRun {
+public:
+  BoxRun(const Formula &formula, const FormulaBox<dim> &box)
+    : formula_(formula)
+    , box_(box) {
+    for (const Node &node : formula.nodes)
+      parts_.push_back({node.value, node.is_fixed});
+    evaluate(box, parts_.size());
+  }
+  /** Evaluates given branches of the undecided switches. */
+  BoxRun on_branches(const std::uint64_t branches) const {
+    BoxRun result(*this);
+    for (const Index i : formula_.switches)
+      if (const unsigned int bit = formula_.nodes[i].bit; (root().undecided >> bit & 1U) != 0)
+        result.parts_[i] = {parts_[i].value.upper() - ((branches >> bit & 1U) != 0 ? 0. : 1.),
+                            true};
+    result.evaluate(box_, parts_.size());
+    return result;
+  }
+
+  const Box &root() const {
+    return parts_[formula_.root];
+  }
+  /** Returns the intersection of the tree's bounds with f(c) + f'(box)(box - c). */
+  Enclosure<dim> bounds() const {
+    Enclosure<dim> result;
+    const Point<dim> centre = box_.centre();
+    Interval mean = value(centre);
+    for (int d = 0; d < dim; ++d) {
+      const Interval &slope = slope_of(formula_.root, d);
+      mean += slope * (parts_[d].value - centre[d]);
+      result.varies[d] = !is_zero(slope);
+    }
+    Interval best = intersect(root().value, mean);
+    if (empty(best))
+      best = empty(root().value) ? Interval::whole() : root().value;
+    result.lower = best.lower();
+    result.upper = best.upper();
+    return result;
+  }
+  /** Returns the lines of all undecided switches. @param all whether all have one. */
+  std::vector<KinkLine<dim>> lines(bool &all) const {
+    std::vector<KinkLine<dim>> lines;
+    all = root().undecided >> 63 == 0;
+    for (const Index i : formula_.switches)
+      if (const Node &node = formula_.nodes[i]; (root().undecided >> node.bit & 1U) != 0) {
+        const Box &argument = parts_[node.arguments[0]];
+        bool is_affine = argument.undecided == 0;
+        Tensor<1, dim> normal;
+        for (int d = 0; d < dim; ++d) {
+          const Interval &slope = slope_of(node.arguments[0], d);
+          normal[d] = slope.lower();
+          is_affine = is_affine && singleton(slope);
+        }
+        // The middle of an affine expression is its value at the centre. What is rounded down
+        // changes at the upper one of two values.
+        const double value =
+          median(argument.value) - (*node.operation->name == 'f' ? parts_[i].value.upper() : 0.);
+        const KinkLine<dim> line = {normal / normal.norm(),
+                                    (normal * box_.centre() - value) / normal.norm()};
+        is_affine = is_affine && normal.norm() > 0.;
+        all = all && is_affine;
+        if (is_affine && !is_among(lines, line, box_))
+          lines.push_back(line);
+      }
+    return lines;
+  }
+  /** Returns the largest difference of 4 samples in each direction. */
+  double spread() const {
+    static const QIterated<dim> samples(QMidpoint<1>(), 4);
+    Interval values = Interval::empty();
+    for (Point<dim> x : samples.get_points()) {
+      for (int d = 0; d < dim; ++d)
+        x[d] = box_.lower[d] + x[d] * (box_.upper[d] - box_.lower[d]);
+      values = hull(values, value(x));
+    }
+    return width(values);
+  }
+
+private:
+  const Interval &slope_of(const Index i, const int d) const {
+    return parts_[formula_.slopes[i][d]].value;
+  }
+  /** Returns the value at a point of the box, on the same branches. */
+  Interval value(const Point<dim> &x) const {
+    BoxRun at_x(*this);
+    at_x.evaluate({x, x}, formula_.n_values);
+    return at_x.root().value;
+  }
+  void evaluate(const FormulaBox<dim> &box, const Index n_parts) {
+    for (int d = 0; d < dim; ++d) {
+      // Without the boundary: what happens there has no area.
+      const double margin = 1e-9 * (box.upper[d] - box.lower[d]);
+      parts_[d].value = Interval(box.lower[d] + margin, box.upper[d] - margin);
+    }
+    for (Index i = 3; i < n_parts; ++i)
+      if (!parts_[i].is_fixed) {
+        parts_[i] = part(formula_.nodes[i]);
+        parts_[i].is_fixed = false;
+      }
+  }
+  Box part(const Node &node) const {
+    const Box &a = parts_[node.arguments[0]], &b = parts_[node.arguments[1]],
+              &c = parts_[node.arguments[2]];
+    const unsigned int kind = node.operation->kind;
+    if (kind == choice && (singleton(a.value) || !zero_in(a.value)))
+      return is_zero(a.value) ? c : b;
+    Box result = {node.operation->bounds(a.value, b.value, c.value), false,
+                  a.undecided | b.undecided | c.undecided};
+    if (singleton(result.value))
+      result.undecided = 0;
+    else if (kind == step)
+      result.undecided |= 1ULL << (width(result.value) == 1. ? node.bit : 63);
+    else if (kind == choice && a.undecided == 0)
+      result.undecided |= 1ULL << 63;
+    return result;
+  }
+
+  const Formula &formula_;
+  FormulaBox<dim> box_;
+  std::vector<Box> parts_;
+};
+} // namespace
+} // namespace FormulaParts
+
+using namespace FormulaParts;
+
+template <int dim>
+FormulaTree<dim>::FormulaTree(const std::string &text, const Constants &constants) {
+  const auto formula = std::make_shared<Formula>();
+  const Reader reader(text, constants, dim, *formula);
+  formula_ = formula;
+}
+
+template <int dim>
+bool FormulaTree<dim>::is_constant() const {
+  const Node &root = formula_->nodes[formula_->root];
+  return root.is_fixed && root.operation == nullptr;
+}
+
+template <int dim>
+double FormulaTree<dim>::value(const Point<dim> &x) const {
+  return PointRun(*formula_, &x, 1, formula_->n_values)[formula_->root];
 }
 
 template <int dim>
 void FormulaTree<dim>::values(const Point<dim> *const points, const std::size_t n,
                               double *const values) const {
-  constexpr std::size_t block = 32;
-  thread_local std::vector<double> parts;
-  for (std::size_t start = 0; start < n; start += block) {
-    const std::size_t size = std::min(block, n - start);
-    parts.resize(nodes_.size() * size);
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-      evaluate_block(nodes_[i], points + start, size, parts.data(), parts.data() + i * size);
-    std::copy_n(parts.end() - size, size, values + start);
+  for (std::size_t start = 0, size; start < n; start += size) {
+    size = std::min<std::size_t>(n - start, 32);
+    const PointRun run(*formula_, points + start, size, formula_->n_values);
+    std::copy_n(run.data() + formula_->root * size, size, values + start);
   }
-}
-
-template <int dim>
-void FormulaTree<dim>::evaluate_block(const Node &node, const Point<dim> *const points,
-                                      const std::size_t n, const double *const parts,
-                                      double *const result) {
-  const double *const a = parts + node.arguments[0] * n, *const b = parts + node.arguments[1] * n,
-                      *const c = parts + node.arguments[2] * n;
-  const auto fill = [&](const auto &f) {
-    for (std::size_t q = 0; q < n; ++q)
-      result[q] = f(q);
-  };
-  switch (node.operation) {
-  case Operation::number:
-    return fill([&](std::size_t) { return node.value; });
-  case Operation::coordinate:
-    return fill(
-      [&](const std::size_t q) { return points[q][static_cast<unsigned int>(node.value)]; });
-  case Operation::plus:
-    return fill([&](const std::size_t q) { return a[q] + b[q]; });
-  case Operation::minus:
-    return fill([&](const std::size_t q) { return a[q] - b[q]; });
-  case Operation::times:
-    return fill([&](const std::size_t q) { return a[q] * b[q]; });
-  case Operation::divided:
-    return fill([&](const std::size_t q) { return a[q] / b[q]; });
-  case Operation::power:
-    return fill([&](const std::size_t q) { return power_of(a[q], b[q]); });
-  case Operation::less:
-    return fill([&](const std::size_t q) { return a[q] < b[q] ? 1. : 0.; });
-  case Operation::less_or_equal:
-    return fill([&](const std::size_t q) { return a[q] <= b[q] ? 1. : 0.; });
-  case Operation::equal:
-    return fill([&](const std::size_t q) { return a[q] == b[q] ? 1. : 0.; });
-  case Operation::both:
-    return fill([&](const std::size_t q) { return a[q] != 0. && b[q] != 0. ? 1. : 0.; });
-  case Operation::either:
-    return fill([&](const std::size_t q) { return a[q] != 0. || b[q] != 0. ? 1. : 0.; });
-  case Operation::choice:
-    return fill([&](const std::size_t q) { return a[q] != 0. ? b[q] : c[q]; });
-  case Operation::maximum:
-    return fill([&](const std::size_t q) { return std::max(a[q], b[q]); });
-  case Operation::absolute:
-    return fill([&](const std::size_t q) { return std::abs(a[q]); });
-  case Operation::sign:
-    return fill([&](const std::size_t q) { return a[q] > 0. ? 1. : a[q] < 0. ? -1. : 0.; });
-  case Operation::floor:
-    return fill([&](const std::size_t q) { return std::floor(a[q]); });
-  case Operation::sine:
-    return fill([&](const std::size_t q) { return std::sin(a[q]); });
-  case Operation::cosine:
-    return fill([&](const std::size_t q) { return std::cos(a[q]); });
-  default:
-    const auto f = monotone_functions[static_cast<unsigned int>(node.value)].f;
-    return fill([&](const std::size_t q) { return f(a[q]); });
-  }
-}
-
-template <int dim>
-double FormulaTree<dim>::value(const Point<dim> &x) const {
-  double value = 0.;
-  values(&x, 1, &value);
-  return value;
 }
 
 template <int dim>
 Tensor<1, dim> FormulaTree<dim>::gradient(const Point<dim> &x) const {
-  Run<double> run;
-  std::copy(x.begin_raw(), x.end_raw(), run.x.begin());
-  evaluate(run);
+  const PointRun run(*formula_, &x, 1, formula_->nodes.size());
   Tensor<1, dim> gradient;
-  std::copy(run.parts.back().slope.begin(), run.parts.back().slope.end(), gradient.begin_raw());
-  return gradient;
-}
-
-namespace {
-/** Returns whether two lines are the same in a box, up to rounding. */
-template <int dim>
-bool are_same(const KinkLine<dim> &a, const KinkLine<dim> &b, const FormulaBox<dim> &box) {
-  const double sign = a.normal * b.normal < 0. ? -1. : 1.;
-  const double rounding =
-    1e-9 * box.upper.distance(box.lower) + 1e-12 * box.upper.distance(Point<dim>());
-  return (a.normal - sign * b.normal).norm() < 1e-9 &&
-         std::abs(a.signed_distance(box.centre()) - sign * b.signed_distance(box.centre())) <
-           rounding;
-}
-
-/** Returns the coordinates of a box without its boundary: what happens there has no area. */
-template <int dim>
-std::array<Interval, dim> interior_of(const FormulaBox<dim> &box) {
-  std::array<Interval, dim> x;
-  for (int d = 0; d < dim; ++d) {
-    const double margin = 1e-9 * (box.upper[d] - box.lower[d]);
-    x[d] = Interval(box.lower[d] + margin, box.upper[d] - margin);
-  }
-  return x;
-}
-} // namespace
-
-template <int dim>
-template <typename Number>
-Enclosure<dim> FormulaTree<dim>::enclosure(const Run<Number> &run) const {
-  const Jet<dim, Interval> &root = run.parts.back();
-  Enclosure<dim> result = {root.value.lower(), root.value.upper(), {}};
-  Point<dim> centre;
   for (int d = 0; d < dim; ++d)
-    centre[d] = boost::numeric::median(run.x[d]);
-  // The formula may have another value on a line through the centre, such as where x == 0.5.
-  const double at_centre = run.forced == 0 ? value(centre) : infinity;
-  const bool is_typical = at_centre >= result.lower && at_centre <= result.upper;
-  Interval mean(is_typical ? at_centre : infinity);
-  for (int d = 0; d < dim; ++d) {
-    result.varies[d] = !is_point(root.slope[d], 0.);
-    if (result.varies[d])
-      mean += root.slope[d] * (run.x[d] - centre[d]);
-  }
-  if (std::isfinite(mean.lower()) && std::isfinite(mean.upper())) {
-    result.lower = std::max(result.lower, mean.lower());
-    result.upper = std::max(result.lower, std::min(result.upper, mean.upper()));
-  }
-  if (!(result.lower <= result.upper))
-    std::tie(result.lower, result.upper) = std::pair(-infinity, infinity);
-  return result;
+    gradient[d] = run[formula_->slopes[formula_->root][d]];
+  return gradient;
 }
 
 template <int dim>
 Enclosure<dim> FormulaTree<dim>::enclose(const FormulaBox<dim> &box) const {
-  Run<Interval> run = {interior_of(box)};
-  evaluate(run);
-  return enclosure(run);
-}
-
-template <int dim>
-template <typename Number>
-std::optional<KinkLine<dim>> FormulaTree<dim>::line_of(const unsigned int k,
-                                                       const Run<Number> &run) const {
-  const auto &argument = run.arguments[k];
-  if (argument.undecided != 0)
-    return {};
-  Tensor<1, dim> normal;
-  Point<dim> centre;
-  double width = 0.;
-  for (int d = 0; d < dim; ++d) {
-    normal[d] = boost::numeric::median(argument.slope[d]);
-    width = std::max(width, boost::numeric::width(argument.slope[d]));
-    centre[d] = boost::numeric::median(run.x[d]);
-  }
-  const double size = normal.norm();
-  if (!(width <= 1e-12 * size) || size == 0.)
-    return {};
-  // The middle of the interval of an affine expression is its value at the centre.
-  const double value = boost::numeric::median(argument.value);
-  return KinkLine<dim>{normal / size, (normal * (centre - Point<dim>()) - value) / size};
+  return BoxRun(*formula_, box).bounds();
 }
 
 template <int dim>
 std::vector<KinkLine<dim>> FormulaTree<dim>::lines_in(const FormulaBox<dim> &box, bool &all) const {
-  Run<Interval> run = {interior_of(box)};
-  evaluate(run);
-  const std::uint64_t switches = run.parts.back().undecided;
-  std::vector<KinkLine<dim>> lines;
-  all = (switches & unknown_switch) == 0;
-  for (unsigned int k = 0; k < std::min(n_switches_, 63U); ++k)
-    if ((switches & bit(k)) != 0) {
-      if (const auto line = line_of(k, run))
-        lines.push_back(*line);
-      else
-        all = false;
-    }
-  return lines;
+  return BoxRun(*formula_, box).lines(all);
 }
 
 template <int dim>
 bool FormulaTree<dim>::is_shown(const FormulaBox<dim> &box, const std::vector<KinkLine<dim>> &lines,
                                 const double tolerance) const {
-  Run<Interval> run = {interior_of(box)};
-  evaluate(run);
-  if (enclosure(run).width() <= tolerance)
+  const BoxRun run(*formula_, box);
+  if (run.bounds().width() <= tolerance)
     return true;
-  const std::uint64_t switches = run.parts.back().undecided;
-  std::vector<unsigned int> known;
-  for (unsigned int k = 0; k < n_switches_; ++k)
-    if ((switches & bit(k)) != 0) {
-      const auto line = k < 63 ? line_of(k, run) : std::nullopt;
-      if (!line || std::none_of(lines.begin(), lines.end(),
-                                [&](const auto &other) { return are_same(*line, other, box); }))
-        return false;
-      known.push_back(k);
-    }
-  if ((switches & unknown_switch) != 0 || known.size() > 4)
+  const std::uint64_t undecided = run.root().undecided;
+  bool all = true;
+  for (const KinkLine<dim> &line : run.lines(all))
+    all = all && is_among(lines, line, box);
+  if (!all || std::bitset<64>(undecided).count() > 4)
     return false;
-  for (unsigned int combination = 0; combination < (1U << known.size()); ++combination) {
-    run.branches = run.forced = 0;
-    for (std::size_t i = 0; i < known.size(); ++i) {
-      run.forced |= bit(known[i]);
-      run.branches |= (combination >> i & 1U) != 0 ? bit(known[i]) : 0;
-    }
-    evaluate(run);
-    const double width = enclosure(run).width();
+  for (std::uint64_t branches = 0;; branches = (branches - undecided) & undecided) {
+    const BoxRun branch = run.on_branches(branches);
+    const double width = branch.bounds().width();
     if (width > tolerance &&
-        (run.parts.back().undecided != 0 || width > 3. * spread(box, run) + tolerance))
+        (branch.root().undecided != 0 || !(width <= 3. * branch.spread() + tolerance)))
       return false;
+    if (branches == undecided)
+      return true;
   }
-  return true;
-}
-
-template <int dim>
-template <typename Number>
-double FormulaTree<dim>::spread(const FormulaBox<dim> &box, const Run<Number> &of_box) const {
-  constexpr unsigned int n = 4;
-  double lowest = infinity, highest = -infinity;
-  Run<double> run;
-  run.forced = of_box.forced;
-  run.branches = of_box.branches;
-  for (unsigned int i = 0; i < Utilities::fixed_power<dim>(n); ++i) {
-    for (unsigned int d = 0, j = i; d < dim; ++d, j /= n)
-      run.x[d] = box.lower[d] + (j % n + 0.5) / n * (box.upper[d] - box.lower[d]);
-    evaluate(run);
-    lowest = std::min(lowest, run.parts.back().value);
-    highest = std::max(highest, run.parts.back().value);
-  }
-  return highest - lowest;
 }
 
 template class FormulaTree<1>;

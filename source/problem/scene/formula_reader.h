@@ -1,285 +1,190 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/problem/scene/formula.h>
-
-#include <cctype>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "formula_tree.h"
 
 namespace Signorini {
-/** A function of one argument that increases or decreases where it is defined. */
-struct MonotoneFunction {
-  const char *name;
-  double (*f)(double);
-  /** The ends of where it is defined. */
-  std::array<double, 2> domain;
-};
-
-/** The monotone functions that formulas know. */
-inline const std::array<MonotoneFunction, 16> monotone_functions = {
-  {{"exp", std::exp, {{-HUGE_VAL, HUGE_VAL}}},
-   {"log", std::log, {{0., HUGE_VAL}}},
-   {"ln", std::log, {{0., HUGE_VAL}}},
-   {"log2", std::log2, {{0., HUGE_VAL}}},
-   {"log10", std::log10, {{0., HUGE_VAL}}},
-   {"sqrt", std::sqrt, {{0., HUGE_VAL}}},
-   {"asin", std::asin, {{-1., 1.}}},
-   {"acos", std::acos, {{-1., 1.}}},
-   {"atan", std::atan, {{-HUGE_VAL, HUGE_VAL}}},
-   {"sinh", std::sinh, {{-HUGE_VAL, HUGE_VAL}}},
-   {"tanh", std::tanh, {{-HUGE_VAL, HUGE_VAL}}},
-   {"asinh", std::asinh, {{-HUGE_VAL, HUGE_VAL}}},
-   {"acosh", std::acosh, {{1., HUGE_VAL}}},
-   {"atanh", std::atanh, {{-1., 1.}}},
-   {"erf", std::erf, {{-HUGE_VAL, HUGE_VAL}}},
-   {"erfc", std::erfc, {{-HUGE_VAL, HUGE_VAL}}}}};
-
+namespace FormulaParts {
 /** Reads a formula with the precedence of muParser: ?:, ||, &&, comparisons, + -, * /, signs, ^. */
-template <int dim>
-class FormulaTree<dim>::Reader {
+class Reader {
 public:
-  Reader(const std::string &text, const Constants &constants, FormulaTree &formula)
-    : text_(text)
-    , constants_(constants)
-    , formula_(formula) {
-    read_choice();
-    if (next() != '\0')
-      fail();
+  Reader(const std::string &text, const Constants &constants, const unsigned int dim,
+         Formula &formula)
+    : constants_(constants)
+    , formula_(formula)
+    , nodes_(formula.nodes) {
+    constants_.insert({{"pi", std::acos(-1.)}, {"_pi", std::acos(-1.)}, {"_e", std::exp(1.)}});
+    number(0.);
+    std::map<std::string, Index> names;
+    for (Index d = 0; d < dim; ++d)
+      names[std::string(1, "xyz"[d])] = d;
+    formula.root = read(text.c_str(), names);
+    formula.n_values = nodes_.size();
+    formula.slopes.assign(nodes_.size(), {{zero, zero, zero}});
+    for (Index i = 0; i < formula.n_values; ++i)
+      for (Index d = 0; d < 3; ++d)
+        formula.slopes[i][d] = i == d ? number(1.) : differentiate(i, d);
   }
 
 private:
-  using Index = unsigned int;
+  static constexpr Index zero = 3;
 
-  [[noreturn]] void fail() const {
-    throw std::invalid_argument("unknown formula");
+  bool take(const char *const token) {
+    at_ += std::strspn(at_, " \t\n\r");
+    const std::size_t size = std::strlen(token);
+    const bool found = std::strncmp(at_, token, size) == 0;
+    at_ += found ? size : 0;
+    return found;
   }
-  char next() {
-    while (std::isspace(static_cast<unsigned char>(text_[at_])) != 0)
-      ++at_;
-    return text_[at_];
-  }
-  bool take(const std::string &token) {
-    next();
-    if (text_.compare(at_, token.size(), token) != 0)
-      return false;
-    at_ += token.size();
-    return true;
+  void expect(const bool condition) const {
+    if (!condition)
+      throw std::invalid_argument("unknown formula");
   }
 
-  Index add(const Operation operation, const Index a = 0, const Index b = 0, const Index c = 0,
-            const double value = 0.) {
-    const bool switches = operation == Operation::less || operation == Operation::less_or_equal ||
-                          operation == Operation::maximum || operation == Operation::absolute ||
-                          operation == Operation::sign || operation == Operation::floor;
-    formula_.nodes_.push_back(
-      {operation, {{a, b, c}}, value, switches ? formula_.n_switches_++ : 0});
-    return formula_.nodes_.size() - 1;
+  /** Returns a part, which is made if there is none like it. */
+  Index node(const Operation *const operation, const Indices &arguments, const double value) {
+    // The inverse tells 0 and -0 apart.
+    const auto [found, is_new] =
+      known_.try_emplace({operation, arguments, value, 1. / value}, nodes_.size());
+    if (is_new)
+      nodes_.push_back({operation, arguments, value, operation == nullptr});
+    return found->second;
   }
-  Index constant(const double value) {
-    return add(Operation::number, 0, 0, 0, value);
+  Index number(const double value) {
+    return node(nullptr, {}, value);
   }
-  Index negative(const Index a) {
-    return add(Operation::times, constant(-1.), a);
-  }
-  /** Returns a == 0, i.e. not a. */
-  Index inverse(const Index a) {
-    return add(Operation::equal, a, constant(0.));
+  Index add(const std::string &name, const Index a, const Index b = zero, const Index c = zero) {
+    for (const Operation &operation : operations())
+      if (name == operation.name) {
+        if (operation.value == nullptr)
+          return read(operation.in_a, {{"a", a}, {"b", b}, {"c", c}});
+        const double value = operation.value(nodes_[a].value, nodes_[b].value, nodes_[c].value);
+        if (operation.kind == choice && nodes_[a].is_fixed)
+          return nodes_[a].value != 0. ? b : c;
+        if (nodes_[a].is_fixed && nodes_[b].is_fixed && nodes_[c].is_fixed && !std::isnan(value))
+          return number(value);
+        return node(&operation, {{a, b, c}}, 0.);
+      }
+    expect(false);
+    return zero;
   }
 
+  /** Returns the derivative of a part, with those of earlier parts. */
+  Index differentiate(const Index i, const Index d) {
+    if (nodes_[i].operation == nullptr)
+      return zero;
+    const Operation &operation = *nodes_[i].operation;
+    const auto [a, b, c] = nodes_[i].arguments;
+    const Index in_a = formula_.slopes[a][d], in_b = formula_.slopes[b][d],
+                in_c = formula_.slopes[c][d];
+    Index sum = zero;
+    if (operation.kind == choice)
+      sum = in_b == in_c ? in_b : add("?", a, in_b, in_c);
+    for (const auto &[text, slope] : {std::pair(operation.in_a, in_a), {operation.in_b, in_b}})
+      if (text != nullptr && slope != zero) {
+        const Index factor = read(text, {{"a", a}, {"b", b}, {"f", i}});
+        // Zero times infinity is zero.
+        Index term = factor == number(1.) ? slope : add("*", factor, slope);
+        for (const Index part : {factor, slope})
+          term = add("?", part, term, zero);
+        sum = sum == zero ? term : add("+", sum, term);
+      }
+    if (operation.kind == step && *operation.name == 'z')
+      nodes_[i].is_fixed |= nodes_[in_a].is_fixed && nodes_[in_a].value != 0.;
+    else if (operation.kind == step && d == 0 && formula_.switches.size() < 63) {
+      nodes_[i].bit = formula_.switches.size();
+      formula_.switches.push_back(i);
+    }
+    return sum;
+  }
+
+  /** Reads a whole text. @param names the parts that it may name. */
+  Index read(const char *text, std::map<std::string, Index> names) {
+    std::swap(at_, text);
+    names_.swap(names);
+    const Index i = read_choice();
+    expect(take("") && *at_ == '\0');
+    std::swap(at_, text);
+    names_.swap(names);
+    return i;
+  }
   Index read_choice() {
-    const Index condition = read_either();
+    const Index condition = read_operators(1);
     if (!take("?"))
       return condition;
     const Index yes = read_choice();
-    if (!take(":"))
-      fail();
-    const Index no = read_choice();
-    return add(Operation::choice, condition, yes, no);
+    expect(take(":"));
+    return add("?", condition, yes, read_choice());
   }
-  Index read_either() {
-    Index a = read_both();
-    while (take("||")) {
-      const Index b = read_both();
-      a = add(Operation::either, a, b);
-    }
-    return a;
-  }
-  Index read_both() {
-    Index a = read_comparison();
-    while (take("&&")) {
-      const Index b = read_comparison();
-      a = add(Operation::both, a, b);
-    }
-    return a;
-  }
-  Index read_comparison() {
-    Index a = read_sum();
-    while (true) {
-      if (take("<="))
-        a = add(Operation::less_or_equal, a, read_sum());
-      else if (take(">=")) {
-        const Index b = read_sum();
-        a = add(Operation::less_or_equal, b, a);
-      } else if (take("=="))
-        a = add(Operation::equal, a, read_sum());
-      else if (take("!="))
-        a = inverse(add(Operation::equal, a, read_sum()));
-      else if (take("<"))
-        a = add(Operation::less, a, read_sum());
-      else if (take(">")) {
-        const Index b = read_sum();
-        a = add(Operation::less, b, a);
+  /** Reads operators of a level and above. */
+  Index read_operators(const unsigned int level) {
+    if (level == 6)
+      return read_signed();
+    Index a = read_operators(level + 1);
+    for (auto operation = operations().begin(); operation != operations().end();)
+      if (operation->kind == level && take(operation->name)) {
+        a = add(operation->name, a, read_operators(level + 1));
+        operation = operations().begin();
       } else
-        return a;
-    }
-  }
-  Index read_sum() {
-    Index a = read_product();
-    while (next() == '+' || next() == '-') {
-      const Operation operation = text_[at_++] == '+' ? Operation::plus : Operation::minus;
-      const Index b = read_product();
-      a = add(operation, a, b);
-    }
-    return a;
-  }
-  Index read_product() {
-    Index a = read_signed();
-    while (next() == '*' || next() == '/') {
-      const Operation operation = text_[at_++] == '*' ? Operation::times : Operation::divided;
-      const Index b = read_signed();
-      a = add(operation, a, b);
-    }
+        ++operation;
     return a;
   }
   Index read_signed() {
     if (take("-"))
-      return negative(read_signed());
-    return take("+") ? read_signed() : read_power();
-  }
-  Index read_power() {
+      return add("*", number(-1.), read_signed());
+    if (take("+"))
+      return read_signed();
     const Index a = read_operand();
-    return take("^") ? add(Operation::power, a, read_signed()) : a;
+    return take("^") ? add("^", a, read_signed()) : a;
   }
-
   Index read_operand() {
     if (take("(")) {
       const Index a = read_choice();
-      if (!take(")"))
-        fail();
+      expect(take(")"));
       return a;
     }
-    const char c = next();
-    if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.')
-      return constant(read_number());
-    std::string name;
-    while (std::isalnum(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '_')
-      name += text_[at_++];
-    return take("(") ? read_function(name) : read_name(name);
-  }
-  /** std::strtod would read hexadecimal numbers, too. */
-  double read_number() {
-    const std::size_t start = at_;
-    const auto digits = [this] {
-      while (std::isdigit(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '.')
-        ++at_;
-    };
-    digits();
-    if (text_[at_] == 'e' || text_[at_] == 'E') {
-      ++at_;
-      if (text_[at_] == '+' || text_[at_] == '-')
-        ++at_;
-      digits();
+    if (std::strspn(at_, "0123456789.") > 0) {
+      char *end = nullptr;
+      const double value = std::strtod(at_, &end);
+      at_ = end;
+      return number(value);
     }
-    return std::strtod(text_.substr(start, at_ - start).c_str(), nullptr);
+    const std::string name(
+      at_, std::strspn(at_, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"));
+    at_ += name.size();
+    if (take("("))
+      return read_function(name);
+    if (names_.count(name) > 0)
+      return names_[name];
+    expect(constants_.count(name) > 0);
+    return number(constants_[name]);
   }
-  Index read_name(const std::string &name) {
-    for (int d = 0; d < dim; ++d)
-      if (name == std::string(1, "xyz"[d]))
-        return add(Operation::coordinate, 0, 0, 0, d);
-    if (name == "pi" || name == "_pi")
-      return constant(std::acos(-1.));
-    if (name == "_e")
-      return constant(std::exp(1.));
-    const auto found = constants_.find(name);
-    if (found == constants_.end())
-      fail();
-    return constant(found->second);
-  }
-
   Index read_function(const std::string &name) {
-    std::vector<Index> arguments;
-    do
-      arguments.push_back(read_choice());
-    while (take(","));
-    if (!take(")"))
-      fail();
-    const Index a = arguments[0], n = arguments.size();
-    for (std::size_t i = 0; i < monotone_functions.size() && n == 1; ++i)
-      if (name == monotone_functions[i].name)
-        return add(Operation::monotone, a, 0, 0, i);
-    if (name == "if" && n == 3)
-      return add(Operation::choice, a, arguments[1], arguments[2]);
-    if (n == 2 && (name == "pow" || name == "atan2"))
-      return name == "pow" ? add(Operation::power, a, arguments[1]) : add_angle(a, arguments[1]);
-    return n == 1 ? read_function(name, a) : read_list(name, arguments);
-  }
-  Index read_function(const std::string &name, const Index a) {
-    if (name == "sin")
-      return add(Operation::sine, a);
-    if (name == "cos")
-      return add(Operation::cosine, a);
-    if (name == "tan")
-      return add(Operation::divided, add(Operation::sine, a), add(Operation::cosine, a));
-    if (name == "cosh") {
-      const Index up = add(Operation::monotone, a), down = add(Operation::monotone, negative(a));
-      return add(Operation::times, constant(0.5), add(Operation::plus, up, down));
+    Index a = read_choice(), n = 1;
+    if (name == "max" || name == "min" || name == "sum" || name == "avg")
+      for (; take(","); ++n)
+        a = add(name, a, read_choice());
+    else {
+      const Index b = take(",") ? read_choice() : zero, c = take(",") ? read_choice() : zero;
+      a = add(name, a, b, c);
     }
-    if (name == "abs")
-      return add(Operation::absolute, a);
-    if (name == "sign")
-      return add(Operation::sign, a);
-    if (name == "floor")
-      return add(Operation::floor, a);
-    if (name == "ceil")
-      return negative(add(Operation::floor, negative(a)));
-    if (name == "rint")
-      return add(Operation::floor, add(Operation::plus, a, constant(0.5)));
-    return read_list(name, {a});
-  }
-  Index read_list(const std::string &name, const std::vector<Index> &arguments) {
-    Index result = arguments[0];
-    if (name != "min" && name != "max" && name != "sum" && name != "avg")
-      fail();
-    if (name == "min")
-      result = negative(result);
-    for (std::size_t i = 1; i < arguments.size(); ++i)
-      if (name == "min")
-        result = add(Operation::maximum, result, negative(arguments[i]));
-      else
-        result = add(name == "max" ? Operation::maximum : Operation::plus, result, arguments[i]);
-    if (name == "avg")
-      return add(Operation::divided, result, constant(arguments.size()));
-    return name == "min" ? negative(result) : result;
-  }
-  /** atan2(y, x) is atan(y/x), and pi more or less where x < 0. */
-  Index add_angle(const Index y, const Index x) {
-    const Index zero = constant(0.), pi = constant(std::acos(-1.));
-    const Index atan = add(Operation::monotone, add(Operation::divided, y, x), 0, 0, 8);
-    const Index shift = add(Operation::choice, add(Operation::less, y, zero), negative(pi), pi);
-    const Index left = add(Operation::plus, atan, shift);
-    const Index inside = add(Operation::choice, add(Operation::less, x, zero), left, atan);
-    const Index above = add(Operation::times, constant(0.5), add(Operation::sign, y));
-    return add(Operation::choice, add(Operation::equal, x, zero), add(Operation::times, above, pi),
-               inside);
+    expect(take(")"));
+    return name == "avg" ? add("/", a, number(n)) : a;
   }
 
-  const std::string &text_;
-  const Constants &constants_;
-  FormulaTree &formula_;
-  std::size_t at_ = 0;
+  Constants constants_;
+  Formula &formula_;
+  std::vector<Node> &nodes_;
+  const char *at_ = nullptr;
+  std::map<std::string, Index> names_;
+  std::map<std::tuple<const Operation *, Indices, double, double>, Index> known_;
 };
+} // namespace FormulaParts
 } // namespace Signorini

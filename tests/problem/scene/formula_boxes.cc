@@ -38,7 +38,13 @@ const std::vector<std::string> formulas = {"0.1 + 0.3*x - 0.2*y",
                                            "(x - a)^4/(0.1 + y)",
                                            "sinh(x) + cosh(x - y)",
                                            "(x == 0.5) + (floor(3*x) == 1)",
-                                           "2^x^2 - pow(x + 0.1, -1.5)"};
+                                           "2^x^2 - pow(x + 0.1, -1.5)",
+                                           "max(x - 0.5, 0) > 0 ? 7 : 1",
+                                           "floor(2*x) > 0 ? 7 : y",
+                                           "max(x - 0.5, 0) <= 0 ? 7 : 1",
+                                           "x^2 == x*x ? 7 : 1",
+                                           "floor(max(2*x, 1))",
+                                           "max(x - 0.5, 0)^1.5 + sqrt(max(0, y - x))"};
 
 /** Values at random points of random boxes lie within the bounds. */
 void test_bounds(Checks &checks) {
@@ -64,7 +70,8 @@ void test_bounds(Checks &checks) {
   }
 }
 
-/** Values on lines have no area: they are no bounds, not even at the centre of a box. */
+/** Values on lines have no area: they are no bounds, not even at the centre of a box, nor the value
+ * that bounds by derivatives begin with. */
 void test_values_on_lines(Checks &checks) {
   const FormulaBox<2> box = {Point(0., 0.), Point(1., 1.)};
   for (const char *text : {"x == 0.5 ? 7 : 1", "1 + 6*(x == 0.5 && y > 2)", "x != y || x < 0",
@@ -73,6 +80,9 @@ void test_values_on_lines(Checks &checks) {
     checks.near("lower bound of " + std::string(text), bounds.lower, 1., 0.);
     checks.near("upper bound of " + std::string(text), bounds.upper, 1., 0.);
   }
+  const Enclosure<2> bounds = tree("x == 0.5 ? 0.9 : x").enclose(box);
+  checks.near("lower bound beside a line", bounds.lower, 0., 1e-8);
+  checks.near("upper bound beside a line", bounds.upper, 1., 1e-8);
 }
 
 /** Bounds by derivatives are of second order: a box of the size h adds h² only. */
@@ -97,6 +107,7 @@ void test_derivatives(Checks &checks) {
   near("x < a ? 1 : log(x)", 1. / 0.37, 0.);
   near("abs(x - y) + max(x, y)", -1., 2.);
   near("atan(x) + asin(y)", 1. / (1. + 0.37 * 0.37), 1. / std::sqrt(1. - 0.61 * 0.61));
+  near("sqrt(max(x - 0.5, 0)) + (x < y)", 0., 0.);
   near("x^y", 0.61 * std::pow(0.37, -0.39), std::pow(0.37, 0.61) * std::log(0.37));
   near("erf(x) - erfc(y)", 2. / std::sqrt(std::acos(-1.)) * std::exp(-0.37 * 0.37),
        2. / std::sqrt(std::acos(-1.)) * std::exp(-0.61 * 0.61));
@@ -122,6 +133,14 @@ void test_samples(Checks &checks) {
               (3. - 0.45) / root, 1e-13);
   checks.that("unknown line", !jump.is_shown(square, {}, 1e-3));
   checks.that("known line", jump.is_shown(square, lines, 1e-3));
+  const FormulaTree<2> band = tree("abs(abs(y - 0.5) - 0.25) <= 0.1*a ? 1 : 0");
+  const FormulaBox<2> half = {Point(0., 0.), Point(1., 0.24)};
+  checks.near("line of a nested condition", band.lines_in(half, all).size(), 1., 0.);
+  checks.that("shown with it", all && band.is_shown(half, band.lines_in(half, all), 1e-3));
+  const FormulaTree<2> peak = tree("floor(x + 0.5) + exp(-((y - 0.317)/3e-5)^2)");
+  checks.that("steps hide no peak", !peak.is_shown(square, peak.lines_in(square, all), 1e-3));
+  checks.near("two steps on one line",
+              tree("sign(x - a) + floor(x - a)").lines_in(part, all).size(), 1., 0.);
   checks.near("the lines of a band", tree("abs(x - a) < 0.01 ? 1 : 0").lines_in(square, all).size(),
               1., 0.);
   checks.that("a circle is no line", tree("x^2 + y^2 < 1 ? 1 : 0").lines_in(square, all).empty());

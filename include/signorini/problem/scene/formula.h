@@ -8,9 +8,8 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
-#include <cstdint>
 #include <map>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,9 @@ namespace Signorini {
 /** Named numbers that expressions may use. */
 using Constants = std::map<std::string, double>;
 
-enum class Operation;
+namespace FormulaParts {
+struct Formula;
+}
 
 /** The box of all points between two corners. */
 template <int dim>
@@ -56,7 +57,7 @@ struct Enclosure {
 template <int dim>
 class FormulaTree {
 public:
-  /** Parses a text. @throws std::invalid_argument if it is not one that muParser accepts. */
+  /** Parses a text that muParser accepts. @throws std::invalid_argument if it cannot be read. */
   FormulaTree(const std::string &text, const Constants &constants);
 
   /** Returns whether the formula uses none of the coordinates. */
@@ -82,35 +83,6 @@ public:
   std::vector<KinkLine<dim>> lines_in(const FormulaBox<dim> &box, bool &all) const;
 
 private:
-  /** A part of the formula: an operation on earlier parts. */
-  struct Node {
-    Operation operation;
-    std::array<unsigned int, 3> arguments;
-    /** A number, or the number of a coordinate or of a monotone function. */
-    double value;
-    /** The number of its switch. */
-    unsigned int switch_number;
-  };
-  class Reader;
-  template <typename Number>
-  struct Run;
-
-  /** Evaluates all parts of the tree. */
-  template <typename Number>
-  void evaluate(Run<Number> &run) const;
-  /** Evaluates one part at n points. @param parts those of earlier parts. */
-  static void evaluate_block(const Node &node, const Point<dim> *points, std::size_t n,
-                             const double *parts, double *result);
-  template <typename Number>
-  Enclosure<dim> enclosure(const Run<Number> &run) const;
-  /** Returns the line of a switch whose argument is affine. */
-  template <typename Number>
-  std::optional<KinkLine<dim>> line_of(unsigned int k, const Run<Number> &run) const;
-  /** Returns the largest difference of samples on the branches of an evaluation. */
-  template <typename Number>
-  double spread(const FormulaBox<dim> &box, const Run<Number> &of_box) const;
-
-  std::vector<Node> nodes_;
-  unsigned int n_switches_ = 0;
+  std::shared_ptr<const FormulaParts::Formula> formula_;
 };
 } // namespace Signorini
