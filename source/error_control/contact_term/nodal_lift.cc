@@ -90,9 +90,9 @@ bool impose(const ContactTrace &trace, const Vector &targets, const bool only_ra
 
 /**
  * Returns a w with nearly the least J(w) = 1/2 a(w, w) - f.w among functions with w_n ≥ required at
- * the nodes, where A⁻¹ iterates: the primal-dual active set method, with a few steps of conjugate
- * gradients for each set of nodes that are held, begun with the w of the set before; more from set
- * to set.
+ * the nodes, where A⁻¹ iterates: the primal-dual active set method. Each set of nodes that are held
+ * takes a few steps of conjugate gradients from the w of the set before; their number doubles from
+ * set to set.
  * @param held the nodes to begin with.
  */
 Displacement relaxed_displacement(const BoundData &data, const Coupling &E, const Vector &required,
