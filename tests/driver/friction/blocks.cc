@@ -224,6 +224,36 @@ void test_free_bodies(Checks &checks) {
   checks.throws<InputError>("it tips", "(it tips over)", [&]() { block("0.84", coulomb("2")); });
 }
 
+/** Just above the limit of sliding, T = 0.6 for N = 3, all patches slip but one, of length 1/8. */
+void test_limit_of_sliding(Checks &checks) {
+  const auto block = [](const std::string &f, const std::string &solver = "active set") {
+    return OneLevel(
+             "Geometry/Upper right = 3, 1\nGeometry/Cells = 3, 1\nBoundary/Contact = bottom\n"
+             "Boundary/Traction = top: 0.2; -1\nContact/Friction = coulomb\n",
+             4, {"Contact/Friction coefficient=" + f, "Solver/Contact solver=" + solver})
+      .solve()
+      .record;
+  };
+  for (const std::string f : {"0.2001", "0.202", "0.205", "0.207"}) {
+    const LevelRecord record = block(f);
+    checks.about("limit of sliding, f = " + f);
+    checks.near("T, N", {record.friction->tangential_force, record.contact.normal_force},
+                {-0.6, 3.}, 1e-10);
+    checks.near("stick and slip", {record.friction->stick_length, record.friction->slip_length},
+                {0.125, 2.875}, 1e-12);
+    checks.between("linear systems", record.dual.iterations, 1., 100.);
+    checks.between("KKT residual", record.dual.kkt, 0., 1e-12);
+    checks.between("balance", record.certificate.motion_balance, 0., 1e-10);
+  }
+  const LevelRecord swept = block("0.205", "psor");
+  checks.between("limit of sliding, psor: balance", swept.certificate.motion_balance, 0., 1e-8);
+  checks.near("limit of sliding, psor: stick", swept.friction->stick_length, 0.125, 1e-12);
+  checks.throws<InputError>("below the limit of sliding",
+                            "friction carries at most 0.5997, the loads pull with 0.6",
+                            [&]() { block("0.1999"); });
+  checks.near("at the limit of sliding", block("0.2").friction->tangential_force, -0.6, 1e-9);
+}
+
 /**
  * A square that slips everywhere by 0.1 with the pressure one: beyond f_c two more solutions exist,
  * one with a sticking and one with an open patch. The degrees of all three add up to one.
@@ -294,6 +324,6 @@ void test_no_friction(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_references, test_displacements, test_published, test_solvers, test_patch,
-                    test_large_coefficient, test_free_bodies, test_three_solutions,
-                    test_no_friction});
+                    test_large_coefficient, test_free_bodies, test_limit_of_sliding,
+                    test_three_solutions, test_no_friction});
 }
