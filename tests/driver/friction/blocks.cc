@@ -312,6 +312,30 @@ void test_three_solutions(Checks &checks) {
   checks.that("their signs", signs == std::vector<bool>{true, false, true});
 }
 
+/** A bound that is never reached is no slip: its size has no part in what is certified. */
+void test_glued(Checks &checks) {
+  const auto glued = [](const std::string &s) {
+    return OneLevel(
+             "Boundary/Clamped = top\nBoundary/Contact = bottom\nLoad/Body force = 0.01; -0.02\n"
+             "Contact/Friction = tresca\nContact/Friction bound = " +
+               s + "\n",
+             5)
+      .solve();
+  };
+  const LevelSolution<2> one = glued("1");
+  for (const std::string s : {"1e3", "1e6", "1e9"}) {
+    checks.about("glued, s = " + s);
+    const LevelSolution<2> found = glued(s);
+    const Certificate &certificate = found.record.certificate;
+    checks.near("P_t", distance(found.P_t, one.P_t), 0., 1e-12);
+    checks.near("dissipation", found.record.friction->dissipation, 0., 0.);
+    checks.between("balance of dissipation", *certificate.dissipation_balance, 0., 1e-11);
+    checks.between("bipotential gap", certificate.complementarity, 0., 1e-11);
+    checks.between("duality gap", certificate.duality_gap, 0., 1e-11);
+    checks.between("slip where it sticks", certificate.penetration, 0., 1e-11);
+  }
+}
+
 /** With f = 0 friction changes nothing. */
 void test_no_friction(Checks &checks) {
   const LevelSolution<2>
@@ -324,6 +348,6 @@ void test_no_friction(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_references, test_displacements, test_published, test_solvers, test_patch,
-                    test_large_coefficient, test_free_bodies, test_limit_of_sliding,
+                    test_large_coefficient, test_free_bodies, test_limit_of_sliding, test_glued,
                     test_three_solutions, test_no_friction});
 }
