@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Free motions as multipliers of balances, and the motions that escape.
 
+#include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/kinematics/free_motions.h>
 
 #include <deal.II/lac/householder.h>
@@ -365,9 +366,11 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   }
   result.q.reinit(k);
   result.qp.P.reinit(m);
+  const bool has_friction = motions.admissible.size() > 0;
+  const FreeState at_rest = {{}, F};
   const bool nothing_happens =
     motions.b.all_zero() &&
-    std::all_of(F.begin(), F.end(), [](const double F_i) { return F_i >= 0.; });
+    at_rest.nothing_touches(has_friction ? options.K : AdmissibleSet::nonpositive(m));
   const double stiffness = nothing_happens ? 1. : contact_stiffness(*C, motions.B);
   const ReducedMotions reduced(motions, m, stiffness);
   result.unseen = reduced.unseen;
@@ -378,7 +381,6 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
     all = -1.;
     return steady_sliding(C, F, motions, options, all);
   };
-  const bool has_friction = motions.admissible.size() > 0;
   if (reduced.escape && has_friction)
     result.sliding = slides_along_all();
   if (result.sliding && !result.sliding->lasts())

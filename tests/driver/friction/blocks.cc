@@ -336,6 +336,29 @@ void test_glued(Checks &checks) {
   }
 }
 
+/** Loads that work in no free motion: rollers carry them, and friction holds what needs no force.
+ */
+void test_loads_in_balance(Checks &checks) {
+  const std::string held = "Boundary/Rollers = top\nBoundary/Traction = left: 0; 0.001*sin(3*y)\n"
+                           "Boundary/Contact = bottom\nContact/Friction = coulomb\n"
+                           "Load/Body force = 0; -0.001\nContact/Friction coefficient = ";
+  for (const std::string f : {"0.5", "0.1"})
+    for (const unsigned int level : {2, 4}) {
+      const LevelSolution<2> found = OneLevel(held + f, level).solve();
+      checks.near("loads on rollers: T", found.record.friction->tangential_force, 0., 1e-15);
+      checks.between("loads on rollers: KKT residual", found.record.dual.kkt, 0., 1e-12);
+    }
+  // It has not arrived, or it just touches.
+  const std::string plate = "Boundary/Contact = bottom\nBoundary/Plates = top: 0, -1 turning\n"
+                            "Contact/Gap = 0.1\nLoad/Plate travel = top: ";
+  for (const std::string travel : {"0.05", "0.1"})
+    for (const std::string friction :
+         {"", "\nContact/Friction = coulomb\nContact/Friction coefficient = 0.3",
+          "\nContact/Friction = tresca\nContact/Friction bound = 0.01"})
+      checks.near("a plate that has not arrived",
+                  OneLevel(plate + travel + friction, 3).solve().P.linfty_norm(), 0., 1e-14);
+}
+
 /** With f = 0 friction changes nothing. */
 void test_no_friction(Checks &checks) {
   const LevelSolution<2>
@@ -349,5 +372,5 @@ int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_references, test_displacements, test_published, test_solvers, test_patch,
                     test_large_coefficient, test_free_bodies, test_limit_of_sliding, test_glued,
-                    test_three_solutions, test_no_friction});
+                    test_loads_in_balance, test_three_solutions, test_no_friction});
 }
