@@ -159,7 +159,8 @@ Deformation deformation(const DisplacementSpace<dim> &space, const Displacement 
  * less of it than rounding does. 1e-8 of this share is 50 times the unit roundoff. */
 constexpr double min_share_of_free_state = 1e-6;
 
-/** Checks signs, penetration and complementarity of P and W = Dᵀ U - G. @param K K(P). */
+/** Checks signs, penetration and complementarity of P and W = Dᵀ U - G, and that W vanishes where
+ * P_t sticks. @param K K(P). */
 template <int dim>
 void check_contact(const MultiplierSpace<dim> &multipliers, const SolvedContact<dim> &solved,
                    const AdmissibleSet &K, const dealii::Vector<double> &W,
@@ -176,12 +177,15 @@ void check_contact(const MultiplierSpace<dim> &multipliers, const SolvedContact<
     deepest = std::max(deepest, W[tau] / measures[tau]);
     length_scale = std::max(length_scale, std::abs(solved.G[tau]) / measures[tau]);
   }
+  const dealii::Vector<double> slip = K.slip(P, W);
+  for (unsigned int i = m; i < K.n_blocks(); ++i)
+    deepest = std::max(deepest, std::abs(K.length(i, W) - K.length(i, slip)) / measures[i - m]);
   // How far P lies outside of the admissible set.
   for (const double distance : K.residual(P, dealii::Vector<double>(P.size())))
     outside = std::max(outside, std::abs(distance));
   certificate.penetration = relative(deepest, length_scale);
   certificate.sign = relative(outside, P.linfty_norm());
-  certificate.complementarity = relative(P * W + K.dissipation(W), energy_scale);
+  certificate.complementarity = relative(P * W + K.dissipation(slip), energy_scale);
   for (unsigned int tau = 0; tau < m; ++tau) {
     // Measured as lengths, so that they are small where all pressures vanish.
     const double pressed = solution.diagonal_P.size() > 0 ? solution.diagonal_P[tau] : 0.;
@@ -253,7 +257,7 @@ Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene
   // A translation has no strain energy, but its product with rounding of forces may be large.
   const double strain_energy = 0.5 * (deformed.V * forces.internal);
   const double work_of_loads = solution.U * forces.loads;
-  const double work_of_gap = P * G;
+  const double work_of_gap = P * G, dissipation = K.dissipation(K.slip(P, W));
   double energy_scale = std::max(
     {strain_energy, std::abs(work_of_loads), std::abs(work_of_gap), forces.rigid_energy()});
   if (solution.dual)
@@ -263,7 +267,7 @@ Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene
   // The energy J of (22); [p, Bu - g] is Pᵀ W.
   certificate.energy = strain_energy - work_of_loads - P * W;
   if (solution.P_t.size() > 0) {
-    double work = solution.U * forces.internal - work_of_loads - work_of_gap + K.dissipation(W);
+    double work = solution.U * forces.internal - work_of_loads - work_of_gap + dissipation;
     double work_of_supports = 0.;
     for (const auto support : space.supports())
       if (forces.residual.in_local_range(support))
@@ -276,7 +280,7 @@ Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene
     certificate.duality_gap = duality_gap(solved, *solution.cycles, W);
   else if (solution.dual && solution.dual->C_P.size() > 0)
     certificate.duality_gap =
-      duality_gap(solution, *solution.dual, forces, K.dissipation(W), energy_scale);
+      duality_gap(solution, *solution.dual, forces, dissipation, energy_scale);
   const double unit_roundoff = std::numeric_limits<double>::epsilon();
   const double noise = unit_roundoff * forces.magnitude;
   certificate.rounding = forces.rigid ? unit_roundoff

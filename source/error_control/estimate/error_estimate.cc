@@ -106,6 +106,8 @@ public:
       std::copy_n(data.P_t.begin() + first, m, part.begin());
       components_.emplace_back(data.multipliers, part, Component::tangential);
     }
+    for (unsigned int k = 0; k < data.P_t.size(); ++k)
+      largest_ = std::max(largest_, 2. * std::abs(data.P_t[k]));
   }
   /** Returns component c of q at the points of a rule. */
   std::vector<double> operator()(const unsigned int c, const Piece<dim> &piece,
@@ -117,7 +119,9 @@ public:
     for (const ShiftedPressure<dim> &component : components_)
       q.push_back(component(piece, rule));
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const double bound = given.value(rule.points[i]) * (data_.K.moves() ? std::abs(p[i]) : 1.);
+      const double given_here = given.value(rule.points[i]);
+      const double bound =
+        data_.K.moves() ? std::min(largest_, given_here * std::abs(p[i])) : given_here;
       double square = 0.;
       for (const std::vector<double> &component : q)
         square += component[i] * component[i];
@@ -133,6 +137,8 @@ private:
   ShiftedPressure<dim> pressure_;
   std::vector<ShiftedPressure<dim>> components_;
   std::vector<bool> slips_;
+  /** A large coefficient must not multiply what the recovered p has beyond its mean. */
+  double largest_ = 0.;
 };
 
 /** Adds the load of the recovered q. */

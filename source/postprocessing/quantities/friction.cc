@@ -111,7 +111,8 @@ FrictionSummary summarise_friction(const MultiplierSpace<dim> &multipliers, cons
   const dealii::Vector<double> lengths = multipliers.integrals();
   FrictionSummary summary;
   summary.tangential_force = tangential_force(multipliers, P);
-  summary.dissipation = K.at(P).dissipation(W);
+  const AdmissibleSet K_P = K.at(P);
+  summary.dissipation = K_P.dissipation(K_P.slip(P, W));
   // Nodes in one state press in the place of P.
   Pressure stick(m), slip(m);
   for (unsigned int k = 0; k < m; ++k) {

@@ -18,7 +18,7 @@ std::vector<Residual> residuals(const Certificate &certificate) {
                                {c.complementarity, "complementarity", Origin::contact},
                                {c.duality_gap, "duality_gap", Origin::contact},
                                {c.force_balance, "force_balance", Origin::equilibrium},
-                               {c.motion_balance, "motion_balance", Origin::equilibrium},
+                               {c.motion_balance, "motion_balance", Origin::contact},
                                {c.support, "support", Origin::supports}};
   if (c.dissipation_balance)
     all.push_back({*c.dissipation_balance, "dissipation_balance", Origin::contact});

@@ -32,9 +32,11 @@ States states_of(const AdmissibleSet &K, const Vector &P) {
   return states;
 }
 
-/** A pressure and free motions. */
+/** A pressure and free motions, and the slipping unknown that stops first in a motion that the
+ * states leave free. */
 struct Iterate {
   Vector P, z;
+  std::optional<unsigned int> stopping = {};
 };
 
 /** A bound that follows a pressure: P_t changes by the factor times the change of P_n. */
@@ -91,12 +93,72 @@ LAPACKFullMatrix<double> lu(const FullMatrix<double> &M) {
   return factor;
 }
 
+/** The pseudoinverse of the Schur complement S of the motions, and the projector on the motions
+ * that the set leaves free; empty where there are none. */
+struct InvertedResistance {
+  explicit InvertedResistance(FullMatrix<double> S)
+    : inverse(S.m()) {
+    constexpr double rounding = 1e-13;
+    const unsigned int n = S.m();
+    if (n == 0)
+      return;
+    LAPACKFullMatrix<double> svd(n);
+    svd = S;
+    svd.compute_svd();
+    FullMatrix<double> null(n, n), held(n, n);
+    for (unsigned int k = 0; k < n; ++k)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int j = 0; j < n; ++j)
+          (svd.singular_value(k) > rounding * svd.singular_value(0) ? held : null)(i, j) +=
+            svd.get_svd_vt()(k, i) * svd.get_svd_vt()(k, j);
+    if (svd.singular_value(n - 1) <= rounding * svd.singular_value(0)) {
+      // No pressure of the set balances a free motion: that equation is left out.
+      FullMatrix<double> rest(n, n);
+      held.mmult(rest, S);
+      S = rest;
+      free = null;
+    }
+    inverse = S;
+    inverse.compute_inverse_svd(rounding);
+  }
+
+  LAPACKFullMatrix<double> inverse;
+  FullMatrix<double> free;
+};
+
+/**
+ * Moves x along the free motion that friction drives. It comes from far away, where everything
+ * slips against that motion, and ends where the first unknown stops (the ratio test of pivoting
+ * methods: in the plane Coulomb's problem is a linear complementarity problem).
+ */
+void move_until_one_stops(const BoundConstrainedQP &qp, const States &states,
+                          const FullMatrix<double> &free, Iterate &x) {
+  Vector friction(x.z.size()), motion(x.z.size()), slip(qp.size());
+  for (unsigned int i = 0; i < qp.size(); ++i)
+    for (unsigned int j = 0; j < friction.size() && states[i] != State::inside; ++j)
+      friction[j] += qp.balances.B(i, j) * x.P[i];
+  free.vmult(motion, friction);
+  qp.balances.B.vmult(slip, motion);
+  const Vector W = qp.gradient(x.P, x.z);
+  constexpr double rounding = 1e-10;
+  double nearest = std::numeric_limits<double>::max();
+  for (unsigned int i = 0; i < qp.size(); ++i)
+    if (states[i] != State::inside && x.P[i] * slip[i] > 0. &&
+        std::abs(slip[i]) > rounding * slip.linfty_norm() && -W[i] / slip[i] < nearest) {
+      nearest = -W[i] / slip[i];
+      x.stopping = i;
+    }
+  if (x.stopping)
+    x.z.add(nearest, motion);
+}
+
 /**
  * Solves C_AA P_A + B_A z = F_A - C_AI e_I, P_I = e_I, K z - Bᵀ P = b by block elimination, with
  * the Schur complement S of the motions. With motions or followers three passes more solve for what
- * rounding leaves: rows of patches on tiny faces are small, and LU does not scale rows. A motion
- * that neither K nor patches of A resist stays zero. @throws ExceptionBase if C_AA is not positive
- * definite.
+ * rounding leaves: rows of patches on tiny faces are small, and LU does not scale rows. In a motion
+ * that neither K nor patches of A resist the body moves until a slipping patch stops, or not at
+ * all.
+ * @throws ExceptionBase if C_AA is not positive definite.
  */
 Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
   const unsigned int n = qp.balances.size();
@@ -108,17 +170,12 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
   const LAPACKFullMatrix<double> C_AA =
     set.followers.empty() ? cholesky(matrix_of(*qp.C, set)) : lu(matrix_of(*qp.C, set));
   MotionResistance resistance(qp.balances, A, C_AA);
-  LAPACKFullMatrix<double> S(n);
-  if (n > 0) {
-    for (const Follower &follower : set.followers)
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          resistance.S(i, j) +=
-            qp.balances.B(follower.P_t, i) * follower.factor * resistance.X[j][follower.P_n];
-    constexpr double rounding = 1e-13;
-    S = resistance.S;
-    S.compute_inverse_svd(rounding);
-  }
+  for (const Follower &follower : set.followers)
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        resistance.S(i, j) +=
+          qp.balances.B(follower.P_t, i) * follower.factor * resistance.X[j][follower.P_n];
+  const InvertedResistance S(resistance.S);
   const unsigned int n_passes = n > 0 || !set.followers.empty() ? 4 : 1;
   for (unsigned int pass = 0; pass < n_passes; ++pass) {
     const Vector W = qp.gradient(x.P, x.z);
@@ -130,7 +187,7 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
     set.add(1., dP, x.P);
     if (n == 0)
       continue;
-    S.vmult(dz, qp.imbalance(x.P, x.z));
+    S.inverse.vmult(dz, qp.imbalance(x.P, x.z));
     x.z += dz;
     for (unsigned int j = 0; j < n; ++j)
       set.add(-dz[j], resistance.X[j], x.P);
@@ -138,6 +195,8 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
   // Sums over the passes round: exactly at their bounds, followers slip.
   for (const Follower &follower : set.followers)
     x.P[follower.P_t] = set.P[follower.P_t] + follower.factor * x.P[A[follower.P_n]];
+  if (S.free.m() > 0 && qp.size() > 0)
+    move_until_one_stops(qp, states, S.free, x);
   return x;
 }
 
@@ -149,7 +208,10 @@ States improve(const BoundConstrainedQP &qp, const States &states, const Iterate
   for (unsigned int i = 0; i < qp.size(); ++i)
     if (states[i] != State::inside)
       predicted[i] -= W[i] / qp.diagonal[i];
-  return states_of(qp.K.at(predicted), predicted);
+  States next = states_of(qp.K.at(predicted), predicted);
+  if (x.stopping)
+    next[*x.stopping] = State::inside;
+  return next;
 }
 
 /** Returns the residual that rounding leaves after a solve with C_AA. */

@@ -150,7 +150,10 @@ QPResult sweep_proximally(const BoundConstrainedQP &qp, const Vector &start,
     B_Q.Tvmult_add(z, result.P);
     result.z = z;
     result.kkt_residual = qp.kkt_residual(result.P, result.z);
-    result.converged = result.kkt_residual <= options.tolerance;
+    // A body that slides far makes F large, which must not hide forces without balance.
+    const double size = std::max(balances.b.l2_norm(), result.P.l2_norm());
+    result.converged = result.kkt_residual <= options.tolerance &&
+                       qp.imbalance(result.P, z).l2_norm() <= 10. * options.tolerance * size;
   }
   return result;
 }

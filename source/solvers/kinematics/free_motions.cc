@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Free motions as multipliers of balances, and the motions that escape.
 
+#include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/kinematics/free_motions.h>
 
 #include <deal.II/lac/householder.h>
@@ -309,9 +310,9 @@ Vector on_springs(const Vector &F, const Balances &balances, const double stiffn
 }
 
 /**
- * Returns the steady sliding that the loads keep up, if a single motion slides along the patches
- * that press: with the body far ahead of where it was, all of them slip, and the other motions
- * balance.
+ * Returns the steady sliding in the direction of the loads, if a single motion slides along the
+ * patches that press: with the body far ahead of where it was, all of them slip, and the other
+ * motions balance.
  * @param presses P of the patches along which it may slide.
  */
 std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOperator> &C,
@@ -349,7 +350,8 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
   // Where a patch does not slip, the body turns about it.
   const double limit = motions.admissible.at(found.qp.P).dissipation(slip);
   const bool slides = found.qp.converged && sliding.friction > (1. - 1e-9) * limit;
-  return slides && sliding.friction < sliding.load ? std::optional(sliding) : std::nullopt;
+  sliding.P = found.qp.P;
+  return slides ? std::optional(sliding) : std::nullopt;
 }
 } // namespace
 
@@ -364,9 +366,11 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   }
   result.q.reinit(k);
   result.qp.P.reinit(m);
+  const bool has_friction = motions.admissible.size() > 0;
+  const FreeState at_rest = {{}, F};
   const bool nothing_happens =
     motions.b.all_zero() &&
-    std::all_of(F.begin(), F.end(), [](const double F_i) { return F_i >= 0.; });
+    at_rest.nothing_touches(has_friction ? options.K : AdmissibleSet::nonpositive(m));
   const double stiffness = nothing_happens ? 1. : contact_stiffness(*C, motions.B);
   const ReducedMotions reduced(motions, m, stiffness);
   result.unseen = reduced.unseen;
@@ -377,27 +381,38 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
     all = -1.;
     return steady_sliding(C, F, motions, options, all);
   };
-  if (reduced.escape && motions.admissible.size() > 0)
+  if (reduced.escape && has_friction)
     result.sliding = slides_along_all();
+  if (result.sliding && !result.sliding->lasts())
+    result.sliding.reset();
   if (reduced.escape || nothing_happens)
     return result;
-  const bool needs_start = start.size() == 0 && !C->is_explicit() && motions.admissible.size() == 0;
+  const bool needs_start = start.size() == 0 && !C->is_explicit() && !has_friction;
+  // What few systems or sweeps do not solve may be close to the limit of sliding.
+  DualSolverOptions first = options;
+  if (motions.admissible.moves())
+    first.maximum_iterations =
+      std::min(options.maximum_iterations, options.method == ContactSolver::psor ? 2000U : 50U);
   result.qp =
     solve_dual_problem(C, F, needs_start ? on_springs(F, reduced.balances, stiffness) : start,
-                       options, reduced.balances);
-  if (reduced.balances.size() > 0)
-    reduced.T.vmult(result.q, result.qp.z);
-  if (!result.qp.converged && motions.admissible.size() > 0) {
-    // Sweeps follow the body while it slides; along all of its contact sides it needs none.
-    result.sliding = slides_along_all();
-    if (!result.sliding) {
+                       first, reduced.balances);
+  if (!result.qp.converged && has_friction) {
+    std::optional<Sliding> sliding = slides_along_all();
+    if (!sliding) {
+      // Sweeps follow the body while it slides along some of its contact sides.
       const Vector drifting =
         solve_by_psor({C, F, options.K, reduced.balances}, {}, {options.tolerance, 2000, 1., {}}).P;
-      result.sliding = steady_sliding(C, F, motions, options, drifting);
+      sliding = steady_sliding(C, F, motions, options, drifting);
     }
-    if (result.sliding)
-      result.escape = result.sliding->v;
+    if (sliding && sliding->lasts()) {
+      result.sliding = sliding;
+      result.escape = sliding->v;
+    } else
+      result.qp =
+        solve_dual_problem(C, F, sliding ? sliding->P : result.qp.P, options, reduced.balances);
   }
+  if (reduced.balances.size() > 0)
+    reduced.T.vmult(result.q, result.qp.z);
   return result;
 }
 } // namespace Signorini

@@ -77,19 +77,27 @@ bool points_balance(const Discretization<2> &discretization, const MotionModes<2
                    "loads in balance, or more sides that hold the body.");
 }
 
-/** Refuses a motion of the body that the pressing patches leave free, where all loads are zero and
- * only a negative gap presses. @throws InputError if there is such a motion. */
-void refuse_undetermined(const Parameters &parameters, const MotionModes<2> &modes,
-                         const DualData &dual, const Vector &P) {
+/** Refuses a motion of the body that the pressing patches leave free, where no load works in
+ * motions and only a negative gap presses. @throws InputError if there is such a motion. */
+void refuse_undetermined(const Parameters &parameters, const Discretization<2> &discretization,
+                         const MotionModes<2> &modes, const DualData &dual, const Vector &P) {
   const FreeMotions &motions = dual.motions;
-  if (!motions.b.all_zero())
+  const unsigned int m = discretization.multipliers.n_multipliers();
+  constexpr double rounding = 1e-10;
+  const double touches = rounding * std::max(discretization.G.linfty_norm(), dual.F.linfty_norm());
+  if (!motions.b.all_zero() ||
+      std::none_of(dual.F.begin(), dual.F.begin() + m, [&](double F_k) { return F_k < -touches; }))
     return;
   // A body that has lifted off keeps pressures that are rounding, or what the tolerance allows: its
-  // KKT residual compares C_ii P_i with F. They hold nothing.
-  constexpr double rounding = 1e-10;
+  // KKT residual compares C_ii P_i with F. They hold nothing. Friction holds with its bound,
+  // however little of it is needed.
   const double negligible =
     std::max<double>(rounding, parameters.solver.tolerance) * dual.F.l2_norm();
-  const Vector closing = dual.C->diagonal_times(P);
+  Vector holding(P);
+  const AdmissibleSet K = motions.admissible.at(P);
+  for (unsigned int i = m; i < P.size(); ++i)
+    holding[i] = K[i].upper;
+  const Vector closing = dual.C->diagonal_times(holding);
   FreeMotions pressing_motions = motions;
   for (unsigned int i = 0; i < P.size(); ++i)
     for (unsigned int j = 0; j < modes.size() && std::abs(closing[i]) <= negligible; ++j)
@@ -97,8 +105,8 @@ void refuse_undetermined(const Parameters &parameters, const MotionModes<2> &mod
   const auto unseen = ReducedMotions(pressing_motions, P.size(), typical_stiffness(motions)).unseen;
   if (!unseen.empty())
     throw InputError(parameters.boundary.where +
-                     ": the loads are zero, and the pressure of the "
-                     "foundation, into which the body begins, leaves " +
+                     ": no load moves the body, and the pressure of the foundation, into which it "
+                     "begins, leaves " +
                      rigid_part(modes, unseen.front()).name() +
                      " free; allowed: loads that press the body onto the foundation, or more sides "
                      "that hold it.");
@@ -266,9 +274,8 @@ private:
         refuse_escape(parameters_, discretization, state.modes, dual.motions, *found.escape,
                       found.sliding);
     if constexpr (dim == 2)
-      if (state.modes.size() > 0 &&
-          std::any_of(dual.F.begin(), dual.F.end(), [](const double F_k) { return F_k < 0.; }))
-        refuse_undetermined(parameters_, state.modes, dual, found.qp.P);
+      if (state.modes.size() > 0)
+        refuse_undetermined(parameters_, discretization, state.modes, dual, found.qp.P);
     state.q = found.q;
     state.report = summary_of(found.qp, choice_.contact);
     state.set_multipliers(found.qp.P, discretization.multipliers.n_multipliers());

@@ -224,6 +224,36 @@ void test_free_bodies(Checks &checks) {
   checks.throws<InputError>("it tips", "(it tips over)", [&]() { block("0.84", coulomb("2")); });
 }
 
+/** Just above the limit of sliding, T = 0.6 for N = 3, all patches slip but one, of length 1/8. */
+void test_limit_of_sliding(Checks &checks) {
+  const auto block = [](const std::string &f, const std::string &solver = "active set") {
+    return OneLevel(
+             "Geometry/Upper right = 3, 1\nGeometry/Cells = 3, 1\nBoundary/Contact = bottom\n"
+             "Boundary/Traction = top: 0.2; -1\nContact/Friction = coulomb\n",
+             4, {"Contact/Friction coefficient=" + f, "Solver/Contact solver=" + solver})
+      .solve()
+      .record;
+  };
+  for (const std::string f : {"0.2001", "0.202", "0.205", "0.207"}) {
+    const LevelRecord record = block(f);
+    checks.about("limit of sliding, f = " + f);
+    checks.near("T, N", {record.friction->tangential_force, record.contact.normal_force},
+                {-0.6, 3.}, 1e-10);
+    checks.near("stick and slip", {record.friction->stick_length, record.friction->slip_length},
+                {0.125, 2.875}, 1e-12);
+    checks.between("linear systems", record.dual.iterations, 1., 100.);
+    checks.between("KKT residual", record.dual.kkt, 0., 1e-12);
+    checks.between("balance", record.certificate.motion_balance, 0., 1e-10);
+  }
+  const LevelRecord swept = block("0.205", "psor");
+  checks.between("limit of sliding, psor: balance", swept.certificate.motion_balance, 0., 1e-8);
+  checks.near("limit of sliding, psor: stick", swept.friction->stick_length, 0.125, 1e-12);
+  checks.throws<InputError>("below the limit of sliding",
+                            "friction carries at most 0.5997, the loads pull with 0.6",
+                            [&]() { block("0.1999"); });
+  checks.near("at the limit of sliding", block("0.2").friction->tangential_force, -0.6, 1e-9);
+}
+
 /**
  * A square that slips everywhere by 0.1 with the pressure one: beyond f_c two more solutions exist,
  * one with a sticking and one with an open patch. The degrees of all three add up to one.
@@ -282,6 +312,53 @@ void test_three_solutions(Checks &checks) {
   checks.that("their signs", signs == std::vector<bool>{true, false, true});
 }
 
+/** A bound that is never reached is no slip: its size has no part in what is certified. */
+void test_glued(Checks &checks) {
+  const auto glued = [](const std::string &s) {
+    return OneLevel(
+             "Boundary/Clamped = top\nBoundary/Contact = bottom\nLoad/Body force = 0.01; -0.02\n"
+             "Contact/Friction = tresca\nContact/Friction bound = " +
+               s + "\n",
+             5)
+      .solve();
+  };
+  const LevelSolution<2> one = glued("1");
+  for (const std::string s : {"1e3", "1e6", "1e9"}) {
+    checks.about("glued, s = " + s);
+    const LevelSolution<2> found = glued(s);
+    const Certificate &certificate = found.record.certificate;
+    checks.near("P_t", distance(found.P_t, one.P_t), 0., 1e-12);
+    checks.near("dissipation", found.record.friction->dissipation, 0., 0.);
+    checks.between("balance of dissipation", *certificate.dissipation_balance, 0., 1e-11);
+    checks.between("bipotential gap", certificate.complementarity, 0., 1e-11);
+    checks.between("duality gap", certificate.duality_gap, 0., 1e-11);
+    checks.between("slip where it sticks", certificate.penetration, 0., 1e-11);
+  }
+}
+
+/** Loads that work in no free motion: rollers carry them, and friction holds what needs no force.
+ */
+void test_loads_in_balance(Checks &checks) {
+  const std::string held = "Boundary/Rollers = top\nBoundary/Traction = left: 0; 0.001*sin(3*y)\n"
+                           "Boundary/Contact = bottom\nContact/Friction = coulomb\n"
+                           "Load/Body force = 0; -0.001\nContact/Friction coefficient = ";
+  for (const std::string f : {"0.5", "0.1"})
+    for (const unsigned int level : {2, 4}) {
+      const LevelSolution<2> found = OneLevel(held + f, level).solve();
+      checks.near("loads on rollers: T", found.record.friction->tangential_force, 0., 1e-15);
+      checks.between("loads on rollers: KKT residual", found.record.dual.kkt, 0., 1e-12);
+    }
+  // It has not arrived, or it just touches.
+  const std::string plate = "Boundary/Contact = bottom\nBoundary/Plates = top: 0, -1 turning\n"
+                            "Contact/Gap = 0.1\nLoad/Plate travel = top: ";
+  for (const std::string travel : {"0.05", "0.1"})
+    for (const std::string friction :
+         {"", "\nContact/Friction = coulomb\nContact/Friction coefficient = 0.3",
+          "\nContact/Friction = tresca\nContact/Friction bound = 0.01"})
+      checks.near("a plate that has not arrived",
+                  OneLevel(plate + travel + friction, 3).solve().P.linfty_norm(), 0., 1e-14);
+}
+
 /** With f = 0 friction changes nothing. */
 void test_no_friction(Checks &checks) {
   const LevelSolution<2>
@@ -294,6 +371,6 @@ void test_no_friction(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_references, test_displacements, test_published, test_solvers, test_patch,
-                    test_large_coefficient, test_free_bodies, test_three_solutions,
-                    test_no_friction});
+                    test_large_coefficient, test_free_bodies, test_limit_of_sliding, test_glued,
+                    test_loads_in_balance, test_three_solutions, test_no_friction});
 }

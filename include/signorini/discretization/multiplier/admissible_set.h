@@ -152,6 +152,15 @@ public:
       return w;
     return p >= intervals_[i].upper ? std::max(w, 0.) : std::min(w, 0.);
   }
+  /** Returns W_i of the blocks of P_t that slip, and zero elsewhere: W_i of a block that sticks is
+   * rounding, which a large s_i must not multiply. */
+  Vector slip(const Vector &P, const Vector &W) const {
+    Vector slip(W);
+    for (unsigned int i = 0; i < n_blocks(); ++i)
+      if (std::isinf(intervals_[i].lower) || !slips(i, P))
+        slip[i] = slip[is_disc(i) ? i + n_discs_ : i] = 0.;
+    return slip;
+  }
   /** Returns Σ s_i |W_i| over the blocks of P_t: the work of friction in the slip W.
    * With it Wᵀ P ≥ -Σ s_i |W_i| for all P in K where W_n ≤ 0, and equality means that P, W is a
    * solution. */

@@ -14,7 +14,8 @@ namespace Signorini {
 struct Certificate {
   /** The residual |A U - D P - f|₂ on free degrees of freedom, relative to its largest term. */
   double stationarity = 0.;
-  /** The largest mean penetration max (W_k)₊ / ∫ψ_k, relative to displacement and gap. */
+  /** The largest mean penetration max (W_k)₊ / ∫ψ_k, or |W_t,k| / ∫ψ_k where k sticks, relative to
+   * displacement and gap. */
   double penetration = 0.;
   /** The largest distance of a P_k from K(P), relative to max |P|. Without friction it is
    * max(P)₊ / max |P|. */

@@ -61,6 +61,9 @@ QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<
  * patch the column of its P_n is that of C minus ±f times that of its P_t, and C_AA gets a factor
  * LU. When a set comes back there, sweeps of projected SOR lead to other sets.
  *
+ * Where a set leaves a motion free, the body moves along it until the first slipping patch stops,
+ * and that patch sticks in the next set.
+ *
  * When a set comes back, or a set that predicts itself cannot carry the loads, a primal active set
  * method ends the search. It begins with an admissible pressure in balance, and solves on the
  * patches that press. Where one would leave its interval, the step ends there, and the patch leaves

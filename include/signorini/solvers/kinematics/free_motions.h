@@ -63,11 +63,19 @@ struct ReducedMotions {
   std::vector<Vector> unseen;
 };
 
-/** Steady sliding: a motion v along which all contact sides slide, the work of the loads in it, and
- * that of friction, which takes less. */
+/** Steady sliding: a motion v along which contact sides slide, with the work of the loads in it,
+ * and that of friction. */
 struct Sliding {
   dealii::Vector<double> v;
   double load, friction;
+  /** The pressure, which balances in all motions but v. */
+  dealii::Vector<double> P = {};
+
+  /** Returns whether the loads keep it up; at the limit they do not. */
+  bool lasts() const {
+    constexpr double rounding = 1e-12;
+    return friction < (1. - rounding) * load;
+  }
 };
 
 /** The solution of a dual problem with free motions, or the reason why there is none. */
