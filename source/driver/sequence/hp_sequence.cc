@@ -100,7 +100,9 @@ public:
         findings.error = std::max(findings.error, record.bound->absolute.value_or(0.));
       is_finished = true;
     }
-    result.is_last = result.is_last || !plan_next(findings);
+    result.is_last = result.is_last ||
+                     is_out_of_reach(findings.error, bound_of(record).has_value()) ||
+                     !plan_next(findings);
     if (!is_finished)
       finish_level(problem, discretization, result.is_last, progress, solution);
     ++n_steps_;
@@ -110,6 +112,17 @@ public:
 private:
   std::shared_ptr<const Discretization<2>> make_discretization() const {
     return std::make_shared<const Discretization<2>>(context_.parameters, scene_, plan_);
+  }
+
+  /** Returns whether the error is not half of what it was two steps before, since a bound has
+   * missed the target: what is left is rounding, or data that no mesh resolves. The first steps see
+   * more and more of what the scene holds. */
+  bool is_out_of_reach(const double error, const bool has_bound) {
+    constexpr std::size_t n_compared = 2, patience = 4;
+    if (has_bound || !missed_.empty())
+      missed_.push_back(error);
+    return n_steps_ > patience && missed_.size() > n_compared &&
+           error > 0.5 * missed_[missed_.size() - 1 - n_compared];
   }
 
   /** Returns the start from the step before. */
@@ -173,6 +186,8 @@ private:
   /** The mesh of the step that is solved next. */
   std::shared_ptr<const Discretization<2>> next_;
   HpStep last_;
+  /** The errors of the steps since a bound has missed the target. */
+  std::vector<double> missed_;
   unsigned int n_steps_ = 0, n_equal_steps_ = 0;
 };
 } // namespace

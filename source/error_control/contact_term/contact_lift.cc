@@ -17,15 +17,18 @@
 
 namespace Signorini {
 namespace {
-/** Returns the remainder r_F of a face from what is lacking there, q - w_{h,n}. */
-EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking) {
+/** Returns the remainder r_F of a face from what is lacking there, q - w_{h,n}: all of it where the
+ * face presses and w_h touches at both ends. */
+EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking,
+                       const double rounding) {
   const bool presses = face.presses_everywhere();
   double first = lacking.value(0.), last = lacking.value(1.), size = 0.;
   for (const EdgeFunction::Part &lack : lacking.parts())
     size = std::max({size, std::abs(lack.first), std::abs(lack.bulge)});
   // What w_h is too high at the ends spreads along the face, unless it is little: then its energy
   // is less than what the pressure does on it.
-  const bool follows = presses && std::max(std::abs(first), std::abs(last)) < 0.1 * size;
+  const bool follows =
+    presses && std::max(std::abs(first), std::abs(last)) < std::max(0.1 * size, rounding);
   if (follows)
     first = last = 0.;
   std::vector<EdgeFunction::Part> parts;
@@ -82,7 +85,7 @@ struct FaceLift {
     : w_n(face.trace(w_h, face.normal))
     , w_t(face.trace(w_h, direction_of(Component::tangential, face.normal)))
     , normal(trace.lacking(face, w_n)) {
-    r[0] = remainder(face, normal);
+    r[0] = remainder(face, normal, trace.rounding(face));
     if (data.has_friction()) {
       tangential = trace.lacking_slip(face, w_t);
       if (face.lifts_slip)
@@ -90,7 +93,7 @@ struct FaceLift {
     }
   }
 
-  PenetrationFace::Polynomial w_n, w_t;
+  FacePolynomial w_n, w_t;
   EdgeFunction normal, tangential;
   Remainders r;
 };
@@ -116,7 +119,10 @@ double slip_term(const ContactTrace &trace, const PenetrationFace &face, const F
   double term = 0.;
   const EdgeFunction parts = difference(lift.r[1], lift.tangential).split_at_roots();
   face.for_each_point(parts, [&](const double t, const double weight) {
-    const double v = trace.slip(face, t) - lift.w_t.value(t) - lift.r[1].value(t);
+    // Where friction holds the face, w_t is the slip itself, see normal_term().
+    const double lacking = face.lifts_slip ? lift.tangential.value(t)
+                                           : trace.slip(face, t) - lift.w_t.value(t),
+                 v = lacking - lift.r[1].value(t);
     if (std::abs(v) > trace.rounding(face))
       term +=
         (trace.friction_bound(face, t) * std::abs(v) + face.traction[1].value(t) * v) * weight;

@@ -34,19 +34,16 @@ bool PenetrationFace::presses_everywhere() const {
                      [](const Pressed &part) { return part.presses; });
 }
 
-PenetrationFace::Polynomial PenetrationFace::trace(const Displacement &V,
-                                                   const Tensor<1, 2> &direction) const {
+FacePolynomial PenetrationFace::trace(const Displacement &V, const Tensor<1, 2> &direction) const {
   const auto at = [&](const std::size_t i) {
     return direction[0] * V[dofs[i][0]] + direction[1] * V[dofs[i][1]];
   };
-  // The first two nodes are the ends. Monomials lose digits, a hundred times rounding at degree
-  // six: they stand only for the difference from the chord, which is small where the face is short.
-  const double first = at(0), rise = at(1) - first;
-  Polynomial sum(std::vector<double>{first, rise});
+  FacePolynomial sum = {at(0), at(1)};
   for (std::size_t i = 2; i < dofs.size(); ++i) {
-    Polynomial at_node = basis[i];
-    at_node *= at(i) - (first + nodes[i] * rise);
-    sum += at_node;
+    Polynomial at_node = basis[i - 2];
+    const double t = nodes[i];
+    at_node *= (at(i) - (1. - t) * sum.first - t * sum.last) / (t * (1. - t));
+    sum.inner += at_node;
   }
   return sum;
 }
@@ -88,12 +85,16 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact,
   }
   const Side<2> &side = data_.scene.geometry.sides[contact.side];
   face.normal = side.normal(side.arc_length(face.point(0.5)));
+  constexpr double beside = 1e-9;
+  const auto is_corner = [&side](const Point<2> &x) { return side.has_corner(side.arc_length(x)); };
+  face.inside = {{is_corner(face.start) ? beside : 0., is_corner(face.end) ? 1. - beside : 1.}};
 
   const FiniteElement<2> &element = data_.space.element(contact.cell),
                          &base = element.base_element(0);
   const std::vector<types::global_dof_index> dofs = data_.space.cell_dofs(contact.cell);
   const std::vector<Point<1>> &nodes = base.get_unit_face_support_points();
-  face.basis = Polynomials::generate_complete_Lagrange_basis(nodes);
+  face.basis = Polynomials::generate_complete_Lagrange_basis(
+    std::vector<Point<1>>(nodes.begin() + 2, nodes.end()));
   for (unsigned int i = 0; i < nodes.size(); ++i) {
     const unsigned int node = base.face_to_cell_index(i, contact.face_no);
     face.nodes.push_back(nodes[i][0]);
@@ -104,9 +105,9 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact,
   // rounding is not.
   const bool has_bubble = field.bubble.norm() > 1e-14 * size_of_U_;
   for (unsigned int d = 0; d < 2; ++d) {
-    const double height = has_bubble ? 4. * field.bubble[d] : 0.;
     face.u[d] = face.trace(data_.U, Point<2>::unit_vector(d));
-    face.u[d] += PenetrationFace::Polynomial({0., height, -height});
+    if (has_bubble)
+      face.u[d].inner += PenetrationFace::Polynomial(std::vector<double>{4. * field.bubble[d]});
   }
   face.traction = field.traction;
   return face;
@@ -230,10 +231,8 @@ void ContactTrace::condense_columns() {
 double ContactTrace::penetration(const PenetrationFace &face, const double t) const {
   const Side<2> &side = data_.scene.geometry.sides[face.side];
   const Point<2> x = face.point(t);
-  // At a corner of the side, the gap is that of this face.
-  constexpr double inside = 1e-9;
   const double gap = data_.scene.boundary[face.side].data->value(
-    side.corners().empty() ? x : face.point(std::clamp(t, inside, 1. - inside)));
+    face.point(std::clamp(t, face.inside[0], face.inside[1])));
   const Tensor<1, 2> normal =
     data_.space.mesh().is_curved() ? side.normal_at(x, face.point(0.5)) : face.normal;
   return normal[0] * face.u[0].value(t) + normal[1] * face.u[1].value(t) - gap;
@@ -284,7 +283,7 @@ UpperInterpolant ContactTrace::sample(const PenetrationFace &face,
 }
 
 UpperInterpolant ContactTrace::sample(const PenetrationFace &face,
-                                      const PenetrationFace::Polynomial &w_n) const {
+                                      const FacePolynomial &w_n) const {
   // Next to contact w_n touches: what rises there counts with the pressure.
   const auto is_pinned = [&](const unsigned int end) {
     const NodeCondition &condition = conditions_[face.conditions[end]];
@@ -294,13 +293,12 @@ UpperInterpolant ContactTrace::sample(const PenetrationFace &face,
                 {is_pinned(0), is_pinned(1)});
 }
 
-EdgeFunction ContactTrace::lacking(const PenetrationFace &face,
-                                   const PenetrationFace::Polynomial &w_n) const {
+EdgeFunction ContactTrace::lacking(const PenetrationFace &face, const FacePolynomial &w_n) const {
   return sample(face, w_n).function;
 }
 
 EdgeFunction ContactTrace::lacking_slip(const PenetrationFace &face,
-                                        const PenetrationFace::Polynomial &w_t) const {
+                                        const FacePolynomial &w_t) const {
   return sample(face, [&](const double t) { return slip(face, t) - w_t.value(t); }, {true, true})
     .function;
 }
@@ -314,7 +312,7 @@ void ContactTrace::sample() {
                          [t](const double other) { return std::abs(t - other) < 1e-9; }))
           face.breaks.push_back(t);
     std::sort(face.breaks.begin(), face.breaks.end());
-    const UpperInterpolant upper = sample(face, PenetrationFace::Polynomial(0));
+    const UpperInterpolant upper = sample(face, FacePolynomial());
     face.d = upper.function;
     if (upper.largest > max_) {
       max_ = upper.largest;

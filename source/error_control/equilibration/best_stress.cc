@@ -93,8 +93,7 @@ void BestStress::prepare_mesh() {
   add_plate_conditions();
   fit_cells();
   for (TractionCondition &condition : conditions_)
-    condition.weight = penalty_of(fits_[0]) * fits_[0].size * fits_[0].size * condition.row.size() /
-                       std::pow(condition.norm(), 2);
+    condition.weight = penalty_of(fits_[0]) * fits_[0].size * fits_[0].size * condition.row.size();
 }
 
 void BestStress::fit_cells() {

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace Signorini {
 void BestStress::give_tractions() {
@@ -181,12 +182,19 @@ void BestStress::add_plate_conditions() {
       }
       moment.row.emplace_back(edge.position(0, 1), -slope);
     }
-    force.value = plate.force;
-    moment.value = plate.moment;
+    const auto add = [this](TractionCondition condition, const double value) {
+      double square = 0.;
+      for (const auto &entry : condition.row)
+        square += entry.second * entry.second;
+      for (auto &entry : condition.row)
+        entry.second /= std::sqrt(square);
+      condition.value = value / std::sqrt(square);
+      conditions_.push_back(std::move(condition));
+    };
     if (plate.is_pushed)
-      conditions_.push_back(force);
+      add(std::move(force), plate.force);
     if (plate.turns)
-      conditions_.push_back(moment);
+      add(std::move(moment), plate.moment);
   }
 }
 

@@ -11,13 +11,20 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace Signorini {
 namespace {
+using Vector = dealii::Vector<double>;
+
 /** The weight of the squares of what cells lack in balance, relative to their energies. */
 constexpr double penalty = 1e6;
-/** What is rounding of balances, relative to the largest trace. */
-constexpr double tolerance = 1e-14;
+/** What is rounding of balances, relative to the largest trace, and where it may be if that does
+ * not fall. */
+constexpr double rounding = 1e-14, near_rounding = 1e-12;
+/** The least energy of forces on balances, relative to their squares with the weights. Below it no
+ * stress answers: the loads cannot be carried. */
+constexpr double least_answer = 1e-9;
 
 /** The unknown coefficients, and the factors of the augmented matrix. */
 class TractionSolver {
@@ -38,7 +45,7 @@ public:
     factorise();
   }
   /** Adds the solution for the forces on all coefficients to x. */
-  void add_solution(const dealii::Vector<double> &forces, dealii::Vector<double> &x) const {
+  void add_solution(const Vector &forces, Vector &x) const {
     if (n_unknowns_ == 0)
       return;
     std::vector<double> solution(n_unknowns_);
@@ -163,64 +170,128 @@ double penalty_of(const CellFit &fit) {
   return penalty * fit.airy->mean_energy();
 }
 
-dealii::Vector<double> lacking_traces(const TractionCell &cell, const CellFit &fit,
-                                      const TractionMesh &mesh, const dealii::Vector<double> &x) {
-  dealii::Vector<double> y = mesh.traces(cell, x);
+Vector lacking_traces(const TractionCell &cell, const CellFit &fit, const TractionMesh &mesh,
+                      const Vector &x) {
+  Vector y = mesh.traces(cell, x);
   y -= fit.shift;
   return y;
 }
 
+namespace {
+/** What tractions lack of all balances, three numbers for each cell and one for each condition, and
+ * the forces of multipliers. */
+class Balances {
+public:
+  Balances(const TractionMesh &mesh, const std::vector<CellFit> &fits,
+           const std::vector<double> &penalties, const std::vector<TractionCondition> &conditions)
+    : mesh_(mesh)
+    , fits_(fits)
+    , conditions_(conditions)
+    , weights_(3 * fits.size() + conditions.size()) {
+    for (std::size_t c = 0; c < fits.size(); ++c)
+      for (unsigned int i = 0; i < 3; ++i)
+        weights_[3 * c + i] = penalties[c] * fits[c].size * fits[c].size;
+    for (std::size_t k = 0; k < conditions.size(); ++k)
+      weights_[3 * fits.size() + k] = conditions[k].weight;
+  }
+  /** Returns what x lacks. @param scale is raised to the largest trace. */
+  Vector lacking(const Vector &x, double &scale) const {
+    Vector all(weights_.size()), of_cell(3);
+    for (std::size_t c = 0; c < fits_.size(); ++c) {
+      const Vector y = lacking_traces(mesh_.cells()[c], fits_[c], mesh_, x);
+      scale = std::max({scale, fits_[c].shift.linfty_norm(), y.linfty_norm()});
+      fits_[c].airy->balance().vmult(of_cell, y);
+      std::copy(of_cell.begin(), of_cell.end(), all.begin() + 3 * c);
+    }
+    for (std::size_t k = 0; k < conditions_.size(); ++k) {
+      double &rest = all[3 * fits_.size() + k];
+      rest = -conditions_[k].value;
+      for (const auto &[i, factor] : conditions_[k].row)
+        rest += factor * x[i];
+    }
+    return all;
+  }
+  /** Subtracts the forces of multipliers and of the energy at x. */
+  void subtract_forces(const Vector &multipliers, const Vector &x, Vector &forces) const {
+    Vector of_cell(3);
+    for (std::size_t c = 0; c < fits_.size(); ++c) {
+      const CellFit &fit = fits_[c];
+      const TractionCell &cell = mesh_.cells()[c];
+      Vector on_traces = fit.airy->multiply(lacking_traces(cell, fit, mesh_, x));
+      on_traces *= fit.size * fit.size;
+      std::copy_n(multipliers.begin() + 3 * c, 3, of_cell.begin());
+      fit.airy->balance().Tvmult_add(on_traces, of_cell);
+      FullMatrix<double> column(on_traces.size(), 1);
+      for (unsigned int i = 0; i < on_traces.size(); ++i)
+        column(i, 0) = on_traces[i];
+      mesh_.restrict_rows(cell, column);
+      const std::vector<unsigned int> numbers = mesh_.numbers(cell);
+      for (unsigned int i = 0; i < numbers.size(); ++i)
+        if (numbers[i] != TractionMesh::none)
+          forces[numbers[i]] -= column(i, 0);
+    }
+    for (std::size_t k = 0; k < conditions_.size(); ++k)
+      for (const auto &[i, factor] : conditions_[k].row)
+        forces[i] -= factor * multipliers[3 * fits_.size() + k];
+  }
+  /** Returns the multipliers of penalties on what is lacking. */
+  Vector weighted(const Vector &lacking) const {
+    Vector result(lacking);
+    result.scale(weights_);
+    return result;
+  }
+  /** Returns the sum of the squares of multipliers over the weights. */
+  double square(const Vector &multipliers) const {
+    double sum = 0.;
+    for (std::size_t i = 0; i < weights_.size(); ++i)
+      sum += multipliers[i] * multipliers[i] / weights_[i];
+    return sum;
+  }
+
+private:
+  const TractionMesh &mesh_;
+  const std::vector<CellFit> &fits_;
+  const std::vector<TractionCondition> &conditions_;
+  Vector weights_;
+};
+} // namespace
+
 double minimise(const TractionMesh &mesh, const std::vector<CellFit> &fits,
-                std::vector<TractionCondition> &conditions, const dealii::Vector<double> &work,
-                dealii::Vector<double> &x) {
+                const std::vector<TractionCondition> &conditions, const Vector &work, Vector &x) {
   const std::vector<double> penalties = penalties_of(mesh, fits);
   const TractionSolver solver(mesh, fits, penalties, conditions);
-  std::vector<dealii::Vector<double>> multipliers(fits.size(), dealii::Vector<double>(3));
-  for (TractionCondition &condition : conditions)
-    condition.multiplier = 0.;
-  constexpr unsigned int max_steps = 8;
-  double scale = 0., relative = 0.;
-  for (unsigned int step = 0; step <= max_steps; ++step) {
-    dealii::Vector<double> forces(work);
-    double lacking = 0.;
-    for (std::size_t c = 0; c < fits.size(); ++c) {
-      const CellFit &fit = fits[c];
-      const TractionCell &cell = mesh.cells()[c];
-      const dealii::Vector<double> y = lacking_traces(cell, fit, mesh, x);
-      scale = std::max({scale, fit.shift.linfty_norm(), y.linfty_norm()});
-      dealii::Vector<double> unbalanced(3), trace_forces = fit.airy->multiply(y);
-      fit.airy->balance().vmult(unbalanced, y);
-      lacking = std::max(lacking, unbalanced.linfty_norm());
-      unbalanced *= penalties[c];
-      if (step > 0)
-        multipliers[c] += unbalanced;
-      unbalanced += multipliers[c];
-      fit.airy->balance().Tvmult_add(trace_forces, unbalanced);
-      FullMatrix<double> column(y.size(), 1);
-      for (unsigned int i = 0; i < y.size(); ++i)
-        column(i, 0) = -fit.size * fit.size * trace_forces[i];
-      mesh.restrict_rows(cell, column);
-      const std::vector<unsigned int> numbers = mesh.numbers(cell);
-      for (unsigned int i = 0; i < y.size(); ++i)
-        if (numbers[i] != TractionMesh::none)
-          forces[numbers[i]] += column(i, 0);
-    }
-    for (TractionCondition &condition : conditions) {
-      double rest = -condition.value;
-      for (const auto &[i, factor] : condition.row)
-        rest += factor * x[i];
-      lacking = std::max(lacking, std::abs(rest) / condition.norm());
-      const double force = condition.weight * rest;
-      if (step > 0)
-        condition.multiplier += force;
-      for (const auto &[i, factor] : condition.row)
-        forces[i] -= factor * (condition.multiplier + force);
-    }
-    relative = scale > 0. ? lacking / scale : 0.;
-    // One more step than needed: what rounding left of the first.
-    if (step == max_steps || (step > 1 && relative <= tolerance))
+  const Balances balances(mesh, fits, penalties, conditions);
+  constexpr unsigned int max_steps = 100;
+  double scale = 0., last_square = 0., relative = 0.;
+  Vector lacking = balances.lacking(x, scale), multipliers(lacking.size()), direction(multipliers);
+  for (unsigned int step = 0; step < max_steps; ++step) {
+    // The tractions of the next multipliers, and what rounding left of the last ones.
+    Vector next = balances.weighted(lacking), forces(work), change(x.size());
+    next += multipliers;
+    next += direction;
+    balances.subtract_forces(next, x, forces);
+    solver.add_solution(forces, change);
+    Vector moved(x);
+    moved += change;
+    Vector fall(lacking);
+    fall -= balances.lacking(moved, scale);
+    const double answer = direction * fall;
+    if (step > 0 && !(answer > least_answer * balances.square(direction)))
       break;
-    solver.add_solution(forces, x);
+    // Penalties alone answer by less than their forces: shorter steps are rounding.
+    const double length = step > 0 ? std::max(1., (direction * lacking) / answer) : 1.;
+    x.add(length, change);
+    multipliers.add(length, direction);
+    lacking.add(-length, fall);
+    const double last = std::exchange(relative, scale > 0. ? lacking.linfty_norm() / scale : 0.);
+    if (step > 0 && relative <= (relative > 0.5 * last ? near_rounding : rounding))
+      break;
+    const Vector weighted = balances.weighted(lacking);
+    // Squares hardly see small cells: close to rounding each direction is new.
+    const bool keeps = step > 0 && relative > near_rounding;
+    direction.sadd(keeps ? std::max(0., -length * (weighted * fall) / last_square) : 0., 1.,
+                   weighted);
+    last_square = weighted * lacking;
   }
   return relative;
 }

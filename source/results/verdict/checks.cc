@@ -250,6 +250,17 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
   else
     text << "not known";
   text << ", allowed: below " << 100. * judge.demands.target_error << " %";
+  // A run of graded meshes ends where the bound does not follow the estimate.
+  const auto missed = std::find_if(levels.begin(), levels.end(), [&](const LevelRecord &level) {
+    return level.sizes.is_graded() && bound_of(level) && level.estimate &&
+           level.estimate->relative < judge.demands.target_error;
+  });
+  if (missed != levels.end())
+    text << "; the estimate met it on step " << missed->sizes.level
+         << ", the bound did not, most on "
+         << (missed->bound->dominant_part() == ErrorBound::Part::contact
+               ? missed->bound->worst_face
+               : missed->bound->largest_cell);
   text << (finest.sizes.is_graded()
              ? "; raise Maximum unknowns, or see where the mesh is finest (mesh-LL.svg, with "
                "Output/Pictures): data that contradict each other there have no solution."

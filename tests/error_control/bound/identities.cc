@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "bounded.h"
 #include "study_helpers.h"
@@ -62,6 +63,24 @@ void energies(Checks &checks) {
   }
 }
 
+/** Long bodies bend most where stresses change least. Pure bending, ν = 0: J(u) = -L/24. */
+void slender(Checks &checks) {
+  for (const auto &[length, cells, number] :
+       {std::tuple(30, "30, 1", 3U), std::tuple(30, "5, 1", 3U), std::tuple(100, "100, 1", 2U)}) {
+    const Bounded level("Geometry/Upper right = " + std::to_string(length) +
+                          ", 1\nGeometry/Cells = " + cells +
+                          "\nMaterial/Young's modulus = 1\nMaterial/Poisson's ratio = 0\n"
+                          "Boundary/Clamped = left\nBoundary/Contact = bottom\n"
+                          "Boundary/Traction = right: y-0.5; 0\nContact/Gap = 1e7\n",
+                        number);
+    const double error = std::sqrt(2. * level.solution.record.certificate.energy + length / 12.);
+    checks.about("slender, " + std::string(cells) + " cells");
+    checks.that("there is a bound", level.bound.absolute.has_value());
+    checks.between("bound / error", level.bound.absolute.value_or(0.) / error, 1. - 1e-6, 1.04);
+    checks.between("lack of balance", level.bound.algebra.value_or(1.), 0., 1e-12);
+  }
+}
+
 void prescribed(Checks &checks) {
   double last_lift = 0.;
   for (const unsigned int number : {2U, 3U, 4U, 5U}) {
@@ -116,5 +135,6 @@ void translations(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {patch_tests, energies, prescribed, brackets, translations});
+  return run_tests(argc, argv,
+                   {patch_tests, energies, slender, prescribed, brackets, translations});
 }

@@ -26,6 +26,18 @@ struct SidePlace {
 /** Returns the name of a place, such as "bottom at (0.25, 0)". */
 std::string name_of(const SidePlace &place, const Scene<2> &scene);
 
+/** A polynomial of t in [0,1]: the chord between the values at the ends, and t (1 - t) times
+ * another one. Monomials lose digits, a hundred times rounding at degree six; the ends are exact,
+ * where a face that presses passes w on to the next one. */
+struct FacePolynomial {
+  double value(const double t) const {
+    return (1. - t) * first + t * last + t * (1. - t) * inner.value(t);
+  }
+
+  double first = 0., last = 0.;
+  Polynomials::Polynomial<double> inner = Polynomials::Polynomial<double>(0);
+};
+
 /** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from vertex 0 to vertex 1 of
  * the face. */
 struct PenetrationFace {
@@ -40,8 +52,11 @@ struct PenetrationFace {
   /** The vector from the middle of the chord to that of the face. It is zero unless the face is
    * curved. */
   Tensor<1, 2> bulge;
-  /** The nodes on the face, first the vertices 0 and 1: t, the degrees of freedom, and the
-   * polynomials that are 1 at one node and 0 at the others. */
+  /** The least and the largest t at which data of the side is that of this face: not at the corners
+   * of the side. */
+  std::array<double, 2> inside;
+  /** The nodes on the face, first the vertices 0 and 1: t, the degrees of freedom, and for the
+   * nodes between them the polynomials that are 1 at one and 0 at the others. */
   std::vector<double> nodes;
   std::vector<Dofs> dofs;
   std::vector<Polynomial> basis;
@@ -54,7 +69,7 @@ struct PenetrationFace {
   };
   std::vector<Pressed> pressures;
   /** The components of ũ. */
-  std::array<Polynomial, 2> u;
+  std::array<FacePolynomial, 2> u;
   /** τ_n and τ_t. */
   std::array<Polynomial, 2> traction;
   /** The places where p_H jumps or data has a kink, with 0 and 1. */
@@ -72,7 +87,7 @@ struct PenetrationFace {
   bool presses() const;
   bool presses_everywhere() const;
   /** Returns v.direction on the face for a function of V^h. */
-  Polynomial trace(const Displacement &V, const Tensor<1, 2> &direction) const;
+  FacePolynomial trace(const Displacement &V, const Tensor<1, 2> &direction) const;
   /** Calls visit(t, weight) for Gauss points on each part of a function on the face, four for
    * bilinear elements; the weights are lengths. */
   void for_each_point(const EdgeFunction &function,
@@ -141,10 +156,9 @@ public:
   /** Returns what rounding makes of d = 0 on a face. */
   double rounding(const PenetrationFace &face) const;
   /** Returns an EdgeFunction that is not below d - w_n, for a polynomial w_n of t. */
-  EdgeFunction lacking(const PenetrationFace &face, const PenetrationFace::Polynomial &w_n) const;
+  EdgeFunction lacking(const PenetrationFace &face, const FacePolynomial &w_n) const;
   /** Returns an EdgeFunction that is close to ũ_t - g_t - w_t. */
-  EdgeFunction lacking_slip(const PenetrationFace &face,
-                            const PenetrationFace::Polynomial &w_t) const;
+  EdgeFunction lacking_slip(const PenetrationFace &face, const FacePolynomial &w_t) const;
   /** Returns ∫ τ_n d + τ_t (ũ_t - g_t) over Γ_c, by the same points. */
   double work_of_penetration() const;
   /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */
@@ -175,8 +189,7 @@ private:
   void condense_columns();
   UpperInterpolant sample(const PenetrationFace &face, const std::function<double(double)> &f,
                           const Pinned &pinned) const;
-  UpperInterpolant sample(const PenetrationFace &face,
-                          const PenetrationFace::Polynomial &w_n) const;
+  UpperInterpolant sample(const PenetrationFace &face, const FacePolynomial &w_n) const;
   void sample();
   void require();
 

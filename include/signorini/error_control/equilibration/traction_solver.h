@@ -8,18 +8,11 @@
 #include <vector>
 
 namespace Signorini {
-/** A condition row · x = value on the coefficients of edges, with the weight of its square and its
- * multiplier. */
+/** A condition row · x = value on the coefficients of edges, a row of length one, with the weight
+ * of its square. */
 struct TractionCondition {
-  double norm() const {
-    double square = 0.;
-    for (const auto &entry : row)
-      square += entry.second * entry.second;
-    return std::sqrt(square);
-  }
-
   std::vector<std::pair<unsigned int, double>> row;
-  double value = 0., weight = 0., multiplier = 0.;
+  double value = 0., weight = 0.;
 };
 
 /** Returns a weight of the square of what a cell lacks in balance, relative to its energy. */
@@ -32,11 +25,11 @@ dealii::Vector<double> lacking_traces(const TractionCell &cell, const CellFit &f
 /**
  * Finds the tractions x that minimise Σ_K size² (E x - shift)ᵀ S (E x - shift) / 2 - work.x among
  * those that balance every cell and satisfy the conditions; given coefficients keep their values.
- * An augmented Lagrangian with one Cholesky factor brings what is lacking down to rounding in a few
- * steps.
+ * Conjugate gradients for the multipliers of an augmented Lagrangian, with one Cholesky factor,
+ * bring what is lacking down to rounding in a few steps, in long bodies, too.
  * @return what is lacking, relative to the largest trace.
  */
 double minimise(const TractionMesh &mesh, const std::vector<CellFit> &fits,
-                std::vector<TractionCondition> &conditions, const dealii::Vector<double> &work,
-                dealii::Vector<double> &x);
+                const std::vector<TractionCondition> &conditions,
+                const dealii::Vector<double> &work, dealii::Vector<double> &x);
 } // namespace Signorini
