@@ -82,7 +82,8 @@ bool points_balance(const Discretization<2> &discretization, const MotionModes<2
 void refuse_undetermined(const Parameters &parameters, const MotionModes<2> &modes,
                          const DualData &dual, const Vector &P) {
   const FreeMotions &motions = dual.motions;
-  if (!motions.b.all_zero())
+  // Loads in balance strain the body, wherever it comes to rest.
+  if (!motions.b_magnitude.all_zero())
     return;
   // A body that has lifted off keeps pressures that are rounding, or what the tolerance allows: its
   // KKT residual compares C_ii P_i with F. They hold nothing.
