@@ -291,9 +291,10 @@ std::vector<std::pair<Tensor<1, dim>, std::string>> motions_at(const Scene<dim> 
 template <int dim>
 std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const unsigned int i,
                              const unsigned int j, const double size) {
-  const bool second_holds_all = prescribes_all(scene.boundary[j].role);
+  const Role role = scene.boundary[j].role;
+  const bool second_holds_all = prescribes_all(role), touches = role == Role::contact;
   if (!prescribes_all(scene.boundary[i].role) ||
-      !(second_holds_all || scene.boundary[j].role == Role::roller))
+      !(second_holds_all || touches || role == Role::roller))
     return "";
   const auto name = [&](const unsigned int k) {
     return "'" + scene.geometry.sides[k].name() + "'";
@@ -303,14 +304,26 @@ std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const
   const auto held_part = [&](const Tensor<1, dim> &u) {
     return second_holds_all ? u : (u * n) * n;
   };
+  const Tensor<1, dim> a = given_displacement(scene.boundary[i], x),
+                       b = given_displacement(scene.boundary[j], x);
+  if (touches) {
+    const double g = scene.boundary[j].data->value(x);
+    // A gap by a foundation has rounding; a plate that is pushed moves until the gap lets it.
+    const bool penetrates =
+      a * n - g > rounding * (size + std::abs(g)) + 1e-12 * scene.geometry.diameter();
+    return !penetrates || !motions_at(scene, i, x).empty()
+             ? ""
+             : "the side " + name(i) + " prescribes u = " + text_of(a) + " at " + text_of(x) +
+                 ", where the side " + name(j) + " has the gap " + number_text(g) +
+                 ", and no displacement of finite energy stays outside of the foundation; allowed: "
+                 "u.n <= g where they meet";
+  }
   for (const auto &[mover, holder] : {std::pair{i, j}, std::pair{j, i}})
     for (const auto &[motion, text] : motions_at(scene, mover, x))
       if (held_part(motion).norm() > rounding * motion.norm())
         return "the plate " + name(mover) + " cannot " + text + ", because the side " +
                name(holder) + " holds their common point " + text_of(x) +
                ", allowed: plates whose neighbours let them move";
-  const Tensor<1, dim> a = given_displacement(scene.boundary[i], x),
-                       b = given_displacement(scene.boundary[j], x);
   if (held_part(a - b).norm() <= rounding * size)
     return "";
   return "the side " + name(i) + " prescribes u = " + text_of(a) + " at " + text_of(x) +

@@ -107,7 +107,7 @@ public:
       add("Plate on " + std::string(plate["side"]), text);
     }
     for (const std::string &motion : level_.motions.undetermined)
-      add("Undetermined", motion + ": nothing resists it, it is taken as zero");
+      add("Undetermined", motion + ": nothing resists it, its size means nothing");
   }
 
   /** Prints a maximum, and below it that away from the place where it grows. */

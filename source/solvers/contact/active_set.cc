@@ -302,7 +302,8 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
     // solution.
     Vector projected = wanted.P;
     qp.K.at(projected).project(projected);
-    const double residual = qp.kkt_residual(projected, wanted.z);
+    const double residual =
+      qp.kkt_residual(projected, wanted.z, qp.gradient(projected, wanted.z), false);
     if (!result.cycled) {
       x = wanted;
       visited.insert(states);

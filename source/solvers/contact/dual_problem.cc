@@ -171,7 +171,8 @@ double BoundConstrainedQP::energy(const Vector &P) const {
   return size() > 0 ? 0.5 * (P * gradient(P)) - 0.5 * (P * F) : 0.;
 }
 
-double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const Vector &W) const {
+double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const Vector &W,
+                                        const bool all_gaps) const {
   Vector step(W);
   for (unsigned int i = 0; i < size(); ++i)
     step[i] /= diagonal[i];
@@ -185,7 +186,7 @@ double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const 
     const double r = rest[i];
     residual += r * r;
     size_of_P += P[i] * P[i];
-    if (balances.size() == 0 || P[i] != 0. || r != 0.)
+    if (all_gaps || P[i] != 0. || r != 0.)
       size_of_F += F[i] * F[i] / (diagonal[i] * diagonal[i]);
   }
   const double scale = std::max({size_of_P, size_of_F, size_of_b});

@@ -201,7 +201,7 @@ public:
 
   QPResult solve() {
     QPResult result;
-    while (qp_.kkt_residual(P_, {}, W_) > options_.tolerance &&
+    while (qp_.kkt_residual(P_, {}, W_, true) > options_.tolerance &&
            products_ < options_.maximum_iterations)
       if (is_proportional())
         conjugate_step();

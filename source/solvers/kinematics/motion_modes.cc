@@ -75,19 +75,28 @@ MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space, const Scene<2> &sc
                            const StiffnessInverse &inverse) {
   MotionModes<2> modes;
   const FreeMotionBasis basis = free_motions(scene);
-  modes.motions = basis.seen;
   modes.unseen = basis.unseen;
   for (const FreeMotion &motion : modes.unseen)
     modes.unseen_modes.push_back(interpolate(*motion.rigid, space));
   if (space.mesh().is_curved())
     modes.unseen_tolerance = 1e-3;
-  for (const FreeMotion &motion : modes.motions) {
+  const auto add_mode = [&](const FreeMotion &motion, const bool undetermined) {
     const bool strains =
       !motion.rigid || (space.mesh().is_curved() && !motion.rigid->is_translation());
-    modes.Z.push_back(strains ? extend(lift(motion, space, scene), space, scene, inverse)
-                              : interpolate(*motion.rigid, space));
-    modes.forces.push_back(strains ? forces_of_mode(modes.Z.back(), space, scene) : DualVector());
-  }
+    Displacement z = strains ? extend(lift(motion, space, scene), space, scene, inverse)
+                             : interpolate(*motion.rigid, space);
+    DualVector forces = strains ? forces_of_mode(z, space, scene) : DualVector();
+    if (undetermined && forces.size() == 0)
+      return;
+    modes.motions.push_back(motion);
+    modes.Z.push_back(std::move(z));
+    modes.forces.push_back(std::move(forces));
+  };
+  for (const FreeMotion &motion : basis.seen)
+    add_mode(motion, false);
+  // Where V^h lacks a rotation, a pin in its place would take a part of the loads.
+  for (const FreeMotion &motion : modes.unseen)
+    add_mode(motion, true);
   const unsigned int k = modes.size();
   modes.K.reinit(k, k);
   for (unsigned int i = 0; i < k; ++i)

@@ -85,7 +85,8 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
   const unsigned int m = discretization.multipliers.n_multipliers();
   constexpr double rounding = 1e-10;
   const double touches = rounding * std::max(discretization.G.linfty_norm(), dual.F.linfty_norm());
-  if (!motions.b.all_zero() ||
+  // Loads in balance strain the body, wherever it comes to rest.
+  if (!motions.b_magnitude.all_zero() ||
       std::none_of(dual.F.begin(), dual.F.begin() + m, [&](double F_k) { return F_k < -touches; }))
     return;
   // A body that has lifted off keeps pressures that are rounding, or what the tolerance allows: its

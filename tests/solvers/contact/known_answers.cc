@@ -111,6 +111,11 @@ int main() {
       });
     // At the solution the residual vanishes; elsewhere it is the projected step.
     checks.near("residual at zero", qp.kkt_residual(zero), 1., 1e-15);
+    // A gap far away on a tiny face, where F/C is 1e16, does not hide that the first set is wrong.
+    const Problem far_away = {"", {{2, 1, 0}, {1, 2, 0}, {0, 0, 1e-16}}, {-2, 1, 1}, {-1, 0, 0}};
+    const QPResult found = solve_by_active_set(make_qp(far_away), {}, {1e-12, 100});
+    checks.near("a gap far away: P", std::vector<double>(found.P.begin(), found.P.end()),
+                far_away.P, 1e-14);
     checks.that("sweeps run out", !solve_by_psor(qp, zero, {1e-12, 3, 0.1}).converged);
     dealii::FullMatrix<double> indefinite(1, 1);
     checks.throws<std::invalid_argument>("diagonal of C", "not positive", [&]() {

@@ -239,11 +239,59 @@ void test_interference(Checks &checks) {
                                     "Contact/Gap = -0.001\n");
                             });
 }
+
+/** A ring that rolls on one side, with its weight 0.01 pi (1 - 1/4): no load and no contact resists
+ * its rotation, which bilinear elements on curved cells lack. No node may take a part of the loads
+ * in its place. */
+void test_rotation_of_a_ring(Checks &checks) {
+  const double weight = 0.01 * 0.75 * std::acos(-1.);
+  for (const std::string rollers : {"inner", "outer"})
+    for (const std::string centre : {"0, 0", "0.1, 0.2"}) {
+      checks.about("ring, rollers " + rollers);
+      const StudyResult<2> result =
+        solve("Geometry/Shape = ring\n" + entry("Geometry", "Centre", centre) +
+                entry("Boundary", "Rollers", rollers) +
+                entry("Boundary", "Contact", rollers == "inner" ? "outer" : "inner") +
+                "Load/Body force = 0; -0.01\nContact/Gap = 0.5\n",
+              levels(2, 3));
+      for (const LevelRecord &record : result.levels)
+        checks.near("balance of forces", record.certificate.force_balance, 0., 1e-12);
+      const LevelRecord &finest = result.levels.back();
+      checks.near("reaction", finest.answer.reactions.at(0).resultant.force[1], weight,
+                  1e-4 * weight);
+      checks.that("undetermined", finest.motions.undetermined.size() == 1);
+    }
+}
+
+/** Loads in balance on bodies without supports: a tension test on a table, sigma_xx = T, in
+ * which the body grows into the table or shrinks, and pressure q in a ring, by Lame J = -pi q² a²
+ * (a² (1 - 2 nu) + b²)(1 + nu) / (b² - a²). */
+void test_loads_in_balance(Checks &checks) {
+  for (const double T : {0.01, -0.01})
+    for (const double nu : {0., 0.3}) {
+      checks.about(T > 0. ? "tension" : "compression");
+      const StudyResult<2> bar =
+        solve("Boundary/Contact = bottom\nMaterial/Poisson's ratio = " + std::to_string(nu) +
+                "\nBoundary/Traction = left: " + std::to_string(-T) +
+                "; 0 | right: " + std::to_string(T) + "; 0\nContact/Gap = 0\n",
+              levels(2, 3));
+      checks.that("certified", bar.verdict.outcome == Outcome::certified);
+      checks.near("energy", bar.levels.back().certificate.energy, -0.5e-4 * (1. - nu * nu), 1e-14);
+    }
+  checks.about("pressure in a ring");
+  const StudyResult<2> ring =
+    solve("Geometry/Shape = ring\nBoundary/Contact = outer\nContact/Gap = 0.5\n"
+          "Boundary/Traction = inner: 0.02*x; 0.02*y\n",
+          levels(3, 4));
+  checks.that("certified", ring.verdict.is_certified());
+  const double energy = -std::acos(-1.) * 1e-4 * 0.25 * (0.25 * 0.4 + 1.) * 1.3 / 0.75;
+  checks.near("energy", ring.levels.back().certificate.energy / energy, 1., 2e-3);
+}
 } // namespace
 
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_column, test_force_and_travel, test_turning, test_elastic_resistance,
                     test_moment, test_escapes, test_units, test_bounds, test_roller,
-                    test_interference});
+                    test_interference, test_rotation_of_a_ring, test_loads_in_balance});
 }

@@ -88,8 +88,8 @@ double corner_exponent(const Scene<2> &scene, const Corner &corner);
  * unknown motions q of the plate, and its neighbour prescribes N u = N (b(x) + W r): N = 1 on sides
  * of the same kind and N = n^T on rollers. Both hold for all q and r if N a = N b, N V = 0 and N
  * W = 0. In 2-D the points are the corners, in 3-D they are points of the common edges. Jumps below
- * a millionth of the prescribed displacements count as rounding. Contact sides are not checked: the
- * bound of the error contains how far they penetrate where a side holds the body.
+ * a millionth of the prescribed displacements count as rounding. A contact
+ * side beside a prescribed one needs a.n <= g at the common point.
  */
 template <int dim>
 std::string find_contradiction(const Scene<dim> &scene);

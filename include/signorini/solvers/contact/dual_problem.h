@@ -147,10 +147,11 @@ struct BoundConstrainedQP {
    * press or penetrate only: for a body that moves, gaps far away are irrelevant.
    */
   double kkt_residual(const Vector &P, const Vector &z = {}) const {
-    return kkt_residual(P, z, gradient(P, z));
+    return kkt_residual(P, z, gradient(P, z), balances.size() == 0);
   }
-  /** Returns the same for a known W. */
-  double kkt_residual(const Vector &P, const Vector &z, const Vector &W) const;
+  /** Returns the same for a known W. @param all_gaps whether F counts on all patches. On tiny faces
+   * far away F/diag C is so large that a wrong set passes for rounding. */
+  double kkt_residual(const Vector &P, const Vector &z, const Vector &W, bool all_gaps) const;
   /**
    * Returns whether the pressure P of a solution is the only one: whether no Q ≠ 0 that vanishes
    * where W_i ≠ 0 has C Q = 0 and Bᵀ Q = 0. (Two solutions have the same W; their difference is

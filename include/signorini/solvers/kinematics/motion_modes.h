@@ -35,7 +35,8 @@ struct MotionModes {
   std::vector<DualVector> forces;
   /** The stiffness K_ij = a(z_i, z_j). */
   FullMatrix<double> K;
-  /** The rigid motions that no contact resists, and their nodal values. They stay zero. */
+  /** The rigid motions that no contact resists, and their nodal values. Those that V^h lacks, and
+   * so resists a little, are among the motions above; the others stay zero. */
   std::vector<FreeMotion> unseen;
   std::vector<Displacement> unseen_modes;
 
