@@ -222,8 +222,7 @@ void read_exact_pressure(const Given<std::string> &given, const SceneReader<dim>
                                                 given.where(), scene.geometry.side_names()))
     scene.boundary[scene.geometry.find_side(side)].exact_pressure =
       std::make_shared<ExpressionFunction<dim>>(reader.components(text, 1, given),
-                                                std::vector<Expression<dim>>(),
-                                                1e-4 * scene.geometry.shortest_extent());
+                                                std::vector<Expression<dim>>());
 }
 
 template <int dim>
@@ -239,9 +238,7 @@ void read_exact_displacement(const ExactSolutionParameters &given, const SceneRe
   if (!given.displacement_gradient.value.empty())
     gradients = reader.components(given.displacement_gradient, dim * dim);
   scene.exact_displacement = std::make_shared<ExpressionFunction<dim>>(
-    reader.components(given.displacement, dim), gradients,
-    // The differences at slender bodies must not lead far away from them.
-    1e-4 * scene.geometry.shortest_extent());
+    reader.components(given.displacement, dim), gradients);
 }
 
 } // namespace

@@ -12,24 +12,26 @@
 
 namespace Signorini {
 template <int dim>
+ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values)
+  : Function<dim>(values.size())
+  , values_(std::move(values))
+  , is_data_(true) {}
+
+template <int dim>
 ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values,
-                                            std::vector<Expression<dim>> gradients, const double h)
+                                            std::vector<Expression<dim>> gradients)
   : Function<dim>(values.size())
   , values_(std::move(values))
   , gradients_(std::move(gradients))
-  , h_(h) {
+  , is_data_(false) {
   Assert(gradients_.empty() || gradients_.size() == dim * values_.size(),
          ExcDimensionMismatch(gradients_.size(), dim * values_.size()));
 }
 
 template <int dim>
-ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values)
-  : ExpressionFunction(std::move(values), {}, 0.) {}
-
-template <int dim>
 void ExpressionFunction<dim>::check(const double value, const unsigned int component,
                                     const Point<dim> &x) const {
-  if (h_ == 0.)
+  if (is_data_)
     check_magnitude(value, component, x, values_[component].where());
 }
 
@@ -75,27 +77,6 @@ void ExpressionFunction<dim>::vector_value_list(const Points &points,
 }
 
 template <int dim>
-void ExpressionFunction<dim>::derivative_list(const Points &points, const unsigned int component,
-                                              const unsigned int d,
-                                              std::vector<double> &derivatives) const {
-  if (!gradients_.empty()) {
-    gradients_[dim * component + d].evaluate(points, derivatives);
-    return;
-  }
-  // (u(x - 2h) - 8 u(x - h) + 8 u(x + h) - u(x + 2h)) / 12h
-  std::vector<double> values(points.size());
-  derivatives.assign(points.size(), 0.);
-  for (const auto &[step, weight] : {std::pair{-2., 1.}, {-1., -8.}, {1., 8.}, {2., -1.}}) {
-    Points shifted(points);
-    for (Point<dim> &x : shifted)
-      x[d] += step * h_;
-    values_[component].evaluate(shifted, values);
-    for (std::size_t q = 0; q < points.size(); ++q)
-      derivatives[q] += weight / (12. * h_) * values[q];
-  }
-}
-
-template <int dim>
 Tensor<1, dim> ExpressionFunction<dim>::gradient(const Point<dim> &x,
                                                  const unsigned int component) const {
   Gradients gradient(1);
@@ -106,9 +87,12 @@ Tensor<1, dim> ExpressionFunction<dim>::gradient(const Point<dim> &x,
 template <int dim>
 void ExpressionFunction<dim>::gradient_list(const Points &points, Gradients &gradients,
                                             const unsigned int component) const {
+  if (gradients_.empty())
+    std::transform(points.begin(), points.end(), gradients.begin(),
+                   [&](const Point<dim> &x) { return exact_gradient(x, component); });
   std::vector<double> derivatives(points.size());
-  for (unsigned int d = 0; d < dim; ++d) {
-    derivative_list(points, component, d, derivatives);
+  for (unsigned int d = 0; d < dim && !gradients_.empty(); ++d) {
+    gradients_[dim * component + d].evaluate(points, derivatives);
     for (std::size_t q = 0; q < points.size(); ++q)
       gradients[q][d] = derivatives[q];
   }

@@ -46,10 +46,8 @@ private:
 
 /**
  * A deal.II function whose components are expressions. Its gradient is given by further expressions
- * (component by component, dim each) or by fourth-order differences with the step @p h (length).
- * Thread-safe; the functions for lists of points are the fast ones. Without gradients and step the
- * function is data of the problem: its values must be finite and not beyond max_magnitude
- * (scene.h), or InputError is thrown.
+ * (component by component, dim each), or else is the exact one. Thread-safe; the functions for
+ * lists of points are the fast ones.
  */
 template <int dim>
 class ExpressionFunction : public Function<dim> {
@@ -57,13 +55,19 @@ public:
   using Points = std::vector<Point<dim>>;
   using Gradients = std::vector<Tensor<1, dim>>;
 
-  ExpressionFunction(std::vector<Expression<dim>> values, std::vector<Expression<dim>> gradients,
-                     double h);
-  /** Makes data of the problem, with checked values and without derivatives. */
+  /** Makes data of the problem: values must be finite and not beyond max_magnitude (scene.h), or
+   * InputError is thrown. */
   explicit ExpressionFunction(std::vector<Expression<dim>> values);
+  /** Makes a part of the exact solution, with given derivatives or none. */
+  ExpressionFunction(std::vector<Expression<dim>> values, std::vector<Expression<dim>> gradients);
 
   /** Returns whether no component uses a coordinate. */
   bool is_constant() const;
+
+  /** Returns the derivatives of a component by its own formula. */
+  Tensor<1, dim> exact_gradient(const Point<dim> &x, const unsigned int component) const {
+    return values_[component].formula().gradient(x);
+  }
 
   double value(const Point<dim> &x, unsigned int component = 0) const override;
   void value_list(const Points &points, std::vector<double> &values,
@@ -80,14 +84,9 @@ private:
    */
   void check(double value, unsigned int component, const Point<dim> &x) const;
 
-  /** Computes du_c/dx_d at all points. */
-  void derivative_list(const Points &points, unsigned int component, unsigned int d,
-                       std::vector<double> &derivatives) const;
-
   std::vector<Expression<dim>> values_;
   std::vector<Expression<dim>> gradients_;
-  /** The step of the differences (length); 0 for data. */
-  double h_;
+  bool is_data_;
 };
 
 /** Refuses a value that is not finite or beyond max_magnitude. @throws InputError */
