@@ -465,9 +465,8 @@ bool FormulaTree<dim>::is_shown(const FormulaBox<dim> &box, const std::vector<Ki
       run.branches |= (combination >> i & 1U) != 0 ? bit(known[i]) : 0;
     }
     evaluate(run);
-    const double width = enclosure(run).width();
-    if (width > tolerance &&
-        (run.parts.back().undecided != 0 || width > 3. * spread(box, run) + tolerance))
+    if (enclosure(run).width() > tolerance &&
+        (run.parts.back().undecided != 0 || !is_smooth(box, run)))
       return false;
   }
   return true;
@@ -475,20 +474,40 @@ bool FormulaTree<dim>::is_shown(const FormulaBox<dim> &box, const std::vector<Ki
 
 template <int dim>
 template <typename Number>
-double FormulaTree<dim>::spread(const FormulaBox<dim> &box, const Run<Number> &of_box) const {
-  constexpr unsigned int n = 4;
-  double lowest = infinity, highest = -infinity;
+bool FormulaTree<dim>::is_smooth(const FormulaBox<dim> &box, const Run<Number> &of_box) const {
+  constexpr unsigned int n = n_samples;
+  std::array<unsigned int, dim + 1> stride = {{1}};
+  double largest_step = 0.;
+  for (unsigned int d = 0; d < dim; ++d) {
+    const double width = box.upper[d] - box.lower[d];
+    stride[d + 1] = stride[d] * (width > 0. ? n : 1);
+    const Interval slope = boost::numeric::abs(of_box.parts.back().slope[d]);
+    largest_step += width > 0. && slope.upper() > 0. ? slope.upper() * width / n : 0.;
+  }
   Run<double> run;
   run.forced = of_box.forced;
   run.branches = of_box.branches;
-  for (unsigned int i = 0; i < Utilities::fixed_power<dim>(n); ++i) {
-    for (unsigned int d = 0, j = i; d < dim; ++d, j /= n)
-      run.x[d] = box.lower[d] + (j % n + 0.5) / n * (box.upper[d] - box.lower[d]);
+  std::vector<double> samples;
+  for (unsigned int i = 0; i < stride[dim]; ++i) {
+    for (unsigned int d = 0; d < dim; ++d) {
+      const unsigned int k = i / stride[d] % n;
+      run.x[d] = box.lower[d] + (k + 0.5) / n * (box.upper[d] - box.lower[d]);
+    }
     evaluate(run);
-    lowest = std::min(lowest, run.parts.back().value);
-    highest = std::max(highest, run.parts.back().value);
+    samples.push_back(run.parts.back().value);
   }
-  return highest - lowest;
+  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+  // A parabola with its top in the box has a largest step of 0.65 of what the samples show.
+  if (!(largest_step <= 0.7 * (*high - *low)))
+    return false;
+  double fourth = 0.;
+  for (unsigned int d = 0; d < dim; ++d)
+    for (unsigned int i = 0; i < samples.size() && stride[d + 1] > stride[d]; ++i)
+      if (const unsigned int s = stride[d]; i / s % n + 4 < n)
+        fourth =
+          std::max(fourth, std::abs(samples[i] - 4. * samples[i + s] + 6. * samples[i + 2 * s] -
+                                    4. * samples[i + 3 * s] + samples[i + 4 * s]));
+  return fourth <= 0.05 * (*high - *low);
 }
 
 template class FormulaTree<1>;

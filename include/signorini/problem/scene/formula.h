@@ -70,10 +70,10 @@ public:
 
   Enclosure<dim> enclose(const FormulaBox<dim> &box) const;
 
-  /** Returns whether 4 samples in each direction show what the formula does in a box: it varies by
-   * at most @p tolerance, or no switch but those of the given @p lines is undecided, and on either
-   * side of these lines it varies by at most three times as much as the samples do, plus the
-   * tolerance. */
+  /** Returns whether Gauss' rules of 4 points in each direction integrate the formula on either
+   * side of the given @p lines: it varies by at most @p tolerance, or no other switch is undecided
+   * in the box, no value hides between n_samples in each direction, and their fourth differences
+   * are below a twentieth of their range. */
   bool is_shown(const FormulaBox<dim> &box, const std::vector<KinkLine<dim>> &lines,
                 double tolerance) const;
 
@@ -106,10 +106,12 @@ private:
   /** Returns the line of a switch whose argument is affine. */
   template <typename Number>
   std::optional<KinkLine<dim>> line_of(unsigned int k, const Run<Number> &run) const;
-  /** Returns the largest difference of samples on the branches of an evaluation. */
+  /** Returns whether samples on the branches of an evaluation show what it does in a box. */
   template <typename Number>
-  double spread(const FormulaBox<dim> &box, const Run<Number> &of_box) const;
+  bool is_smooth(const FormulaBox<dim> &box, const Run<Number> &of_box) const;
 
+  /** The number of samples in each direction. */
+  static constexpr unsigned int n_samples = 8;
   std::vector<Node> nodes_;
   unsigned int n_switches_ = 0;
 };

@@ -65,6 +65,10 @@ public:
   /** Returns whether no component uses a coordinate. */
   bool is_constant() const;
 
+  const std::vector<Expression<dim>> &components() const {
+    return values_;
+  }
+
   double value(const Point<dim> &x, unsigned int component = 0) const override;
   void value_list(const Points &points, std::vector<double> &values,
                   unsigned int component = 0) const override;
