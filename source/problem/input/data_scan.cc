@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 
 namespace Signorini {
@@ -42,6 +43,26 @@ void add(const FunctionPointer<2> &function, const std::vector<Point<2>> &points
     add(formulas->components(), points, data);
 }
 
+/** Returns whether a formula or its derivatives jump on a line, at one of many points in a box. */
+bool jumps_on(const KinkLine<2> &line, const Datum &datum, const BoundingBox<2> &body) {
+  constexpr int n = 128;
+  constexpr double step = 1e-7, least = 1e-5;
+  const double size = body.side_length(0) + body.side_length(1);
+  const FormulaTree<2> &formula = datum.formula.formula();
+  const Point<2> foot = body.center() - line.signed_distance(body.center()) * line.normal;
+  for (int i = -n; i <= n; ++i) {
+    const Point<2> x = foot + (i + 0.3) * size / n * cross_product_2d(line.normal),
+                   before = x - step * size * line.normal, behind = x + step * size * line.normal;
+    if (!body.point_inside(x))
+      continue;
+    const double jump = std::abs(formula.value(behind) - formula.value(before)),
+                 kink = (formula.gradient(behind) - formula.gradient(before)).norm() * size;
+    if (!(std::max(jump, kink) <= least * datum.mean))
+      return true;
+  }
+  return false;
+}
+
 /** A part of a side, and whether Gauss' rules show its data. */
 struct Interval {
   double from, to;
@@ -53,10 +74,14 @@ class Scan {
 public:
   explicit Scan(const Scene<2> &scene)
     : scene_(scene)
-    , lines(scene.kinks.lines()) {}
+    , body_({scene.geometry.lower, scene.geometry.upper})
+    , lines_(scene.kinks.lines()) {}
 
   BoxTree scan_body();
   void scan_side(unsigned int number, std::vector<Point<2>> &breaks);
+  /** Returns the lines of the scene, and those on which data is not smooth: switches inside of
+   * others may change nothing. */
+  std::vector<KinkLine<2>> kinks() const;
 
 private:
   /** @param share that of the box in the body, or of an interval in its side. */
@@ -67,23 +92,36 @@ private:
              std::vector<Interval> &parts);
 
   const Scene<2> &scene_;
-
-public:
-  std::vector<KinkLine<2>> lines;
+  const BoundingBox<2> body_;
+  /** All lines on which switches change. */
+  std::vector<KinkLine<2>> lines_;
+  Data all_data_;
 };
+
+std::vector<KinkLine<2>> Scan::kinks() const {
+  const std::size_t n_given = scene_.kinks.lines().size();
+  std::vector<KinkLine<2>> found(lines_.begin(), lines_.begin() + n_given);
+  std::copy_if(lines_.begin() + n_given, lines_.end(), std::back_inserter(found),
+               [&](const KinkLine<2> &line) {
+                 return std::any_of(all_data_.begin(), all_data_.end(), [&](const Datum &datum) {
+                   return jumps_on(line, datum, body_);
+                 });
+               });
+  return found;
+}
 
 void Scan::add_lines(const FormulaTree<2> &formula, const FormulaBox<2> &box) {
   bool all = false;
   const double size = scene_.geometry.diameter();
   for (const KinkLine<2> &line : formula.lines_in(box, all)) {
-    const bool is_known = std::any_of(lines.begin(), lines.end(), [&](const auto &known) {
+    const bool is_known = std::any_of(lines_.begin(), lines_.end(), [&](const auto &known) {
       const double sign = known.normal * line.normal < 0. ? -1. : 1.;
       return (known.normal - sign * line.normal).norm() < 1e-9 &&
              std::abs(known.signed_distance(box.centre()) -
                       sign * line.signed_distance(box.centre())) < 1e-9 * size;
     });
-    if (!is_known && lines.size() < max_lines)
-      lines.push_back(line);
+    if (!is_known && lines_.size() < max_lines)
+      lines_.push_back(line);
   }
 }
 
@@ -94,11 +132,11 @@ std::array<bool, 2> Scan::look(const FormulaBox<2> &box, const Data &data, const
   for (const auto &[expression, mean] : data) {
     const FormulaTree<2> &formula = expression.formula();
     const double tolerance = negligible * mean / share;
-    bool is_shown = formula.is_shown(box, lines, tolerance);
+    bool is_shown = formula.is_shown(box, lines_, tolerance);
     if (!is_shown && share > least_share) {
-      const std::size_t n_lines = lines.size();
+      const std::size_t n_lines = lines_.size();
       add_lines(formula, box);
-      is_shown = lines.size() > n_lines && formula.is_shown(box, lines, tolerance);
+      is_shown = lines_.size() > n_lines && formula.is_shown(box, lines_, tolerance);
     }
     if (is_shown)
       continue;
@@ -110,19 +148,19 @@ std::array<bool, 2> Scan::look(const FormulaBox<2> &box, const Data &data, const
 }
 
 BoxTree Scan::scan_body() {
-  const BoundingBox<2> body({scene_.geometry.lower, scene_.geometry.upper});
   constexpr unsigned int n = 32;
   std::vector<Point<2>> points;
   for (unsigned int i = 0; i < n * n; ++i)
-    points.push_back(body.unit_to_real(Point<2>((i % n + 0.5) / n, (i / n + 0.5) / n)));
+    points.push_back(body_.unit_to_real(Point<2>((i % n + 0.5) / n, (i / n + 0.5) / n)));
   Data data;
   add(scene_.body_force, points, data);
   add(scene_.material->expressions(), points, data);
   if (data.empty())
     return {};
-  return BoxTree(body, [&](const BoundingBox<2> &box) {
+  all_data_.insert(all_data_.end(), data.begin(), data.end());
+  return BoxTree(body_, [&](const BoundingBox<2> &box) {
     return look({box.get_boundary_points().first, box.get_boundary_points().second}, data,
-                box.volume() / body.volume());
+                box.volume() / body_.volume());
   });
 }
 
@@ -161,6 +199,7 @@ void Scan::scan_side(const unsigned int number, std::vector<Point<2>> &breaks) {
   Data data;
   for (const auto &function : {condition.data, condition.friction, condition.shift})
     add(function, points, data);
+  all_data_.insert(all_data_.end(), data.begin(), data.end());
   const unsigned int n_first = side.n_pieces() > 16 ? 1 : 4;
   for (unsigned int k = 0; k < side.n_pieces() * n_first && !data.empty(); ++k) {
     const Curve &piece = side.piece(k / n_first);
@@ -188,6 +227,6 @@ Kinks<2> scan_data(const Scene<2> &scene) {
   std::vector<Point<2>> breaks;
   for (unsigned int side = 0; side < scene.boundary.size(); ++side)
     scan.scan_side(side, breaks);
-  return Kinks<2>(scan.lines, std::move(breaks), std::move(boxes));
+  return Kinks<2>(scan.kinks(), std::move(breaks), std::move(boxes));
 }
 } // namespace Signorini

@@ -4,6 +4,7 @@
 #include <signorini/problem/scene/formula.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 
 #include "formula_reader.h"
@@ -423,19 +424,40 @@ std::optional<KinkLine<dim>> FormulaTree<dim>::line_of(const unsigned int k,
 }
 
 template <int dim>
+template <typename Number, typename Visitor>
+bool FormulaTree<dim>::visit_branches(Run<Number> &run, const Visitor &visit) const {
+  constexpr unsigned int deepest = 6;
+  evaluate(run);
+  const std::uint64_t undecided = run.parts.back().undecided;
+  std::optional<KinkLine<dim>> line;
+  unsigned int k = 0;
+  for (; k < std::min(n_switches_, 63U) && !line; ++k)
+    if ((undecided & bit(k)) != 0)
+      line = line_of(k, run);
+  if (std::bitset<64>(run.forced).count() == deepest)
+    line.reset();
+  if (!visit(run, line) || !line)
+    return undecided == 0;
+  bool all = true;
+  for (const std::uint64_t branch : {std::uint64_t(0), bit(k - 1)}) {
+    Run<Number> forced = {run.x};
+    forced.forced = run.forced | bit(k - 1);
+    forced.branches = run.branches | branch;
+    all = visit_branches(forced, visit) && all;
+  }
+  return all;
+}
+
+template <int dim>
 std::vector<KinkLine<dim>> FormulaTree<dim>::lines_in(const FormulaBox<dim> &box, bool &all) const {
   Run<Interval> run = {interior_of(box)};
-  evaluate(run);
-  const std::uint64_t switches = run.parts.back().undecided;
   std::vector<KinkLine<dim>> lines;
-  all = (switches & unknown_switch) == 0;
-  for (unsigned int k = 0; k < std::min(n_switches_, 63U); ++k)
-    if ((switches & bit(k)) != 0) {
-      if (const auto line = line_of(k, run))
-        lines.push_back(*line);
-      else
-        all = false;
-    }
+  all = visit_branches(run, [&](const Run<Interval> & /*branch*/, const auto &line) {
+    if (line && std::none_of(lines.begin(), lines.end(),
+                             [&](const auto &other) { return are_same(*line, other, box); }))
+      lines.push_back(*line);
+    return true;
+  });
   return lines;
 }
 
@@ -443,33 +465,19 @@ template <int dim>
 bool FormulaTree<dim>::is_shown(const FormulaBox<dim> &box, const std::vector<KinkLine<dim>> &lines,
                                 const double tolerance) const {
   Run<Interval> run = {interior_of(box)};
-  evaluate(run);
-  if (enclosure(run).width() <= tolerance)
-    return true;
-  const std::uint64_t switches = run.parts.back().undecided;
-  std::vector<unsigned int> known;
-  for (unsigned int k = 0; k < n_switches_; ++k)
-    if ((switches & bit(k)) != 0) {
-      const auto line = k < 63 ? line_of(k, run) : std::nullopt;
-      if (!line || std::none_of(lines.begin(), lines.end(),
-                                [&](const auto &other) { return are_same(*line, other, box); }))
-        return false;
-      known.push_back(k);
-    }
-  if ((switches & unknown_switch) != 0 || known.size() > 4)
-    return false;
-  for (unsigned int combination = 0; combination < (1U << known.size()); ++combination) {
-    run.branches = run.forced = 0;
-    for (std::size_t i = 0; i < known.size(); ++i) {
-      run.forced |= bit(known[i]);
-      run.branches |= (combination >> i & 1U) != 0 ? bit(known[i]) : 0;
-    }
-    evaluate(run);
-    if (enclosure(run).width() > tolerance &&
-        (run.parts.back().undecided != 0 || !is_smooth(box, run)))
+  bool is_shown = true;
+  visit_branches(run, [&](const Run<Interval> &branch, const auto &line) {
+    if (!is_shown || enclosure(branch).width() <= tolerance)
       return false;
-  }
-  return true;
+    if (branch.parts.back().undecided == 0)
+      is_shown = is_smooth(box, branch);
+    else
+      is_shown = line && std::any_of(lines.begin(), lines.end(), [&](const auto &known) {
+                   return are_same(*line, known, box);
+                 });
+    return is_shown;
+  });
+  return is_shown;
 }
 
 template <int dim>

@@ -106,6 +106,10 @@ private:
   /** Returns the line of a switch whose argument is affine. */
   template <typename Number>
   std::optional<KinkLine<dim>> line_of(unsigned int k, const Run<Number> &run) const;
+  /** Visits an evaluation and, as long as it returns true, those on both branches of the first
+   * undecided switch with a line. @return whether all switches have lines. */
+  template <typename Number, typename Visitor>
+  bool visit_branches(Run<Number> &run, const Visitor &visit) const;
   /** Returns whether samples on the branches of an evaluation show what it does in a box. */
   template <typename Number>
   bool is_smooth(const FormulaBox<dim> &box, const Run<Number> &of_box) const;
