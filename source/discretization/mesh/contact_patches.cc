@@ -179,7 +179,7 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece, const unsigned int
     const double distance = lengths * (end - start);
     return grading == Grading::towards_kinks &&
            (scene_.kinks.touch(side, start, end) ||
-            scene_.kinks.cut(side, start - distance, end + distance).size() > 2);
+            scene_.kinks.crossings(side, start - distance, end + distance).size() > 2);
   };
   // A singularity less than a length away needs the same grading as one inside.
   if (singular_within(1.))

@@ -13,8 +13,6 @@
 
 namespace Signorini {
 namespace {
-using Polygon = std::vector<Point<2>>;
-
 /** Returns the part of a convex polygon on one side of a line. */
 Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign) {
   Polygon part;
@@ -48,10 +46,10 @@ public:
         std::max(std::min(n_points, min_points), n_points - std::min(n_points, depth / 2)), 1.);
   }
 
-  /** Adds a polygon: a fan of triangles. */
-  void add(const Polygon &polygon) {
+  /** Adds a polygon: a fan of triangles. @param halvings how often it was halved before. */
+  void add_polygon(const Polygon &polygon, const unsigned int halvings) {
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-      add({{polygon[0], polygon[i], polygon[i + 1]}}, 0);
+      add({{polygon[0], polygon[i], polygon[i + 1]}}, std::min(halvings, deepest));
   }
 
   std::vector<Point<2>> points;
@@ -122,21 +120,19 @@ std::vector<Point<dim>> ends_near(const Kinks<dim> &kinks,
   return near;
 }
 
-/** Returns the polygons into which the lines cut a cell. */
-std::vector<Polygon> cut_cell(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell) {
-  std::vector<Polygon> pieces = {
-    {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}};
-  for (const KinkLine<2> &line : kinks.lines()) {
-    std::vector<Polygon> parts;
-    for (const Polygon &piece : pieces)
-      for (const double sign : {-1., 1.}) {
-        Polygon part = clip(piece, line, sign);
-        if (part.size() > 2)
-          parts.push_back(std::move(part));
-      }
-    pieces = std::move(parts);
-  }
-  return pieces;
+/** Appends the parts of a polygon in the boxes below a node. */
+void divide(const Polygon &polygon, const BoxTree &boxes, const unsigned int node,
+            const unsigned int halvings, std::vector<PolygonPart> &parts) {
+  const BoxTree::Node &halved = boxes.nodes()[node];
+  if (halved.parts == 0)
+    parts.push_back({polygon, halvings});
+  std::array<Polygon, 2> halves;
+  for (unsigned int k = 0; k < 2 && halved.parts != 0; ++k)
+    halves[k] = clip(polygon, halved.line, k == 0 ? -1. : 1.);
+  const bool is_cut = halves[0].size() > 2 && halves[1].size() > 2;
+  for (unsigned int k = 0; k < 2; ++k)
+    if (halves[k].size() > 2)
+      divide(halves[k], boxes, halved.parts + k, halvings + (is_cut ? 1 : 0), parts);
 }
 } // namespace
 
@@ -151,14 +147,38 @@ bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell
     if (*lowest<-margin && * highest> margin)
       return true;
   }
+  if constexpr (dim == 2)
+    if (kinks.boxes().divides(cell->bounding_box()))
+      return true;
   return !ends_near(kinks, cell).empty();
+}
+
+std::vector<PolygonPart> cut_polygon(const Kinks<2> &kinks, const Polygon &polygon) {
+  std::vector<Polygon> pieces = {polygon};
+  for (const KinkLine<2> &line : kinks.lines()) {
+    std::vector<Polygon> parts;
+    for (const Polygon &piece : pieces)
+      for (const double sign : {-1., 1.}) {
+        Polygon part = clip(piece, line, sign);
+        if (part.size() > 2)
+          parts.push_back(std::move(part));
+      }
+    pieces = std::move(parts);
+  }
+  if (!kinks.boxes().divides(BoundingBox<2>(polygon)))
+    return {pieces.begin(), pieces.end()};
+  std::vector<PolygonPart> parts;
+  for (const Polygon &piece : pieces)
+    divide(piece, kinks.boxes(), 0, 0, parts);
+  return parts;
 }
 
 Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
                              const unsigned int n_points) {
   PolygonRule rule(n_points, ends_near(kinks, cell));
-  for (const Polygon &piece : cut_cell(kinks, cell))
-    rule.add(piece);
+  for (const auto &[piece, halvings] :
+       cut_polygon(kinks, {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}))
+    rule.add_polygon(piece, halvings);
   const MappingQ1<2> mapping;
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     rule.points[q] = mapping.transform_real_to_unit_cell(cell, rule.points[q]);

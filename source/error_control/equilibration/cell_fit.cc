@@ -25,7 +25,7 @@ CellFitter::CellFitter(const BoundData &data)
   , is_constant_(data.scene.material->is_constant()) {
   if (is_constant_)
     return;
-  lines_ = data.scene.kinks.lines();
+  kinks_ = data.scene.kinks;
   // Graded meshes resolve all else, see resolve_hidden_data().
   if (!data.space.mesh().is_graded())
     sampling_.emplace(*data.scene.material, data.space.mesh().triangulation().n_active_cells());
@@ -40,7 +40,7 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
   const bool is_polynomial = shape.affine && is_constant_;
   const Quadrature<2> rule =
     triangle_rule(std::min(4 * degree - 2, 2 * degree + 6) + (is_polynomial ? 0 : 4));
-  const auto parts = triangle_parts(shape, lines_, sampling_ ? &*sampling_ : nullptr);
+  const auto parts = triangle_parts(shape, kinks_, sampling_ ? &*sampling_ : nullptr);
   const Tensor<2, 2> inverse = invert(Tensor<2, 2>(
     {{shape.corners[0][0] - shape.crossing[0], shape.corners[1][0] - shape.crossing[0]},
      {shape.corners[0][1] - shape.crossing[1], shape.corners[1][1] - shape.crossing[1]}}));

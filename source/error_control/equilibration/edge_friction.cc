@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The shear on contact edges, within the bound of friction, and polynomials between bounds.
 
+#include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/bernstein.h>
 #include <signorini/error_control/equilibration/best_stress.h>
 #include <signorini/postprocessing/fields/forces.h>
@@ -43,7 +44,7 @@ double bernstein_value(std::vector<double> b, const double s) {
 
 /** Returns the projection of a function on [0,1], by the rule @p gauss. */
 template <typename Function>
-std::vector<double> project(const unsigned int degree, const QGauss<1> &gauss,
+std::vector<double> project(const unsigned int degree, const Quadrature<1> &gauss,
                             const Function &function) {
   std::vector<double> sum(degree + 1, 0.);
   for (unsigned int q = 0; q < gauss.size(); ++q) {
@@ -71,14 +72,22 @@ double BestStress::friction_bound(const unsigned int number, const double s) con
 }
 
 std::vector<double> BestStress::lower_friction_bound(const unsigned int number) {
-  // About 20000 points on all edges.
-  const unsigned int degree = mesh_->edges()[number].degree,
-                     n = std::clamp<std::size_t>(20000 / contact_edges_.size(), 16, 256);
-  std::vector<double> samples;
-  for (unsigned int i = 0; i <= n; ++i)
-    samples.push_back(friction_bound(number, static_cast<double>(i) / n));
-  std::vector<double> b = bernstein_coefficients(project(
-    degree, QGauss<1>(2 * degree + 1), [&](const double s) { return friction_bound(number, s); }));
+  const TractionEdge &edge = mesh_->edges()[number];
+  const std::vector<double> cuts = data_.scene.kinks.cut(edge.start, edge.end);
+  // About 20000 points on all edges; at a jump, on both sides of it.
+  const unsigned int degree = edge.degree, n = std::clamp<std::size_t>(
+                                             20000 / contact_edges_.size() / cuts.size(), 16, 256);
+  constexpr double inside = 1e-9;
+  std::vector<double> positions, samples;
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
+    for (unsigned int i = 0; i <= n; ++i)
+      positions.push_back(cuts[k] + (cuts[k + 1] - cuts[k]) *
+                                      std::clamp(static_cast<double>(i) / n, inside, 1. - inside));
+  for (const double s : positions)
+    samples.push_back(friction_bound(number, s));
+  std::vector<double> b =
+    bernstein_coefficients(project(degree, split_quadrature(QGauss<1>(2 * degree + 1), cuts),
+                                   [&](const double s) { return friction_bound(number, s); }));
   constexpr double rounding = 1e-13;
   const auto [least, largest] = std::minmax_element(samples.begin(), samples.end());
   double share = 1.;
@@ -87,9 +96,8 @@ std::vector<double> BestStress::lower_friction_bound(const unsigned int number) 
       share = value < -rounding * *largest ? 0. : share;
       value = 0.;
     }
-  for (unsigned int i = 0; i <= n; ++i)
-    if (const double here = bernstein_value(b, static_cast<double>(i) / n);
-        here > (1. + rounding) * samples[i])
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (const double here = bernstein_value(b, positions[i]); here > (1. + rounding) * samples[i])
       share = std::min(share, samples[i] / here);
   const double mean = std::accumulate(b.begin(), b.end(), 0.) / b.size();
   constexpr double far_below = 0.98;

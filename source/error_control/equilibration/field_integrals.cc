@@ -67,7 +67,7 @@ public:
                           sampling_.varies_in(shape.corners, values_.get_quadrature_points())))
       distance = add(cell, values_, values_.get_JxW_values(), true, chunk);
     else
-      for (const auto &triangle : triangle_parts(shape, data_.scene.kinks.lines(), &sampling_))
+      for (const auto &triangle : triangle_parts(shape, data_.scene.kinks, &sampling_))
         for (const TrianglePart &part : triangle)
           distance += add(cell, shape, part, chunk);
     chunk.distances.emplace_back(cell->active_cell_index(), std::sqrt(distance));
@@ -228,12 +228,10 @@ dealii::Vector<double> add_lift(const BoundData &data, const PrescribedLift &lif
     if (!lift.cells()[number])
       continue;
     const CellShape shape(corners_of(cell));
-    std::vector<KinkLine<2>> lines = lift.lines(number, shape.corners);
-    const auto &kinks = data.scene.kinks.lines();
-    lines.insert(lines.end(), kinks.begin(), kinks.end());
     std::vector<Point<2>> points;
     std::vector<double> weights;
-    for (const auto &parts : triangle_parts(shape, lines, nullptr))
+    for (const auto &parts : triangle_parts(
+           shape, data.scene.kinks.with_lines(lift.lines(number, shape.corners)), nullptr))
       for (const TrianglePart &part : parts)
         add_points(rule, part.corners, shape, points, weights);
     FEValues<2> values(StaticMappingQ1<2>::mapping, data.space.element(cell), Quadrature<2>(points),

@@ -13,9 +13,9 @@
 
 namespace Signorini {
 namespace {
-/** The limits of splitting. A material whose layers need more splits is refused; hidden data of
- * sides are accepted. */
-constexpr unsigned int max_splits_in_body = 16, max_splits_on_sides = 24, max_split_cells = 2000;
+/** The limits of splitting. A material whose layers need more splits is refused; loads, and the
+ * data of sides, are integrated on the parts of cells. */
+constexpr unsigned int max_splits_in_body = 16, max_splits_for_loads = 6, max_split_cells = 2000;
 
 /** The positions of the lines of a cell that are sampled. Near their ends the distances are 2^-k.
  */
@@ -110,22 +110,7 @@ public:
 
   DataProbe(const Scene<2> &scene, MeshPlan &plan)
     : scene_(scene)
-    , plan_(plan) {
-    const auto positions = sample_positions(max_points);
-    for (std::size_t i = 0; i < scene.boundary.size(); ++i) {
-      const double length = scene.geometry.sides[i].length();
-      const BoundaryCondition<2> &condition = scene.boundary[i];
-      data_on_side_.push_back({{condition.data, condition.role == Role::traction},
-                               {condition.friction, true},
-                               {condition.shift, false}});
-      for (SideData &data : data_on_side_.back())
-        for (const double t : positions)
-          for (const double value : on_side(data, i, t * length)) {
-            data.largest = std::max(data.largest, std::abs(value));
-            data.force += std::abs(value) * length / positions.size();
-          }
-    }
-  }
+    , plan_(plan) {}
 
   bool must_split(const Cell &cell, const unsigned int n_splits) {
     if (plan_.must_split(scene_, cell, n_splits))
@@ -135,9 +120,9 @@ public:
     const unsigned int n =
       std::clamp<unsigned int>(4e4 / cell->get_triangulation().n_active_cells(), 16, max_points);
     const std::optional<Point<2>> place = hidden_in(cell, n);
-    if (!place && !hides_on_side(cell, n))
+    if (!place && !is_rough(cell))
       return false;
-    if (n_splits >= (place ? max_splits_in_body : max_splits_on_sides) ||
+    if (n_splits >= (place ? max_splits_in_body : max_splits_for_loads) ||
         n_split_ >= max_split_cells) {
       hidden_ = place;
       return false;
@@ -153,29 +138,6 @@ public:
 
 private:
   static constexpr unsigned int max_points = 1000;
-
-  /** A function on a side. */
-  struct SideData {
-    FunctionPointer<2> function;
-    /** Whether its force has to be known, as that of a traction, or of a bound of one. */
-    bool acts;
-    /** The largest component, and the approximate force of its absolute value. */
-    double largest = 0., force = 0.;
-  };
-
-  /** Returns the data of a side; empty where there is none, or no value. */
-  Values on_side(const SideData &data, const unsigned int side, const double s) const {
-    if (data.function == nullptr)
-      return {};
-    Values values;
-    try {
-      for (unsigned int c = 0; c < data.function->n_components; ++c)
-        values.push_back(data.function->value(scene_.geometry.sides[side].point(s), c));
-    } catch (const InputError &) {
-      values.clear();
-    }
-    return values;
-  }
 
   std::optional<Point<2>> hidden_in(const Cell &cell, const unsigned int n) const {
     if (scene_.material->is_constant())
@@ -194,57 +156,20 @@ private:
     return {};
   }
 
-  /** Returns whether the data of a side hides on a face, or a rule misses the force of a traction:
-   * it would act as another load in each step. */
-  bool hides_on_side(const Cell &cell, const unsigned int n) const {
-    for (const auto &face : cell->face_iterators()) {
-      if (!face->at_boundary())
-        continue;
-      const unsigned int number = face->boundary_id();
-      const Side<2> &side = scene_.geometry.sides[number];
-      const double first = side.arc_length(face->vertex(0));
-      double length = side.arc_length(face->vertex(1)) - first;
-      if (side.is_closed())
-        length -= side.length() * std::round(length / side.length());
-      for (const SideData &data : data_on_side_[number])
-        if (hides_between(data, number, first, length, n))
-          return true;
-    }
-    return false;
-  }
-
-  bool hides_between(const SideData &data, const unsigned int side, const double first,
-                     const double length, const unsigned int n) const {
-    constexpr double tolerance = 1e-4;
-    const auto at = [&](const double t) { return on_side(data, side, first + t * length); };
-    SampledRange seen;
-    const QGauss<1> gauss(n_gauss);
-    for (const Point<1> &t : gauss.get_points())
-      seen.add(at(t[0]));
-    const std::vector<double> positions = sample_positions(n);
-    SampledRange all;
-    Values before;
-    double jump = 0.;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      const Values values = at(positions[i]);
-      if (seen.is_far(values, tolerance * data.largest))
+  /** Returns whether the data of the body or of a side varies too fast for the plain rule. */
+  bool is_rough(const Cell &cell) const {
+    if (scene_.kinks.boxes().divides(cell->bounding_box()))
+      return true;
+    const Kinks<2> &kinks = scene_.kinks;
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary() && kinks.has_breaks(face->vertex(0), face->vertex(1)))
         return true;
-      if (i >= n)
-        continue;
-      all.add(values);
-      for (std::size_t c = 0; c < std::min(values.size(), before.size()); ++c)
-        jump = std::max(jump, std::abs(values[c] - before[c]));
-      before = values;
-    }
-    // Smooth functions change by a few times their range/n from sample to sample.
-    const double force = 0.25 * (jump - 8. * all.width() / n) * std::abs(length);
-    return data.acts && force > tolerance * data.force;
+    return false;
   }
 
   static constexpr unsigned int n_gauss = 4;
   const Scene<2> &scene_;
   MeshPlan &plan_;
-  std::vector<std::vector<SideData>> data_on_side_;
   /** The cells in which nothing hides. */
   std::set<CellId> checked_cells_;
   unsigned int n_split_ = 0;

@@ -188,10 +188,16 @@ void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan) {
  * interface. */
 void add_kinks(const unsigned int side, const Scene<2> &scene, MeshPlan &plan) {
   const Side<2> &curve = scene.geometry.sides[side];
-  const std::vector<double> cuts = scene.kinks.cut(curve, 0., curve.length());
-  for (std::size_t i = 1; i + 1 < cuts.size(); ++i)
+  for (const double s : scene.kinks.separate_crossings(curve))
     plan.singularities.push_back(
-      {Singularity::Kind::kink, curve.point(cuts[i]), exponent_at_ends, side, cuts[i], cuts[i]});
+      {Singularity::Kind::kink, curve.point(s), exponent_at_ends, side, s, s});
+}
+
+/** Adds a line of the mesh, unless there is one close to it. */
+void add_line(const double position, const double min_distance, std::vector<double> &lines) {
+  if (std::all_of(lines.begin(), lines.end(),
+                  [&](const double other) { return std::abs(position - other) >= min_distance; }))
+    lines.push_back(position);
 }
 } // namespace
 
@@ -206,7 +212,7 @@ MeshPlan first_plan(const Scene<2> &scene, const unsigned int base_level,
   for (const KinkLine<2> &line : scene.kinks.lines())
     for (unsigned int d = 0; d < 2; ++d)
       if (std::abs(line.normal[1 - d]) < 1e-12)
-        plan.lines[d].push_back(line.position / line.normal[d]);
+        add_line(line.position / line.normal[d], Kinks<2>::min_distance * box[d], plan.lines[d]);
   for (const Corner &corner : corners(scene.geometry))
     add_corner(corner, scene, plan);
   for (unsigned int side = 0; side < scene.boundary.size(); ++side)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Variations of Hooke's tensor inside of cells.
 
+#include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/loads/law_sampling.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -9,63 +10,27 @@
 #include <cmath>
 
 namespace Signorini {
-namespace {
-/** Returns the parts of triangles on both sides of a line, as triangles. */
-std::vector<Triangle> cut(const std::vector<Triangle> &triangles, const KinkLine<2> &line) {
-  std::vector<Triangle> parts;
-  for (const Triangle &x : triangles)
-    for (const double sign : {1., -1.}) {
-      std::vector<Point<2>> polygon;
-      for (unsigned int i = 0; i < 3; ++i) {
-        const auto &a = x[i], &b = x[(i + 1) % 3];
-        const double da = sign * line.signed_distance(a), db = sign * line.signed_distance(b);
-        if (da >= 0.)
-          polygon.push_back(a);
-        if (da * db < 0.)
-          polygon.push_back(a + (da / (da - db)) * (b - a));
-      }
-      for (unsigned int i = 2; i < polygon.size(); ++i) {
-        const Triangle part = {{polygon[0], polygon[i - 1], polygon[i]}};
-        if (twice_area(part) > 1e-14 * twice_area(x))
-          parts.push_back(part);
-      }
-    }
-  return parts;
-}
-} // namespace
-
-std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const CellShape &cell) {
-  std::vector<KinkLine<2>> result;
-  for (const KinkLine<2> &line : lines) {
-    double low = 0., high = 0., size = 0.;
-    for (const auto &corner : cell.corners) {
-      low = std::min(low, line.signed_distance(corner));
-      high = std::max(high, line.signed_distance(corner));
-      size = std::max(size, corner.distance(cell.corners[0]));
-    }
-    if (low < -Kinks<2>::tolerance * size && high > Kinks<2>::tolerance * size)
-      result.push_back(line);
-  }
-  return result;
-}
-
 std::array<std::vector<TrianglePart>, 4> triangle_parts(const CellShape &shape,
-                                                        const std::vector<KinkLine<2>> &lines,
+                                                        const Kinks<2> &kinks,
                                                         const LawSampling *const sampling) {
   LawSampling::Samples samples;
   if (sampling != nullptr)
     samples = sampling->scan(shape.corners);
   const bool divide = sampling != nullptr && LawSampling::varies(samples);
+  const double least_area = 1e-14 * shape.diameter() * shape.diameter();
   std::array<std::vector<TrianglePart>, 4> parts;
   for (unsigned int k = 0; k < 4; ++k) {
-    std::vector<Triangle> triangles = {shape.triangle(k)};
-    for (const KinkLine<2> &line : crossing(lines, shape))
-      triangles = cut(triangles, line);
-    for (const Triangle &triangle : triangles)
-      if (divide)
-        sampling->divide(triangle, samples, shape.diameter() / sampling->intervals(), parts[k]);
-      else
-        parts[k].push_back({triangle});
+    const Triangle whole = shape.triangle(k);
+    for (const auto &[corners, halvings] : cut_polygon(kinks, {whole.begin(), whole.end()}))
+      for (std::size_t i = 2; i < corners.size(); ++i) {
+        const Triangle part = {{corners[0], corners[i - 1], corners[i]}};
+        if (twice_area(part) <= least_area)
+          continue;
+        if (divide)
+          sampling->divide(part, samples, shape.diameter() / sampling->intervals(), parts[k]);
+        else
+          parts[k].push_back({part});
+      }
   }
   return parts;
 }

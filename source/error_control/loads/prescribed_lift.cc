@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The rest of the nodal interpolation of prescribed displacements.
 
+#include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/loads/prescribed_lift.h>
 #include <signorini/problem/scene/functions.h>
 
@@ -46,6 +47,11 @@ PrescribedLift::PrescribedLift(const BoundData &data, const std::size_t n_cells,
     };
     const std::size_t n_scanned =
       is_constant(prescribed) ? 0 : std::min<std::size_t>(256, 20000 / edges.size());
+    std::vector<Point<1>> scanned;
+    if (n_scanned > 0)
+      scanned = split_quadrature(QIterated<1>(QMidpoint<1>(), n_scanned),
+                                 data.scene.kinks.cut(edge.start, edge.end))
+                  .get_points();
     EdgeRest rest = {edge.k, {}};
     double size = 0., misfit = 0.;
     for (unsigned int n_pieces = 1; n_pieces <= max_pieces; n_pieces *= 2) {
@@ -56,11 +62,10 @@ PrescribedLift::PrescribedLift(const BoundData &data, const std::size_t n_cells,
           size = std::max(size, rest.pieces[piece].back().norm());
         }
       misfit = 0.;
-      for (unsigned int i = 0; i < n_scanned; ++i) {
-        const double s = (i + 0.5) / n_scanned;
-        const Tensor<1, 2> value = r(s);
+      for (const Point<1> &s : scanned) {
+        const Tensor<1, 2> value = r(s[0]);
         size = std::max(size, value.norm());
-        misfit = std::max(misfit, (rest.evaluate(s, false) - value).norm());
+        misfit = std::max(misfit, (rest.evaluate(s[0], false) - value).norm());
       }
       if (misfit <= allowed * size)
         break;

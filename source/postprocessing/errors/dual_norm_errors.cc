@@ -51,7 +51,7 @@ std::vector<double> cut_side(const Side<2> &side, const Kinks<2> &kinks,
     cuts.push_back(i * side.length() / n_intervals);
   for (unsigned int k = 1; k < side.n_pieces(); ++k)
     cuts.push_back(side.start_of(k));
-  for (const double s : kinks.cut(side, 0., side.length())) {
+  for (const double s : kinks.crossings(side, 0., side.length())) {
     cuts.push_back(s);
     for (const double sign : {-1., 1.})
       for (const double near : graded_positions(s, sign * side.length() / n_intervals))

@@ -218,7 +218,7 @@ namespace {
 std::vector<double> exact_ends(const Scene<2> &scene, const unsigned int number) {
   const Side<2> &side = scene.geometry.sides[number];
   const Function<2> &p = *scene.boundary[number].exact_pressure;
-  const std::vector<double> cuts = scene.kinks.cut(side, 0., side.length());
+  const std::vector<double> cuts = scene.kinks.crossings(side, 0., side.length());
   std::vector<double> ends;
   for (std::size_t i = 1; i + 1 < cuts.size(); ++i) {
     const double s = cuts[i], step = 1e-6 * side.length();

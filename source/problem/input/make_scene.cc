@@ -5,6 +5,7 @@
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/catalogue/catalogue.h>
+#include <signorini/problem/input/data_scan.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameters.h>
@@ -61,15 +62,11 @@ void check_free_motions(Scene<2> &scene, const std::string &where) {
                       "body with Clamped, Displacement or Rollers, or load it.");
 }
 
-/** The smallest distance of two kinks as a share of the body. Closer ones cut off slivers, each of
- * which is integrated on parts that shrink towards it. */
-constexpr double min_kink_distance = 1e-3;
-
 /** Refuses kinks that are too close, and positions that miss the body and would have no effect. */
 void refuse_bad_kinks(const Geometry<2> &geometry, const Given<std::vector<double>> &given,
                       const unsigned int d) {
   const double lower = geometry.lower[d], upper = geometry.upper[d];
-  const double min_distance = min_kink_distance * (upper - lower);
+  const double min_distance = Kinks<2>::min_distance * (upper - lower);
   std::vector<double> positions = given;
   std::sort(positions.begin(), positions.end());
   for (std::size_t i = 0; i + 1 < positions.size(); ++i)
@@ -133,11 +130,9 @@ Scene<2> make_scene(const Parameters &parameters) {
   const DiscretizationParameters &discretization = parameters.discretization;
   refuse_bad_kinks(scene.geometry, discretization.kinks_at_x, 0);
   refuse_bad_kinks(scene.geometry, discretization.kinks_at_y, 1);
-  std::vector<KinkLine<2>> lines = scene.kinks.lines();
-  const std::vector<KinkLine<2>> more =
-    lines_at<2>({{discretization.kinks_at_x.value, discretization.kinks_at_y.value}});
-  lines.insert(lines.end(), more.begin(), more.end());
-  scene.kinks = Kinks<2>(lines);
+  scene.kinks = scene.kinks.with_lines(
+    lines_at<2>({{discretization.kinks_at_x.value, discretization.kinks_at_y.value}}));
+  scene.kinks = scan_data(scene);
   for (const unsigned int side : scene.contact_sides())
     scene.kinks.add_ends_on(scene.geometry.sides[side]);
   scene.load_cases = read_load_cases(parameters.load_cases, scene);

@@ -3,13 +3,11 @@
 
 #include <signorini/problem/scene/formula.h>
 
-#include <deal.II/base/quadrature_lib.h>
-
 #include <boost/container/small_vector.hpp>
 
 #include <algorithm>
-#include <bitset>
 #include <cmath>
+#include <optional>
 
 #include "formula_reader.h"
 #include "formula_tree.h"
@@ -217,13 +215,10 @@ public:
       parts_.push_back({node.value, node.is_fixed});
     evaluate(box, parts_.size());
   }
-  /** Evaluates given branches of the undecided switches. */
-  BoxRun on_branches(const std::uint64_t branches) const {
+  /** Evaluates one branch of an undecided switch. */
+  BoxRun on_branch(const Index number, const bool after) const {
     BoxRun result(*this);
-    for (const Index i : formula_.switches)
-      if (const unsigned int bit = formula_.nodes[i].bit; (root().undecided >> bit & 1U) != 0)
-        result.parts_[i] = {parts_[i].value.upper() - ((branches >> bit & 1U) != 0 ? 0. : 1.),
-                            true};
+    result.parts_[number] = {parts_[number].value.upper() - (after ? 0. : 1.), true};
     result.evaluate(box_, parts_.size());
     return result;
   }
@@ -248,43 +243,63 @@ public:
     result.upper = best.upper();
     return result;
   }
-  /** Returns the lines of all undecided switches. @param all whether all have one. */
-  std::vector<KinkLine<dim>> lines(bool &all) const {
-    std::vector<KinkLine<dim>> lines;
-    all = root().undecided >> 63 == 0;
-    for (const Index i : formula_.switches)
-      if (const Node &node = formula_.nodes[i]; (root().undecided >> node.bit & 1U) != 0) {
-        const Box &argument = parts_[node.arguments[0]];
-        bool is_affine = argument.undecided == 0;
-        Tensor<1, dim> normal;
-        for (int d = 0; d < dim; ++d) {
-          const Interval &slope = slope_of(node.arguments[0], d);
-          normal[d] = slope.lower();
-          is_affine = is_affine && singleton(slope);
-        }
-        // The middle of an affine expression is its value at the centre. What is rounded down
-        // changes at the upper one of two values.
-        const double value =
-          median(argument.value) - (*node.operation->name == 'f' ? parts_[i].value.upper() : 0.);
-        const KinkLine<dim> line = {normal / normal.norm(),
-                                    (normal * box_.centre() - value) / normal.norm()};
-        is_affine = is_affine && normal.norm() > 0.;
-        all = all && is_affine;
-        if (is_affine && !is_among(lines, line, box_))
-          lines.push_back(line);
+  /** Finds the first undecided switch whose argument is affine. @return its line. */
+  std::optional<KinkLine<dim>> line_of_switch(Index &number) const {
+    for (const Index i : formula_.switches) {
+      const Node &node = formula_.nodes[i];
+      const Box &argument = parts_[node.arguments[0]];
+      if ((root().undecided >> node.bit & 1U) == 0 || argument.undecided != 0)
+        continue;
+      bool is_affine = true;
+      Tensor<1, dim> normal;
+      for (int d = 0; d < dim; ++d) {
+        const Interval &slope = slope_of(node.arguments[0], d);
+        normal[d] = slope.lower();
+        is_affine = is_affine && singleton(slope);
       }
-    return lines;
-  }
-  /** Returns the largest difference of 4 samples in each direction. */
-  double spread() const {
-    static const QIterated<dim> samples(QMidpoint<1>(), 4);
-    Interval values = Interval::empty();
-    for (Point<dim> x : samples.get_points()) {
-      for (int d = 0; d < dim; ++d)
-        x[d] = box_.lower[d] + x[d] * (box_.upper[d] - box_.lower[d]);
-      values = hull(values, value(x));
+      const double size = normal.norm();
+      if (!is_affine || size == 0.)
+        continue;
+      number = i;
+      // The middle of an affine expression is its value at the centre. What is rounded down
+      // changes at the upper one of two values.
+      const double value =
+        median(argument.value) - (*node.operation->name == 'f' ? parts_[i].value.upper() : 0.);
+      return KinkLine<dim>{normal / size, (normal * box_.centre() - value) / size};
     }
-    return width(values);
+    return {};
+  }
+  /** Returns whether 8 samples in each direction show what the formula does: they are close enough
+   * for its slopes, and smooth. */
+  bool is_smooth() const {
+    constexpr unsigned int n = 8;
+    std::array<unsigned int, dim + 1> stride = {{1}};
+    double largest_step = 0.;
+    for (int d = 0; d < dim; ++d) {
+      const double width = box_.upper[d] - box_.lower[d];
+      stride[d + 1] = stride[d] * (width > 0. ? n : 1);
+      if (width > 0.)
+        largest_step += norm(slope_of(formula_.root, d)) * width / n;
+    }
+    std::vector<double> samples;
+    BoxRun sample(*this);
+    for (Index i = 0; i < stride[dim]; ++i) {
+      Point<dim> x;
+      for (int d = 0; d < dim; ++d)
+        x[d] = box_.lower[d] + (i / stride[d] % n + 0.5) / n * (box_.upper[d] - box_.lower[d]);
+      sample.evaluate({x, x}, formula_.n_values);
+      samples.push_back(median(sample.root().value));
+    }
+    const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+    double fourth = 0.;
+    for (int d = 0; d < dim; ++d)
+      for (Index i = 0; i < samples.size(); ++i)
+        if (const Index s = stride[d]; stride[d + 1] > s && i / s % n + 4 < n)
+          fourth =
+            std::max(fourth, std::abs(samples[i] - 4. * samples[i + s] + 6. * samples[i + 2 * s] -
+                                      4. * samples[i + 3 * s] + samples[i + 4 * s]));
+    // A parabola with its top in the box has a largest step of 0.65 of what the samples show.
+    return largest_step <= 0.7 * (*high - *low) && fourth <= 0.05 * (*high - *low);
   }
 
 private:
@@ -330,6 +345,20 @@ private:
   FormulaBox<dim> box_;
   std::vector<Box> parts_;
 };
+
+/** Visits an evaluation and, as long as @p visit returns true, those on both branches of the first
+ * undecided switch with a line, and so on. @return whether all undecided switches have lines. */
+template <int dim, typename Visitor>
+bool visit_branches(const BoxRun<dim> &run, const Visitor &visit, const unsigned int depth = 6) {
+  Index number = 0;
+  std::optional<KinkLine<dim>> line;
+  if (depth > 0)
+    line = run.line_of_switch(number);
+  if (!visit(run, line) || !line)
+    return run.root().undecided == 0;
+  const bool before = visit_branches(run.on_branch(number, false), visit, depth - 1);
+  return visit_branches(run.on_branch(number, true), visit, depth - 1) && before;
+}
 } // namespace
 } // namespace FormulaParts
 
@@ -379,30 +408,26 @@ Enclosure<dim> FormulaTree<dim>::enclose(const FormulaBox<dim> &box) const {
 
 template <int dim>
 std::vector<KinkLine<dim>> FormulaTree<dim>::lines_in(const FormulaBox<dim> &box, bool &all) const {
-  return BoxRun(*formula_, box).lines(all);
+  std::vector<KinkLine<dim>> lines;
+  all = visit_branches(BoxRun(*formula_, box), [&](const BoxRun<dim> & /*run*/, const auto &line) {
+    if (line && !is_among(lines, *line, box))
+      lines.push_back(*line);
+    return true;
+  });
+  return lines;
 }
 
 template <int dim>
 bool FormulaTree<dim>::is_shown(const FormulaBox<dim> &box, const std::vector<KinkLine<dim>> &lines,
                                 const double tolerance) const {
-  const BoxRun run(*formula_, box);
-  if (run.bounds().width() <= tolerance)
-    return true;
-  const std::uint64_t undecided = run.root().undecided;
-  bool all = true;
-  for (const KinkLine<dim> &line : run.lines(all))
-    all = all && is_among(lines, line, box);
-  if (!all || std::bitset<64>(undecided).count() > 4)
-    return false;
-  for (std::uint64_t branches = 0;; branches = (branches - undecided) & undecided) {
-    const BoxRun branch = run.on_branches(branches);
-    const double width = branch.bounds().width();
-    if (width > tolerance &&
-        (branch.root().undecided != 0 || !(width <= 3. * branch.spread() + tolerance)))
+  bool is_shown = true;
+  visit_branches(BoxRun(*formula_, box), [&](const BoxRun<dim> &run, const auto &line) {
+    if (!is_shown || run.bounds().width() <= tolerance)
       return false;
-    if (branches == undecided)
-      return true;
-  }
+    is_shown = run.root().undecided == 0 ? run.is_smooth() : line && is_among(lines, *line, box);
+    return is_shown;
+  });
+  return is_shown;
 }
 
 template class FormulaTree<1>;

@@ -49,6 +49,10 @@ public:
              : 0.;
   }
 
+  std::vector<Expression<dim>> expressions() const override {
+    return {youngs_modulus_, poissons_ratio_};
+  }
+
 private:
   /** Returns lambda and mu in units of E_0: a constant modulus is exactly 1, whatever its unit. */
   std::pair<double, double> relative_lame_constants(const Point<dim> &x) const {
@@ -135,6 +139,10 @@ public:
     return stress;
   }
 
+  std::vector<Expression<dim>> expressions() const override {
+    return entries_;
+  }
+
 private:
   std::vector<Expression<dim>> entries_, across_;
   Tensor<2, dim> axes_;
@@ -162,6 +170,14 @@ public:
   double out_of_plane_stress(const Point<dim> &x,
                              const SymmetricTensor<2, dim> &strain) const override {
     return materials_[index_at_(x)]->out_of_plane_stress(x, strain);
+  }
+
+  std::vector<Expression<dim>> expressions() const override {
+    std::vector<Expression<dim>> all;
+    for (const auto &material : materials_)
+      for (const Expression<dim> &expression : material->expressions())
+        all.push_back(expression);
+    return all;
   }
 
 private:

@@ -7,17 +7,33 @@
 #include <deal.II/base/quadrature.h>
 #include <deal.II/grid/tria.h>
 
+#include <utility>
 #include <vector>
 
 namespace Signorini {
+using Polygon = std::vector<Point<2>>;
+
+/** A part of a convex polygon, and how often boxes halved it. */
+struct PolygonPart {
+  PolygonPart(Polygon corners, const unsigned int halvings = 0)
+    : corners(std::move(corners))
+    , halvings(halvings) {}
+
+  Polygon corners;
+  unsigned int halvings;
+};
+
+/** Returns the parts into which lines and boxes cut a convex polygon. */
+std::vector<PolygonPart> cut_polygon(const Kinks<2> &kinks, const Polygon &polygon);
+
 /** Returns whether the plain rule is not enough on a cell: a line crosses it or meets a contact
- * side near it. */
+ * side near it, or data varies too fast in it. */
 template <int dim>
 bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell);
 
 /**
- * Returns a rule on the reference cell that integrates on the pieces into which the lines cut a
- * cell. They are divided into triangles, each with @p n_points points per direction; near a
+ * Returns a rule on the reference cell that integrates on the pieces into which lines and boxes
+ * cut a cell. They are divided into triangles, each with @p n_points points per direction; near a
  * possible end of contact the triangles shrink towards it. A curved cell is cut like the
  * quadrilateral of its vertices: the rule is as accurate there for smooth functions, and nearly so
  * for others.

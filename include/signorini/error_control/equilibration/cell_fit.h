@@ -68,8 +68,8 @@ private:
                                        CellFit &fit);
 
   const BoundData &data_;
-  /** The lines along which a law that varies has kinks, and the search for others. */
-  std::vector<KinkLine<2>> lines_;
+  /** Where a law that varies is not smooth, and the search for other places. */
+  Kinks<2> kinks_;
   std::optional<LawSampling> sampling_;
   bool is_constant_;
   /** Gauss' rules by the number of points per direction. */

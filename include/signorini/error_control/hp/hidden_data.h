@@ -11,12 +11,11 @@ namespace Signorini {
 /**
  * Splits cells of a first plan until rules of 4 x 4 Gauss points resolve the data in them.
  *
- * Hooke's tensor is sampled along five lines per direction of every cell, and the data of sides
- * along every boundary face, at up to a thousand equal distances, and ever closer towards both
- * ends, where a coating would be. Data hides in a cell where a sample lies outside of the values at
- * the Gauss points by more than half of their range and a hundredth of the tensor (for sides, 1e-4
- * of the largest value on the side). Smooth data does not. Faces on which a traction jumps are
- * split until the force that rules may miss is 1e-4 of that on the side.
+ * Cells in which the scan of the data found boxes or breaks are split six times; smaller details
+ * are integrated on parts of cells. Hooke's tensor is also sampled along five lines per direction
+ * of every cell, at up to a thousand equal distances, and ever closer towards both ends, where a
+ * coating would be. It hides in a cell where a sample lies outside of the values at the Gauss
+ * points by more than half of their range and a hundredth of the tensor.
  *
  * @return a point at which the material still hides after many splits; no solution would notice.
  */

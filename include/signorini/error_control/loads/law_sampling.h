@@ -69,13 +69,10 @@ private:
   unsigned int intervals_;
 };
 
-/** Returns those of the lines that run through the interior of a cell. */
-std::vector<KinkLine<2>> crossing(const std::vector<KinkLine<2>> &lines, const CellShape &cell);
-
-/** Returns the parts into which lines cut the triangles of a cell, divided further where Hooke's
- * tensor varies. @param sampling null for a constant law. */
+/** Returns the parts into which lines and boxes cut the triangles of a cell, divided further where
+ * Hooke's tensor varies. @param sampling null for a constant law. */
 std::array<std::vector<TrianglePart>, 4> triangle_parts(const CellShape &shape,
-                                                        const std::vector<KinkLine<2>> &lines,
+                                                        const Kinks<2> &kinks,
                                                         const LawSampling *sampling);
 
 /** Returns a rule on the unit triangle that integrates polynomials of the degree exactly. */

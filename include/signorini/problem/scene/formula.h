@@ -71,15 +71,16 @@ public:
 
   Enclosure<dim> enclose(const FormulaBox<dim> &box) const;
 
-  /** Returns whether 4 samples in each direction show what the formula does in a box: it varies by
-   * at most @p tolerance, or no switch but those of the given @p lines is undecided, and on either
-   * side of these lines it varies by at most three times as much as the samples do, plus the
-   * tolerance. */
+  /** Returns whether few points show what the formula does in a box: it varies by at most
+   * @p tolerance, or no switch but those of the given @p lines is undecided, and on all sides of
+   * these lines 8 samples in each direction are close enough for its largest slope and have small
+   * fourth differences. */
   bool is_shown(const FormulaBox<dim> &box, const std::vector<KinkLine<dim>> &lines,
                 double tolerance) const;
 
-  /** Returns the lines of all switches that a box does not decide and whose arguments are affine in
-   * it. @param all whether every undecided switch has such a line. */
+  /** Returns the lines of the switches that a box does not decide and whose arguments are affine in
+   * it, also of those inside of others. @param all whether every undecided switch has such a line.
+   */
   std::vector<KinkLine<dim>> lines_in(const FormulaBox<dim> &box, bool &all) const;
 
 private:

@@ -68,6 +68,9 @@ public:
   Tensor<1, dim> exact_gradient(const Point<dim> &x, const unsigned int component) const {
     return values_[component].formula().gradient(x);
   }
+  const std::vector<Expression<dim>> &components() const {
+    return values_;
+  }
 
   double value(const Point<dim> &x, unsigned int component = 0) const override;
   void value_list(const Points &points, std::vector<double> &values,

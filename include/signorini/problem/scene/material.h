@@ -40,6 +40,9 @@ public:
   virtual double out_of_plane_stress(const Point<dim> &x,
                                      const SymmetricTensor<2, dim> &strain) const = 0;
 
+  /** Returns the formulas of the moduli. */
+  virtual std::vector<Expression<dim>> expressions() const = 0;
+
 private:
   double modulus_;
 };

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+
+#include <deal.II/base/bounding_box.h>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <functional>
+#include <vector>
+
+namespace Signorini {
+/** The line (in 3-D, the plane) normal.x = position, |normal| = 1. */
+template <int dim>
+struct KinkLine {
+  Tensor<1, dim> normal;
+  double position;
+
+  /** Returns normal.x - position. */
+  double signed_distance(const Point<dim> &x) const {
+    return normal * (x - Point<dim>()) - position;
+  }
+};
+
+/**
+ * The halves of a box, halves of these, and so on, down to boxes in which a few points show what
+ * data does. It is the whole plane where nothing hides; boxes at the rim have no outer end.
+ */
+class BoxTree {
+public:
+  /** Says in which directions data in a box varies faster than a few points show. */
+  using Look = std::function<std::array<bool, 2>(const BoundingBox<2> &)>;
+
+  /** A box, and the line that halves it. */
+  struct Node {
+    KinkLine<2> line;
+    /** The part before the line, followed by the one behind it; 0: it is not divided. */
+    unsigned int parts = 0;
+    /** Whether the data asks for the halves; the first halves are made without asking. */
+    bool is_asked_for = false;
+  };
+
+  /** The first boxes are 1/4 of the body wide, the smallest 1/4096. */
+  static constexpr unsigned int first_halvings = 2, max_halvings = 12;
+  /** The largest number of looks at boxes; then the boxes that are left stay whole. */
+  static constexpr unsigned int max_looks = 100000;
+
+  /** Divides nothing. */
+  BoxTree() = default;
+  BoxTree(const BoundingBox<2> &body, const Look &look);
+
+  const std::vector<Node> &nodes() const {
+    return nodes_;
+  }
+  /** Returns whether the data asks for a line through the interior of a box. */
+  bool divides(const BoundingBox<2> &box, unsigned int node = 0) const;
+
+private:
+  /** Joins halves that nobody asked for. @return whether one of the parts was asked for. */
+  bool join(unsigned int node);
+
+  std::vector<Node> nodes_ = {{}};
+};
+} // namespace Signorini

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/problem/scene/scene.h>
+
+namespace Signorini {
+/**
+ * Finds where the formulas of a scene are not smooth: all lines on which their switches change, and
+ * the breaks on sides and the boxes in the body between which Gauss' rules show what they do.
+ *
+ * Formulas are enclosed in boxes, so that nothing hides between points. A box in which one of them
+ * is not shown (FormulaTree::is_shown()) is halved; boxes in the body down to 1/4096 of its
+ * extent, intervals on a side until a jump is known up to 1e-10 of its length. What varies by less
+ * than 1e-8 of the mean of its absolute value, times the body's area over that of the box, counts
+ * as constant. Functions of the catalogue and distances to foundations are no formulas; their
+ * kinks are declared.
+ *
+ * @return the scene's own lines and those that were found; without ends.
+ */
+Kinks<2> scan_data(const Scene<2> &scene);
+} // namespace Signorini

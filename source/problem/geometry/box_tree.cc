@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A tree of boxes.
+
+#include <signorini/problem/geometry/box_tree.h>
+
+#include <queue>
+
+namespace Signorini {
+namespace {
+/** A box that may still be divided. */
+struct Open {
+  unsigned int node;
+  BoundingBox<2> box;
+  std::array<unsigned int, 2> halvings;
+};
+
+/** Returns the direction in which a box is divided next: the one with fewer halvings; 2 if there is
+ * none. */
+unsigned int next_direction(const Open &open, const std::array<bool, 2> &wanted,
+                            const unsigned int most) {
+  unsigned int found = 2;
+  for (unsigned int d = 0; d < 2; ++d)
+    if (wanted[d] && open.halvings[d] < most &&
+        (found == 2 || open.halvings[d] < open.halvings[found]))
+      found = d;
+  return found;
+}
+} // namespace
+
+BoxTree::BoxTree(const BoundingBox<2> &body, const Look &look) {
+  std::queue<Open> open;
+  open.push({0, body, {{0, 0}}});
+  for (unsigned int n_looks = 0; !open.empty(); open.pop()) {
+    const Open here = open.front();
+    unsigned int d = next_direction(here, {{true, true}}, first_halvings);
+    const bool asks = d == 2;
+    if (asks && n_looks++ < max_looks)
+      d = next_direction(here, look(here.box), max_halvings);
+    if (d == 2)
+      continue;
+    const double middle = here.box.center()[d];
+    nodes_[here.node] = {
+      {Point<2>::unit_vector(d), middle}, static_cast<unsigned int>(nodes_.size()), asks};
+    for (unsigned int part = 0; part < 2; ++part) {
+      auto [lower, upper] = here.box.get_boundary_points();
+      (part == 0 ? upper : lower)[d] = middle;
+      Open half = {static_cast<unsigned int>(nodes_.size()), BoundingBox<2>({lower, upper}),
+                   here.halvings};
+      ++half.halvings[d];
+      nodes_.emplace_back();
+      open.push(half);
+    }
+  }
+  join(0);
+}
+
+bool BoxTree::join(const unsigned int node) {
+  if (nodes_[node].parts == 0)
+    return false;
+  const bool first = join(nodes_[node].parts), second = join(nodes_[node].parts + 1);
+  if (first || second || nodes_[node].is_asked_for)
+    return true;
+  nodes_[node].parts = 0;
+  return false;
+}
+
+bool BoxTree::divides(const BoundingBox<2> &box, const unsigned int node) const {
+  const auto &[line, parts, is_asked_for] = nodes_[node];
+  if (parts == 0)
+    return false;
+  const unsigned int d = line.normal[0] == 0. ? 1 : 0;
+  const double margin = 1e-10 * box.side_length(d);
+  const bool before =
+    box.lower_bound(d)<line.position - margin, behind = box.upper_bound(d)> line.position + margin;
+  if (before && behind && is_asked_for)
+    return true;
+  return (before && divides(box, parts)) || (behind && divides(box, parts + 1));
+}
+} // namespace Signorini
