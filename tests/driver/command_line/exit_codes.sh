@@ -182,14 +182,18 @@ described() {
 # Whatever number is known of the error decides.
 test_accuracy() {
   described '0; -0.1*x' -0.05 >jump.prm
-  sed -i 's/Rollers/Clamped/' jump.prm
-  run 2 jump.prm --set 'Solver/Tolerated error=0.1'
-  check "  an estimate is above Tolerated error" grep -q 'estimated; Tolerated error: 10 %' stderr
+  run 2 jump.prm --set 'Solver/Tolerated error=0.01'
+  check "  a bound is above Tolerated error" grep -q 'guaranteed bound; Tolerated error: 1 %' stderr
   check "  graded meshes are named" grep -q 'Strategy = hp' stderr
   run 0 jump.prm --set 'Solver/Tolerated error=0.3'
   run 2 jump.prm --set 'Solver/Tolerated error=0.001' --set Discretization/Strategy=hp \
     --set 'Discretization/Maximum unknowns=400'
   check "  on graded meshes, too" grep -q 'Tolerated error' stderr
+  printf 'subsection %s\n  set %s\nend\n' Geometry 'Shape = half disc' Boundary 'Contact = arc' \
+    Boundary 'Displacement = flat: 0; -0.02' Contact 'Foundation = plane 0,-1 normal 0,1' \
+    Discretization 'Strategy = hp' >disc.prm
+  run 2 disc.prm --set 'Solver/Tolerated error=1e-5'
+  check "  an estimate is above Tolerated error" grep -q 'estimated; Tolerated error: 0.001 %' stderr
 
   described '0; 0; -0.02' '(x^2 + y^2)/2' 3 >missed.prm
   run 2 missed.prm

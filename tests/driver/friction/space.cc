@@ -191,7 +191,7 @@ void test_torsion(Checks &checks) {
 void test_methods(Checks &checks) {
   const Entries scene = {"Boundary/Contact=bottom right",
                          "Contact/Foundation shift=0.03*y; -0.02; 0.01",
-                         "Contact/Gap=bottom: 0.1*((x-0.6)^2+(y-0.4)^2) | right: -0.01*z"};
+                         "Contact/Gap=bottom: 0.1*((x-0.6)^2+(y-0.4)^2) | right: 0.06*z-0.01"};
   for (const Entries &friction : {Entries{},
                                   {"Contact/Friction=tresca", "Contact/Friction coefficient=",
                                    "Contact/Friction bound=0.01+0.01*x"}}) {

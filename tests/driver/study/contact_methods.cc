@@ -42,7 +42,7 @@ const std::vector<Settings> described = {
    "Contact/Gap=0.01+0.06*(x-0.8)^2"},
   // The corner of the contact side is moved.
   {"Boundary/Displacement=left: 0.01; -0.02*(1-y)", "Boundary/Contact=bottom",
-   "Boundary/Traction=top: 0; -0.1", "Contact/Gap=0.3*x^2"},
+   "Boundary/Traction=top: 0; -0.1", "Contact/Gap=0.02+0.3*x^2"},
   {"Geometry/Shape=polygon", "Geometry/Vertices=0,0; 2,0; 2.5,1; 1,2; -0.5,1",
    "Boundary/Clamped=side2", "Boundary/Contact=side0", "Load/Body force=0.05; -0.2",
    "Contact/Gap=0.1*(x-1)^2-0.01"},
