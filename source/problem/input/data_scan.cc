@@ -17,36 +17,33 @@ constexpr double negligible = 1e-8;
 /** The largest number of lines: more are resolved by boxes. */
 constexpr std::size_t max_lines = 64;
 
-/** A formula, and the mean of its absolute value. */
+/** A formula, and the size of its values. */
 struct Datum {
   Expression<2> formula;
-  double mean;
+  double size;
 };
 using Data = std::vector<Datum>;
 
-/** Appends the formulas that depend on the place. */
-void add(const std::vector<Expression<2>> &formulas, const std::vector<Point<2>> &points,
-         Data &data) {
+/** Returns the mean of the absolute value at points where it is finite. */
+double mean_size(const Expression<2> &formula, const std::vector<Point<2>> &points) {
   std::vector<double> values(points.size());
-  for (const Expression<2> &formula : formulas) {
-    if (formula.is_constant())
-      continue;
-    formula.evaluate(points, values);
-    double sum = 0.;
-    for (const double value : values)
-      sum += std::isfinite(value) ? std::abs(value) : 0.;
-    data.push_back({formula, sum / points.size()});
-  }
+  formula.evaluate(points, values);
+  double sum = 0.;
+  for (const double value : values)
+    sum += std::isfinite(value) ? std::abs(value) : 0.;
+  return sum / points.size();
 }
-void add(const FunctionPointer<2> &function, const std::vector<Point<2>> &points, Data &data) {
-  if (const auto formulas = std::dynamic_pointer_cast<const ExpressionFunction<2>>(function))
-    add(formulas->components(), points, data);
+
+/** Appends the components of a function that is given by formulas. */
+void append(const FunctionPointer<2> &function, std::vector<Expression<2>> &formulas) {
+  if (const auto given = std::dynamic_pointer_cast<const ExpressionFunction<2>>(function))
+    formulas.insert(formulas.end(), given->components().begin(), given->components().end());
 }
 
 /** Returns whether a formula or its derivatives jump on a line, at one of many points in a box. */
 bool jumps_on(const KinkLine<2> &line, const Datum &datum, const BoundingBox<2> &body) {
   constexpr int n = 128;
-  constexpr double step = 1e-7, least = 1e-5;
+  constexpr double step = 1e-10, least = 1e-5;
   const double size = body.side_length(0) + body.side_length(1);
   const FormulaTree<2> &formula = datum.formula.formula();
   const Point<2> foot = body.center() - line.signed_distance(body.center()) * line.normal;
@@ -57,7 +54,7 @@ bool jumps_on(const KinkLine<2> &line, const Datum &datum, const BoundingBox<2> 
       continue;
     const double jump = std::abs(formula.value(behind) - formula.value(before)),
                  kink = (formula.gradient(behind) - formula.gradient(before)).norm() * size;
-    if (!(std::max(jump, kink) <= least * datum.mean))
+    if (!(std::max(jump, kink) <= least * datum.size))
       return true;
   }
   return false;
@@ -75,7 +72,11 @@ public:
   explicit Scan(const Scene<2> &scene)
     : scene_(scene)
     , body_({scene.geometry.lower, scene.geometry.upper})
-    , lines_(scene.kinks.lines()) {}
+    , lines_(scene.kinks.lines()) {
+    constexpr unsigned int n = 32;
+    for (unsigned int i = 0; i < n * n; ++i)
+      points_.push_back(body_.unit_to_real(Point<2>((i % n + 0.5) / n, (i / n + 0.5) / n)));
+  }
 
   BoxTree scan_body();
   void scan_side(unsigned int number, std::vector<Point<2>> &breaks);
@@ -84,6 +85,9 @@ public:
   std::vector<KinkLine<2>> kinks() const;
 
 private:
+  /** Returns the formulas that depend on the place. @param side points of the side that has them;
+   * empty for those of the body. */
+  Data data_of(const std::vector<Expression<2>> &formulas, const std::vector<Point<2>> &side = {});
   /** @param share that of the box in the body, or of an interval in its side. */
   std::array<bool, 2> look(const FormulaBox<2> &box, const Data &data, double share);
   void add_lines(const FormulaTree<2> &formula, const FormulaBox<2> &box);
@@ -93,10 +97,25 @@ private:
 
   const Scene<2> &scene_;
   const BoundingBox<2> body_;
+  /** Points in the box around the body. */
+  std::vector<Point<2>> points_;
   /** All lines on which switches change. */
   std::vector<KinkLine<2>> lines_;
   Data all_data_;
 };
+
+Data Scan::data_of(const std::vector<Expression<2>> &formulas, const std::vector<Point<2>> &side) {
+  // What vanishes on a side vanishes up to rounding of its values in the body.
+  constexpr double rounding = 1e-6;
+  Data data;
+  for (const Expression<2> &formula : formulas)
+    if (!formula.is_constant())
+      data.push_back({formula, side.empty() ? mean_size(formula, points_)
+                                            : mean_size(formula, side) +
+                                                rounding * mean_size(formula, points_)});
+  all_data_.insert(all_data_.end(), data.begin(), data.end());
+  return data;
+}
 
 std::vector<KinkLine<2>> Scan::kinks() const {
   const std::size_t n_given = scene_.kinks.lines().size();
@@ -129,9 +148,9 @@ std::array<bool, 2> Scan::look(const FormulaBox<2> &box, const Data &data, const
   // In tiny boxes every curve looks like a line.
   constexpr double least_share = 1e-6;
   std::array<bool, 2> wanted = {{false, false}};
-  for (const auto &[expression, mean] : data) {
+  for (const auto &[expression, size] : data) {
     const FormulaTree<2> &formula = expression.formula();
-    const double tolerance = negligible * mean / share;
+    const double tolerance = negligible * size / share;
     bool is_shown = formula.is_shown(box, lines_, tolerance);
     if (!is_shown && share > least_share) {
       const std::size_t n_lines = lines_.size();
@@ -148,16 +167,11 @@ std::array<bool, 2> Scan::look(const FormulaBox<2> &box, const Data &data, const
 }
 
 BoxTree Scan::scan_body() {
-  constexpr unsigned int n = 32;
-  std::vector<Point<2>> points;
-  for (unsigned int i = 0; i < n * n; ++i)
-    points.push_back(body_.unit_to_real(Point<2>((i % n + 0.5) / n, (i / n + 0.5) / n)));
-  Data data;
-  add(scene_.body_force, points, data);
-  add(scene_.material->expressions(), points, data);
+  std::vector<Expression<2>> formulas = scene_.material->expressions();
+  append(scene_.body_force, formulas);
+  const Data data = data_of(formulas);
   if (data.empty())
     return {};
-  all_data_.insert(all_data_.end(), data.begin(), data.end());
   return BoxTree(body_, [&](const BoundingBox<2> &box) {
     return look({box.get_boundary_points().first, box.get_boundary_points().second}, data,
                 box.volume() / body_.volume());
@@ -196,10 +210,10 @@ void Scan::scan_side(const unsigned int number, std::vector<Point<2>> &breaks) {
   std::vector<Point<2>> points;
   for (unsigned int i = 0; i < n; ++i)
     points.push_back(side.point((i + 0.5) / n * side.length()));
-  Data data;
+  std::vector<Expression<2>> formulas;
   for (const auto &function : {condition.data, condition.friction, condition.shift})
-    add(function, points, data);
-  all_data_.insert(all_data_.end(), data.begin(), data.end());
+    append(function, formulas);
+  const Data data = data_of(formulas, points);
   const unsigned int n_first = side.n_pieces() > 16 ? 1 : 4;
   for (unsigned int k = 0; k < side.n_pieces() * n_first && !data.empty(); ++k) {
     const Curve &piece = side.piece(k / n_first);

@@ -64,7 +64,7 @@ void test_integrals(Checks &checks) {
     {"(x - 0.4)^2 + (y - 0.6)^2 < 1e-4 ? 1 : 0", 1e-4 * pi, 1e-7},
     {"exp(-((x - 0.317)/0.003)^2)", w * std::sqrt(pi), 1e-10},
     {"exp(-((x - 0.317)^2 + (y - 0.2)^2)/9e-6)", w * w * pi, 1e-10},
-    {"1 + tanh((x - 0.317)/0.0003)", 2. * (1. - a), 1e-9},
+    {"1 + tanh((x - 0.317)/0.0003)", 2. * (1. - a), 1e-7},
     {"cos(200*pi*x)^2", 0.5, 1e-8},
     {"cos(40*pi*x) < 0 ? 1 : 0", 0.5, 1e-5},
     {"max(0, x + y - 1.3)", std::pow(0.7, 3) / 6., 1e-13},
@@ -79,9 +79,11 @@ void test_smooth(Checks &checks) {
        {"0.1 + 0.3*x - 0.2*y", "0.25*x^2", "sin(pi*y)*cos(3*x)", "(1 + x^2)*(2 + y)",
         "exp(3*x)*(1 + 0.1*y)", "x*(1 - x)*y*(1 - y)", "1/(x + y + 0.3)"}) {
     const Scene<2> scene = scene_with(formula, formula);
-    checks.that(std::string(formula) + " asks for nothing",
-                scene.kinks.lines().empty() && scene.kinks.boxes().nodes().size() == 1 &&
-                  !scene.kinks.has_breaks(Point(0., 0.), Point(1., 0.)));
+    checks.about(formula);
+    const dealii::BoundingBox<2> square({Point(0., 0.), Point(1., 1.)});
+    checks.that("no lines", scene.kinks.lines().empty());
+    checks.that("no boxes", !scene.kinks.boxes().divides(square));
+    checks.that("no breaks", !scene.kinks.has_breaks(Point(0., 0.), Point(1., 0.)));
   }
 }
 
@@ -100,11 +102,12 @@ double integral_on_bottom(const Scene<2> &scene) {
 }
 
 void test_sides(Checks &checks) {
+  checks.about("");
   const double pi = dealii::numbers::PI;
   const std::vector<Family> families = {
     {"abs(x - 0.3203125) < 0.00234375 ? 4.26667 : 0.001", 0.0046875 * 4.26567 + 0.001, 1e-13},
     {"x^2 < 0.1 ? 1 : 0", std::sqrt(0.1), 1e-10},
-    {"exp(-((x - 0.317)/3e-4)^2)", 3e-4 * std::sqrt(pi), 1e-10},
+    {"exp(-((x - 0.317)/3e-4)^2)", 3e-4 * std::sqrt(pi), 1e-8},
     {"0.1 + (abs(x - 0.6) < 1e-7 ? 1e5 : 0)", 0.12, 1e-8},
     {"cos(400*pi*x) < 0 ? 1 : 0", 0.5, 1e-8},
     {"1 + cos(200*pi*x)", 1., 1e-6}};
