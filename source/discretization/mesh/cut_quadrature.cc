@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace Signorini {
 namespace {
@@ -33,18 +34,14 @@ Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign)
 class PolygonRule {
 public:
   /**
-   * Makes the rules of all depths. With p + 3 points per direction, p > 1, that of whole pieces is
-   * exact for products of gradients of functions of degree p per direction; on pieces that are half
-   * as large, one point less has the same effect.
+   * With p + 3 points per direction, p > 1, the rule on whole pieces is exact for products of
+   * gradients of functions of degree p per direction; on pieces that are half as large, one point
+   * less has the same effect.
    * @param ends points towards which the pieces shrink.
    */
   PolygonRule(const unsigned int n_points, std::vector<Point<2>> ends)
-    : ends_(std::move(ends)) {
-    rules_.emplace_back(n_points > 4 ? 2 * n_points - 4 : n_points, 1.);
-    for (unsigned int depth = 1; depth <= deepest; ++depth)
-      rules_.emplace_back(
-        std::max(std::min(n_points, min_points), n_points - std::min(n_points, depth / 2)), 1.);
-  }
+    : n_points_(n_points)
+    , ends_(std::move(ends)) {}
 
   /** Adds a polygon: a fan of triangles. @param halvings how often it was halved before. */
   void add_polygon(const Polygon &polygon, const unsigned int halvings) {
@@ -62,8 +59,17 @@ private:
    * that are small compared with their distance from the end; the smallest pieces hold a share of
    * 2^{-3/2 deepest} of the integral of r. */
   static constexpr unsigned int deepest = 18;
-  /** The number of points on the smallest pieces. */
-  static constexpr unsigned int min_points = 5;
+  /** The number of points on the smallest pieces, near an end and elsewhere. */
+  static constexpr unsigned int min_points = 5, min_smooth_points = 3;
+
+  /** Returns a rule by Duffy's map. */
+  const QDuffy &rule(const unsigned int depth) {
+    const unsigned int least = std::min(n_points_, ends_.empty() ? min_smooth_points : min_points);
+    unsigned int n = std::max(least, n_points_ - std::min(n_points_, depth / 2));
+    if (depth == 0 && n_points_ > 4)
+      n = 2 * n_points_ - 4;
+    return rules_.try_emplace(n, n, 1.).first->second;
+  }
 
   void add(const Triangle &piece, const unsigned int depth) {
     // The longest edge, opposite to the vertex a.
@@ -88,16 +94,16 @@ private:
     }
     const Tensor<1, 2> s = y - x, t = z - x;
     const double jacobian = std::abs(s[0] * t[1] - s[1] * t[0]);
-    const Quadrature<2> &rule = rules_[depth];
-    for (unsigned int q = 0; q < rule.size(); ++q) {
-      points.push_back(x + rule.point(q)[0] * s + rule.point(q)[1] * t);
-      weights.push_back(rule.weight(q) * jacobian);
+    const Quadrature<2> &here = rule(depth);
+    for (unsigned int q = 0; q < here.size(); ++q) {
+      points.push_back(x + here.point(q)[0] * s + here.point(q)[1] * t);
+      weights.push_back(here.weight(q) * jacobian);
     }
   }
 
-  /** The rule of every depth, by Duffy's map. */
-  std::vector<QDuffy> rules_;
-  std::vector<Point<2>> ends_;
+  const unsigned int n_points_;
+  const std::vector<Point<2>> ends_;
+  std::map<unsigned int, QDuffy> rules_;
 };
 
 /** Returns the Jacobian determinant of the bilinear map of a cell at a reference point. */
@@ -120,19 +126,23 @@ std::vector<Point<dim>> ends_near(const Kinks<dim> &kinks,
   return near;
 }
 
-/** Appends the parts of a polygon in the boxes below a node. */
+/** Appends the parts of a polygon in the boxes below a node. @param halvings in each direction. */
 void divide(const Polygon &polygon, const BoxTree &boxes, const unsigned int node,
-            const unsigned int halvings, std::vector<PolygonPart> &parts) {
+            const std::array<unsigned int, 2> &halvings, std::vector<PolygonPart> &parts) {
   const BoxTree::Node &halved = boxes.nodes()[node];
-  if (halved.parts == 0)
-    parts.push_back({polygon, halvings});
+  if (halved.parts == 0) {
+    parts.push_back({polygon, 2 * std::min(halvings[0], halvings[1])});
+    return;
+  }
   std::array<Polygon, 2> halves;
-  for (unsigned int k = 0; k < 2 && halved.parts != 0; ++k)
+  for (unsigned int k = 0; k < 2; ++k)
     halves[k] = clip(polygon, halved.line, k == 0 ? -1. : 1.);
-  const bool is_cut = halves[0].size() > 2 && halves[1].size() > 2;
+  std::array<unsigned int, 2> more = halvings;
+  if (halves[0].size() > 2 && halves[1].size() > 2)
+    ++more[halved.line.normal[0] == 0. ? 1 : 0];
   for (unsigned int k = 0; k < 2; ++k)
     if (halves[k].size() > 2)
-      divide(halves[k], boxes, halved.parts + k, halvings + (is_cut ? 1 : 0), parts);
+      divide(halves[k], boxes, halved.parts + k, more, parts);
 }
 } // namespace
 
@@ -169,7 +179,7 @@ std::vector<PolygonPart> cut_polygon(const Kinks<2> &kinks, const Polygon &polyg
     return {pieces.begin(), pieces.end()};
   std::vector<PolygonPart> parts;
   for (const Polygon &piece : pieces)
-    divide(piece, kinks.boxes(), 0, 0, parts);
+    divide(piece, kinks.boxes(), 0, {{0, 0}}, parts);
   return parts;
 }
 

@@ -167,29 +167,17 @@ dealii::Vector<double> CellFitter::subtract_load(const Triangulation<2>::active_
     return dealii::Vector<double>(8 * (fit.airy->degree() + 1));
   // Products of f_K with itself, and f of as many degrees more as f_K has.
   const unsigned int n = fit.airy->degree() + 4;
-  const bool is_cut = needs_cuts<2>(data_.scene.kinks, cell);
-  // About 500000 points on the mesh, and two per direction in a cell of u_h.
-  const auto &of_u = data_.space.mesh();
-  const double per_cell =
-    std::clamp(std::sqrt(5e5 / of_u.triangulation().n_active_cells()), 2., 96.);
-  const auto n_parts = static_cast<unsigned int>(
-    of_u.is_graded() ? std::clamp(per_cell / 4., 4., 24.)
-                     : std::ceil(per_cell / 4. * (1 << (of_u.level() - cell->level()))));
-  const auto finely = [&] {
-    fit.load = project_load(shape, QIterated<2>(QGauss<1>(4), n_parts), fit);
-  };
-  if (is_cut)
+  if (needs_cuts<2>(data_.scene.kinks, cell))
     fit.load = project_load(shape, cut_quadrature(data_.scene.kinks, cell, n), fit);
-  else if (!of_u.is_graded() && !is_constant(*data_.scene.body_force))
-    finely();
   else {
-    Quadrature<2> &plain = load_rules_[n];
+    // Such a rule resolves smooth data in a quarter of the body, see scan_data().
+    const Geometry<2> &body = data_.scene.geometry;
+    const bool is_wide = !is_constant(*data_.scene.body_force) &&
+                         cell->diameter() > 0.4 * body.shortest_extent();
+    Quadrature<2> &plain = load_rules_[is_wide ? 4 * n : n];
     if (plain.size() == 0)
-      plain = QGauss<2>(n);
+      plain = QIterated<2>(QGauss<1>(n), is_wide ? 4 : 1);
     fit.load = project_load(shape, plain, fit);
-    // Graded meshes resolve all but a force that is no polynomial at all, such as one that jumps.
-    if (fit.load_rest > 1e-3 * fit.load_norm)
-      finely();
   }
   return fit.airy->subtract_load(fit.load, values);
 }

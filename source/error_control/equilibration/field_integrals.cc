@@ -63,27 +63,37 @@ public:
     values_.reinit(cell);
     const CellShape shape(corners_of(cell));
     double distance = 0.;
-    if (is_constant_ || !(needs_cuts<2>(data_.scene.kinks, cell) ||
-                          sampling_.varies_in(shape.corners, values_.get_quadrature_points())))
+    const bool is_cut = (!is_constant_ || force_) && needs_cuts<2>(data_.scene.kinks, cell);
+    if (!is_cut &&
+        (is_constant_ || !sampling_.varies_in(shape.corners, values_.get_quadrature_points())))
       distance = add(cell, values_, values_.get_JxW_values(), true, chunk);
-    else
+    else {
+      const QWitherdenVincentSimplex<2> rule(3);
+      std::vector<Point<2>> points;
+      std::vector<double> weights;
       for (const auto &triangle : triangle_parts(shape, data_.scene.kinks, &sampling_))
-        for (const TrianglePart &part : triangle)
-          distance += add(cell, shape, part, chunk);
+        for (const TrianglePart &part : triangle) {
+          std::vector<Point<2>> rough_points;
+          std::vector<double> rough_weights;
+          add_points(rule, part.corners, shape, part.resolved ? points : rough_points,
+                     part.resolved ? weights : rough_weights);
+          distance += add(cell, rough_points, rough_weights, false, chunk);
+        }
+      distance += add(cell, points, weights, true, chunk);
+    }
     chunk.distances.emplace_back(cell->active_cell_index(), std::sqrt(distance));
   }
 
 private:
-  /** Adds a part of a cell. @return the square of the distance there. */
-  double add(const DoFHandler<2>::active_cell_iterator &cell, const CellShape &shape,
-             const TrianglePart &part, Chunk &chunk) {
-    std::vector<Point<2>> points;
-    std::vector<double> weights;
-    add_points(QWitherdenVincentSimplex<2>(3), part.corners, shape, points, weights);
+  /** Adds points of a cell. @return the square of the distance there. */
+  double add(const DoFHandler<2>::active_cell_iterator &cell, const std::vector<Point<2>> &points,
+             const std::vector<double> &weights, const bool is_resolved, Chunk &chunk) {
+    if (points.empty())
+      return 0.;
     FEValues<2> values(StaticMappingQ1<2>::mapping, data_.space.element(), Quadrature<2>(points),
                        values_.get_update_flags());
     values.reinit(cell);
-    return add(cell, values, weights, part.resolved, chunk);
+    return add(cell, values, weights, is_resolved, chunk);
   }
 
   /** Adds a sum over points. Where the law is not resolved, energies are taken from above.

@@ -13,7 +13,7 @@
 namespace Signorini {
 using Polygon = std::vector<Point<2>>;
 
-/** A part of a convex polygon, and how often boxes halved it. */
+/** A part of a convex polygon, and how often boxes halved it, in both directions. */
 struct PolygonPart {
   PolygonPart(Polygon corners, const unsigned int halvings = 0)
     : corners(std::move(corners))
