@@ -131,7 +131,7 @@ void divide(const Polygon &polygon, const BoxTree &boxes, const unsigned int nod
             const std::array<unsigned int, 2> &halvings, std::vector<PolygonPart> &parts) {
   const BoxTree::Node &halved = boxes.nodes()[node];
   if (halved.parts == 0) {
-    parts.push_back({polygon, 2 * std::min(halvings[0], halvings[1])});
+    parts.push_back({polygon, 2 * std::min(halvings[0], halvings[1]), halved.is_rough});
     return;
   }
   std::array<Polygon, 2> halves;
@@ -175,8 +175,6 @@ std::vector<PolygonPart> cut_polygon(const Kinks<2> &kinks, const Polygon &polyg
       }
     pieces = std::move(parts);
   }
-  if (!kinks.boxes().divides(BoundingBox<2>(polygon)))
-    return {pieces.begin(), pieces.end()};
   std::vector<PolygonPart> parts;
   for (const Polygon &piece : pieces)
     divide(piece, kinks.boxes(), 0, {{0, 0}}, parts);
@@ -186,9 +184,9 @@ std::vector<PolygonPart> cut_polygon(const Kinks<2> &kinks, const Polygon &polyg
 Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
                              const unsigned int n_points) {
   PolygonRule rule(n_points, ends_near(kinks, cell));
-  for (const auto &[piece, halvings] :
+  for (const PolygonPart &part :
        cut_polygon(kinks, {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}))
-    rule.add_polygon(piece, halvings);
+    rule.add_polygon(part.corners, part.halvings);
   const MappingQ1<2> mapping;
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     rule.points[q] = mapping.transform_real_to_unit_cell(cell, rule.points[q]);

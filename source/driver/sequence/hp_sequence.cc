@@ -38,18 +38,13 @@ void require_few(const DiscretizationParameters &given, const double n_unknowns,
 }
 
 /** Returns the plan of the first mesh. @throws InputError if the mesh has too many unknowns, which
- * is checked before it is made, or if the material changes between all points. */
+ * is checked before it is made. */
 MeshPlan make_first_plan(const Scene<2> &scene, const DiscretizationParameters &given) {
   MeshPlan plan = first_plan(scene, given.coarsest_level, given.maximum_degree);
   // Every cell is of degree 2: by Euler's formula there are more than four nodes for each.
   const double fewest = 8. * scene.geometry.n_coarse_cells * std::pow(4., plan.base_level);
   require_few(given, fewest, "more than " + number_text(fewest));
-  if (const std::optional<Point<2>> hidden = resolve_hidden_data(scene, plan))
-    throw input_error(
-      given.strategy.where(), ": the material changes within a layer at (", *hidden,
-      ") that is too thin for cells that are not aligned with it, allowed: lines of the "
-      "mesh at both of its sides (Kinks at x, Kinks at y; in a polygon sides or a mesh "
-      "file that follow it).");
+  resolve_hidden_data(scene, plan);
   return plan;
 }
 

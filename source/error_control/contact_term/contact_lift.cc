@@ -234,7 +234,7 @@ std::vector<double> LiftField::cuts(const CellIterator &cell, const unsigned int
     for (const unsigned int edge : {0, 1}) {
       // Edges 2 and 3 run along x, edges 0 and 1 along y.
       const auto line = cell->face(2 * (1 - d) + edge);
-      const auto crossings = data_.scene.kinks.cut(line->vertex(0), line->vertex(1));
+      const auto crossings = data_.scene.law_kinks.cut(line->vertex(0), line->vertex(1));
       cuts.insert(cuts.end(), crossings.begin(), crossings.end());
     }
   std::sort(cuts.begin(), cuts.end());
@@ -276,25 +276,15 @@ double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) co
   return energy;
 }
 
-namespace {
-/** Returns points close to the corners of a cell, and its centre. */
-std::vector<Point<2>> near_corners(const LiftField::CellIterator &cell) {
-  std::vector<Point<2>> points = {cell->center()};
-  for (const unsigned int v : cell->vertex_indices())
-    points.push_back(cell->vertex(v) + 0.05 * (cell->center() - cell->vertex(v)));
-  return points;
-}
-} // namespace
-
 dealii::Vector<double> LiftField::cell_energies() const {
   const bool constant = data_.scene.material->is_constant();
   const std::size_t n_cells = data_.space.mesh().triangulation().n_active_cells();
-  const LawSampling sampling(*data_.scene.material, n_cells);
   const auto n_equal_parts = [&](const CellIterator &cell) {
-    // Graded meshes resolve data.
-    return !constant && cell->get_fe().degree == 1 &&
-               sampling.varies_in(corners_of(cell), near_corners(cell))
-             ? (sampling.intervals() + 3) / 4
+    // Boxes of the law are hardly smaller.
+    constexpr double smallest = 1. / 512.;
+    const double n = cell->diameter() / (smallest * data_.scene.geometry.diameter());
+    return !constant && needs_cuts<2>(data_.scene.law_kinks, cell)
+             ? static_cast<unsigned int>(std::clamp(n, 1., 24.))
              : 1;
   };
   const auto make_values = [&](const FiniteElement<2> &element, const Quadrature<2> &rule) {

@@ -22,14 +22,8 @@ CellShape at_unit_size(const CellShape &shape, const double size) {
 
 CellFitter::CellFitter(const BoundData &data)
   : data_(data)
-  , is_constant_(data.scene.material->is_constant()) {
-  if (is_constant_)
-    return;
-  kinks_ = data.scene.kinks;
-  // Graded meshes resolve all else, see resolve_hidden_data().
-  if (!data.space.mesh().is_graded())
-    sampling_.emplace(*data.scene.material, data.space.mesh().triangulation().n_active_cells());
-}
+  , is_constant_(data.scene.material->is_constant())
+  , kinks_(is_constant_ ? Kinks<2>() : data.scene.law_kinks) {}
 
 std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &shape,
                                                               const double size,
@@ -38,9 +32,9 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
   // Squares of gradients of u_h have the degree 4 q - 2 on parallelograms; what has more than the
   // degree q + 3 is small in σ(u_h) - τ. Where they are no polynomials, two degrees more.
   const bool is_polynomial = shape.affine && is_constant_;
-  const Quadrature<2> rule =
-    triangle_rule(std::min(4 * degree - 2, 2 * degree + 6) + (is_polynomial ? 0 : 4));
-  const auto parts = triangle_parts(shape, kinks_, sampling_ ? &*sampling_ : nullptr);
+  const unsigned int whole = std::min(4 * degree - 2, 2 * degree + 6) + (is_polynomial ? 0 : 4);
+  std::map<unsigned int, Quadrature<2>> rules;
+  const auto parts = triangle_parts(shape, kinks_);
   const Tensor<2, 2> inverse = invert(Tensor<2, 2>(
     {{shape.corners[0][0] - shape.crossing[0], shape.corners[1][0] - shape.crossing[0]},
      {shape.corners[0][1] - shape.crossing[1], shape.corners[1][1] - shape.crossing[1]}}));
@@ -51,9 +45,13 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
   for (unsigned int k = 0; k < 4; ++k)
     for (const TrianglePart &part : parts[k]) {
       const Triangle &x = part.corners;
+      // On parts of half the size, two degrees less have the same effect.
+      constexpr unsigned int least = 6;
+      const unsigned int of_part = whole - std::min(whole - least, part.halvings);
+      const Quadrature<2> &rule = rules.try_emplace(of_part, triangle_rule(of_part)).first->second;
       // Where the law is not resolved, the energy of stresses is taken from above.
       std::optional<Law> softest = law;
-      for (unsigned int q = 0; q < rule.size() && !part.resolved; ++q)
+      for (unsigned int q = 0; q < rule.size() && part.is_rough; ++q)
         if (const Law here(material.hooke(point_of(x, rule.point(q))));
             !softest || here.compliance.norm() > softest->compliance.norm())
           softest = here;
@@ -172,8 +170,8 @@ dealii::Vector<double> CellFitter::subtract_load(const Triangulation<2>::active_
   else {
     // Such a rule resolves smooth data in a quarter of the body, see scan_data().
     const Geometry<2> &body = data_.scene.geometry;
-    const bool is_wide = !is_constant(*data_.scene.body_force) &&
-                         cell->diameter() > 0.4 * body.shortest_extent();
+    const bool is_wide =
+      !is_constant(*data_.scene.body_force) && cell->diameter() > 0.4 * body.shortest_extent();
     Quadrature<2> &plain = load_rules_[is_wide ? 4 * n : n];
     if (plain.size() == 0)
       plain = QIterated<2>(QGauss<1>(n), is_wide ? 4 : 1);

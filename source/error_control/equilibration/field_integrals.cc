@@ -29,14 +29,11 @@ void add_points(const Quadrature<2> &rule, const Triangle &x, const CellShape &s
 }
 
 /** Returns the number of points per direction: for products of functions of degree two on
- * parallelograms. A load that is integrated itself is sampled as densely as elsewhere. */
+ * parallelograms; more where the law varies, or a load that is integrated itself. */
 unsigned int n_points(const BoundData &data, const unsigned int n_fields) {
-  const unsigned int n = (data.space.element().degree << (n_fields - 1)) + 1;
-  if (StressMesh::aligns(data) || data.scene.body_force == nullptr ||
-      is_constant(*data.scene.body_force))
-    return n;
-  const double n_cells = data.space.mesh().triangulation().n_active_cells();
-  return std::max<unsigned int>(n, std::min(32., std::sqrt(5e5 / n_cells)));
+  const unsigned int n =
+    (data.space.element().degree << (n_fields - 1)) + (data.scene.material->is_constant() ? 1 : 3);
+  return StressMesh::aligns(data) || data.scene.body_force == nullptr ? n : n + 6;
 }
 
 /** Integrates over cells. Every chunk has its own object. */
@@ -51,8 +48,7 @@ public:
     , values_(StaticMappingQ1<2>::mapping, data.space.element(),
               QGauss<2>(n_points(data, n_fields_)),
               update_values | update_gradients | update_inverse_jacobians | update_JxW_values |
-                update_quadrature_points)
-    , sampling_(*data.scene.material, data.space.mesh().triangulation().n_active_cells()) {
+                update_quadrature_points) {
     for (unsigned int k = 0; k < n_fields_; ++k)
       fields_.emplace_back(data.space, values_.get_quadrature(), k);
     if (is_constant_)
@@ -61,50 +57,60 @@ public:
 
   void add(const DoFHandler<2>::active_cell_iterator &cell, Chunk &chunk) {
     values_.reinit(cell);
-    const CellShape shape(corners_of(cell));
     double distance = 0.;
-    const bool is_cut = (!is_constant_ || force_) && needs_cuts<2>(data_.scene.kinks, cell);
-    if (!is_cut &&
-        (is_constant_ || !sampling_.varies_in(shape.corners, values_.get_quadrature_points())))
-      distance = add(cell, values_, values_.get_JxW_values(), true, chunk);
-    else {
-      const QWitherdenVincentSimplex<2> rule(3);
-      std::vector<Point<2>> points;
-      std::vector<double> weights;
-      for (const auto &triangle : triangle_parts(shape, data_.scene.kinks, &sampling_))
-        for (const TrianglePart &part : triangle) {
-          std::vector<Point<2>> rough_points;
-          std::vector<double> rough_weights;
-          add_points(rule, part.corners, shape, part.resolved ? points : rough_points,
-                     part.resolved ? weights : rough_weights);
-          distance += add(cell, rough_points, rough_weights, false, chunk);
-        }
-      distance += add(cell, points, weights, true, chunk);
-    }
+    if (is_constant_ || !needs_cuts<2>(data_.scene.law_kinks, cell))
+      distance = add_energies(cell, values_, values_.get_JxW_values(), false, chunk);
+    else
+      visit_parts(cell, data_.scene.law_kinks,
+                  [&](const FEValues<2> &values, const auto &weights, const bool is_rough) {
+                    distance += add_energies(cell, values, weights, is_rough, chunk);
+                  });
+    if (force_ && !needs_cuts<2>(data_.scene.kinks, cell))
+      add_loads(cell, values_, values_.get_JxW_values(), chunk);
+    else if (force_)
+      visit_parts(cell, data_.scene.kinks,
+                  [&](const FEValues<2> &values, const auto &weights, const bool /*is_rough*/) {
+                    add_loads(cell, values, weights, chunk);
+                  });
     chunk.distances.emplace_back(cell->active_cell_index(), std::sqrt(distance));
   }
 
 private:
-  /** Adds points of a cell. @return the square of the distance there. */
-  double add(const DoFHandler<2>::active_cell_iterator &cell, const std::vector<Point<2>> &points,
-             const std::vector<double> &weights, const bool is_resolved, Chunk &chunk) {
-    if (points.empty())
-      return 0.;
-    FEValues<2> values(StaticMappingQ1<2>::mapping, data_.space.element(), Quadrature<2>(points),
-                       values_.get_update_flags());
-    values.reinit(cell);
-    return add(cell, values, weights, is_resolved, chunk);
+  /** Visits the points of all smooth parts of a cell at once, and those of each rough one. */
+  template <typename Visitor>
+  void visit_parts(const DoFHandler<2>::active_cell_iterator &cell, const Kinks<2> &kinks,
+                   const Visitor &visit) const {
+    const QWitherdenVincentSimplex<2> rule(3);
+    const CellShape shape(corners_of(cell));
+    std::vector<Point<2>> smooth;
+    std::vector<double> smooth_weights;
+    const auto visit_points = [&](const std::vector<Point<2>> &points,
+                                  const std::vector<double> &weights, const bool is_rough) {
+      if (points.empty())
+        return;
+      FEValues<2> values(StaticMappingQ1<2>::mapping, data_.space.element(), Quadrature<2>(points),
+                         values_.get_update_flags());
+      values.reinit(cell);
+      visit(values, weights, is_rough);
+    };
+    for (const auto &triangle : triangle_parts(shape, kinks))
+      for (const TrianglePart &part : triangle) {
+        std::vector<Point<2>> points;
+        std::vector<double> weights;
+        add_points(rule, part.corners, shape, part.is_rough ? points : smooth,
+                   part.is_rough ? weights : smooth_weights);
+        visit_points(points, weights, true);
+      }
+    visit_points(smooth, smooth_weights, false);
   }
 
-  /** Adds a sum over points. Where the law is not resolved, energies are taken from above.
-   * @return the square of the distance. */
-  double add(const DoFHandler<2>::active_cell_iterator &cell, const FEValues<2> &values,
-             const std::vector<double> &weights, const bool is_resolved, Chunk &chunk) {
+  /** Adds energies, from above on a part where the law is rough. @return the square of the
+   * distance. */
+  double add_energies(const DoFHandler<2>::active_cell_iterator &cell, const FEValues<2> &values,
+                      const std::vector<double> &weights, const bool is_rough, Chunk &chunk) {
     std::vector<const FieldValues<2> *> v;
     for (auto &field : fields_)
       v.push_back(&field.evaluate(data_.U, cell, values));
-    const std::vector<Tensor<1, 2>> force =
-      force_ ? force_(cell, values.get_quadrature_points()) : std::vector<Tensor<1, 2>>();
     std::array<double, 3> sums = {{0., 0., 0.}}, largest = sums;
     double area = 0.;
     for (std::size_t q = 0; q < weights.size(); ++q) {
@@ -120,14 +126,22 @@ private:
         sums[k] += weights[q] * density;
         largest[k] = std::max(largest[k], density);
       }
-      for (unsigned int k = 0; k < n_fields_ && force_; ++k)
-        chunk.load[k] += weights[q] * (force[q] * (v[k]->values[q] - translation_));
     }
-    for (unsigned int k = 0; k < 3 && !is_resolved; ++k)
+    for (unsigned int k = 0; k < 3 && is_rough; ++k)
       sums[k] = area * largest[k];
     for (unsigned int k = 0; k < 2; ++k)
       chunk.strain[k] += sums[k];
     return sums[2];
+  }
+
+  void add_loads(const DoFHandler<2>::active_cell_iterator &cell, const FEValues<2> &values,
+                 const std::vector<double> &weights, Chunk &chunk) {
+    const std::vector<Tensor<1, 2>> force = force_(cell, values.get_quadrature_points());
+    for (unsigned int k = 0; k < n_fields_; ++k) {
+      const auto &v = fields_[k].evaluate(data_.U, cell, values).values;
+      for (std::size_t q = 0; q < weights.size(); ++q)
+        chunk.load[k] += weights[q] * (force[q] * (v[q] - translation_));
+    }
   }
 
   const BoundData &data_;
@@ -138,7 +152,6 @@ private:
   FEValues<2> values_;
   std::vector<PatchInterpolation<2>> fields_;
   SymmetricTensor<4, 2> hooke_;
-  LawSampling sampling_;
 };
 
 /** Adds what a face contributes to the moments of u_h, and of π^{2h} u_h = u_h + 4 s (1 - s)
@@ -240,8 +253,8 @@ dealii::Vector<double> add_lift(const BoundData &data, const PrescribedLift &lif
     const CellShape shape(corners_of(cell));
     std::vector<Point<2>> points;
     std::vector<double> weights;
-    for (const auto &parts : triangle_parts(
-           shape, data.scene.kinks.with_lines(lift.lines(number, shape.corners)), nullptr))
+    for (const auto &parts :
+         triangle_parts(shape, data.scene.law_kinks.with_lines(lift.lines(number, shape.corners))))
       for (const TrianglePart &part : parts)
         add_points(rule, part.corners, shape, points, weights);
     FEValues<2> values(StaticMappingQ1<2>::mapping, data.space.element(cell), Quadrature<2>(points),

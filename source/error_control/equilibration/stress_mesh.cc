@@ -88,9 +88,8 @@ bool StressMesh::is_rough(const Cell &cell, const std::vector<Point<2>> &singula
       return true;
   if (data_.scene.material->is_constant())
     return false;
-  const LawSampling sampling(*data_.scene.material, own_->n_active_cells());
-  return needs_cuts<2>(data_.scene.kinks, cell) ||
-         LawSampling::varies(sampling.scan(corners_of(cell)));
+  return needs_cuts<2>(data_.scene.law_kinks, cell) ||
+         law_varies(*data_.scene.material, corners_of(cell));
 }
 
 bool StressMesh::refine(const std::vector<Cell> &cells, const bool by_degree) {

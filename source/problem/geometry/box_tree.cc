@@ -27,20 +27,24 @@ unsigned int next_direction(const Open &open, const std::array<bool, 2> &wanted,
 }
 } // namespace
 
-BoxTree::BoxTree(const BoundingBox<2> &body, const Look &look) {
+BoxTree::BoxTree(const BoundingBox<2> &body, const Look &look, const unsigned int max_looks) {
   std::queue<Open> open;
   open.push({0, body, {{0, 0}}});
   for (unsigned int n_looks = 0; !open.empty(); open.pop()) {
     const Open here = open.front();
     unsigned int d = next_direction(here, {{true, true}}, first_halvings);
     const bool asks = d == 2;
-    if (asks && n_looks++ < max_looks)
-      d = next_direction(here, look(here.box), max_halvings);
+    if (asks) {
+      const std::array<bool, 2> wanted = look(here.box);
+      if (n_looks++ < max_looks)
+        d = next_direction(here, wanted, max_halvings);
+      nodes_[here.node].is_rough = wanted[0] || wanted[1];
+    }
     if (d == 2)
       continue;
     const double middle = here.box.center()[d];
     nodes_[here.node] = {
-      {Point<2>::unit_vector(d), middle}, static_cast<unsigned int>(nodes_.size()), asks};
+      {Point<2>::unit_vector(d), middle}, static_cast<unsigned int>(nodes_.size()), asks, false};
     for (unsigned int part = 0; part < 2; ++part) {
       auto [lower, upper] = here.box.get_boundary_points();
       (part == 0 ? upper : lower)[d] = middle;
@@ -65,7 +69,7 @@ bool BoxTree::join(const unsigned int node) {
 }
 
 bool BoxTree::divides(const BoundingBox<2> &box, const unsigned int node) const {
-  const auto &[line, parts, is_asked_for] = nodes_[node];
+  const auto &[line, parts, is_asked_for, is_rough] = nodes_[node];
   if (parts == 0)
     return false;
   const unsigned int d = line.normal[0] == 0. ? 1 : 0;

@@ -78,7 +78,8 @@ public:
       points_.push_back(body_.unit_to_real(Point<2>((i % n + 0.5) / n, (i / n + 0.5) / n)));
   }
 
-  BoxTree scan_body();
+  /** @param max_looks the price of data that varies everywhere. */
+  BoxTree scan_body(const std::vector<Expression<2>> &formulas, unsigned int max_looks);
   void scan_side(unsigned int number, std::vector<Point<2>> &breaks);
   /** Returns the lines of the scene, and those on which data is not smooth: switches inside of
    * others may change nothing. */
@@ -166,16 +167,17 @@ std::array<bool, 2> Scan::look(const FormulaBox<2> &box, const Data &data, const
   return wanted;
 }
 
-BoxTree Scan::scan_body() {
-  std::vector<Expression<2>> formulas = scene_.material->expressions();
-  append(scene_.body_force, formulas);
+BoxTree Scan::scan_body(const std::vector<Expression<2>> &formulas, const unsigned int max_looks) {
   const Data data = data_of(formulas);
   if (data.empty())
     return {};
-  return BoxTree(body_, [&](const BoundingBox<2> &box) {
-    return look({box.get_boundary_points().first, box.get_boundary_points().second}, data,
-                box.volume() / body_.volume());
-  });
+  return BoxTree(
+    body_,
+    [&](const BoundingBox<2> &box) {
+      return look({box.get_boundary_points().first, box.get_boundary_points().second}, data,
+                  box.volume() / body_.volume());
+    },
+    max_looks);
 }
 
 bool Scan::shows(const Curve &curve, const Data &data, const double from, const double to) {
@@ -235,12 +237,19 @@ void Scan::scan_side(const unsigned int number, std::vector<Point<2>> &breaks) {
 }
 } // namespace
 
-Kinks<2> scan_data(const Scene<2> &scene) {
+void scan_data(Scene<2> &scene) {
+  // A box of the moduli costs many points in each integral of the bound.
+  constexpr unsigned int max_looks_at_law = 1500, max_looks_at_force = 100000;
   Scan scan(scene);
-  BoxTree boxes = scan.scan_body();
+  std::vector<Expression<2>> force;
+  append(scene.body_force, force);
+  BoxTree of_law = scan.scan_body(scene.material->expressions(), max_looks_at_law),
+          of_force = scan.scan_body(force, max_looks_at_force);
   std::vector<Point<2>> breaks;
   for (unsigned int side = 0; side < scene.boundary.size(); ++side)
     scan.scan_side(side, breaks);
-  return Kinks<2>(scan.kinks(), std::move(breaks), std::move(boxes));
+  const std::vector<KinkLine<2>> lines = scan.kinks();
+  scene.law_kinks = Kinks<2>(lines, {}, std::move(of_law));
+  scene.kinks = Kinks<2>(lines, std::move(breaks), std::move(of_force));
 }
 } // namespace Signorini

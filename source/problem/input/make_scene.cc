@@ -132,7 +132,7 @@ Scene<2> make_scene(const Parameters &parameters) {
   refuse_bad_kinks(scene.geometry, discretization.kinks_at_y, 1);
   scene.kinks = scene.kinks.with_lines(
     lines_at<2>({{discretization.kinks_at_x.value, discretization.kinks_at_y.value}}));
-  scene.kinks = scan_data(scene);
+  scan_data(scene);
   for (const unsigned int side : scene.contact_sides())
     scene.kinks.add_ends_on(scene.geometry.sides[side]);
   scene.load_cases = read_load_cases(parameters.load_cases, scene);

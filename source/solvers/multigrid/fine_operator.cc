@@ -99,7 +99,7 @@ public:
       integrate_matrices();
     for (std::size_t cell = 0; cell < cells_.size(); ++cell)
       if (!K_.is_shared(cell / n_lanes) &&
-          (!is_straight || needs_cuts<dim>(scene_.kinks, cells_[cell])))
+          (!is_straight || needs_cuts<dim>(scene_.law_kinks, cells_[cell])))
         copy(stiffness_(typename CellStiffness<dim>::CellIterator(cells_[cell])), cell);
     K_.places = LevelVector<dim, double>();
   }

@@ -7,20 +7,19 @@
 #include <deal.II/base/quadrature.h>
 #include <deal.II/grid/tria.h>
 
-#include <utility>
 #include <vector>
 
 namespace Signorini {
 using Polygon = std::vector<Point<2>>;
 
-/** A part of a convex polygon, and how often boxes halved it, in both directions. */
+/** A part of a convex polygon. */
 struct PolygonPart {
-  PolygonPart(Polygon corners, const unsigned int halvings = 0)
-    : corners(std::move(corners))
-    , halvings(halvings) {}
-
   Polygon corners;
+  /** How often boxes halved it, in both directions together; none if one direction is not halved.
+   */
   unsigned int halvings;
+  /** Whether data in its box varies faster than a few points show. */
+  bool is_rough;
 };
 
 /** Returns the parts into which lines and boxes cut a convex polygon. */

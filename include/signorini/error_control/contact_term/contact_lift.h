@@ -54,8 +54,8 @@ public:
    *
    * It is integrated by Gauss' formula on the parts of a cell on which w is a polynomial in
    * reference coordinates. This is exact on parallelograms with constant E. Elsewhere the parts are
-   * also cut where kinks of the data cross edges of the cell. Where E varies by more than a factor
-   * of 1.5 in a cell (LawSampling), the cell is cut into m/4 parts per direction, too.
+   * also cut where kinks of the data cross edges of the cell; there the cell is cut into
+   * up to 24 equal parts per direction, too.
    */
   dealii::Vector<double> cell_energies() const;
 

@@ -68,10 +68,9 @@ private:
                                        CellFit &fit);
 
   const BoundData &data_;
-  /** Where a law that varies is not smooth, and the search for other places. */
-  Kinks<2> kinks_;
-  std::optional<LawSampling> sampling_;
   bool is_constant_;
+  /** Where a law that varies is not smooth. */
+  Kinks<2> kinks_;
   /** Gauss' rules by the number of points per direction. */
   std::map<unsigned int, Quadrature<2>> load_rules_;
   /** What cells of the same degree and shape share; tables by the degree of u_h. */

@@ -5,21 +5,10 @@
 #include <signorini/discretization/mesh/mesh_plan.h>
 #include <signorini/error_control/hp/indicators.h>
 
-#include <optional>
-
 namespace Signorini {
-/**
- * Splits cells of a first plan until rules of 4 x 4 Gauss points resolve the data in them.
- *
- * Cells in which the scan of the data found boxes or breaks are split six times; smaller details
- * are integrated on parts of cells. Hooke's tensor is also sampled along five lines per direction
- * of every cell, at up to a thousand equal distances, and ever closer towards both ends, where a
- * coating would be. It hides in a cell where a sample lies outside of the values at the Gauss
- * points by more than half of their range and a hundredth of the tensor.
- *
- * @return a point at which the material still hides after many splits; no solution would notice.
- */
-std::optional<Point<2>> resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan);
+/** Splits cells of a first plan in which the scan of the data found boxes or breaks, up to six
+ * times; smaller details are integrated on parts of cells. */
+void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan);
 
 /** Adds the misfit of jumps of the moduli inside of cells to the indicators: u_h has no kink at a
  * jump. Where layers lie one behind the other the body is as stiff as the harmonic mean E_h of its

@@ -39,16 +39,16 @@ public:
     unsigned int parts = 0;
     /** Whether the data asks for the halves; the first halves are made without asking. */
     bool is_asked_for = false;
+    /** Whether data in the box still varies faster than a few points show. */
+    bool is_rough = false;
   };
 
   /** The first boxes are 1/4 of the body wide, the smallest 1/4096. */
   static constexpr unsigned int first_halvings = 2, max_halvings = 12;
-  /** The largest number of looks at boxes; then the boxes that are left stay whole. */
-  static constexpr unsigned int max_looks = 100000;
-
   /** Divides nothing. */
   BoxTree() = default;
-  BoxTree(const BoundingBox<2> &body, const Look &look);
+  /** @param max_looks the largest number of looks at boxes; those that are left stay whole. */
+  BoxTree(const BoundingBox<2> &body, const Look &look, unsigned int max_looks);
 
   const std::vector<Node> &nodes() const {
     return nodes_;

@@ -16,7 +16,7 @@ namespace Signorini {
  * as constant. Functions of the catalogue and distances to foundations are no formulas; their
  * kinks are declared.
  *
- * @return the scene's own lines and those that were found; without ends.
+ * The lines are added to those of the scene, and all kinks lose their ends.
  */
-Kinks<2> scan_data(const Scene<2> &scene);
+void scan_data(Scene<2> &scene);
 } // namespace Signorini

@@ -160,8 +160,10 @@ struct Scene {
   FunctionPointer<dim> exact_displacement;
   /** The shift of the foundations of all sides that `data` contains (length). */
   Tensor<1, dim> foundation_position;
-  /** The lines on which the data is not smooth. */
-  Kinks<dim> kinks;
+  /** Where data is not smooth, with boxes for the body force; and the same with boxes for the
+   * moduli.
+   */
+  Kinks<dim> kinks, law_kinks;
 
   /** Returns the numbers of the contact sides gamma_{c,i}, i = 1..n_g. */
   std::vector<unsigned int> contact_sides() const;
