@@ -171,7 +171,7 @@ void rollers(Checks &checks) {
 
   // A roller on a displaced side: the corner keeps the prescribed value.
   const System moved(text("set Rollers = side0\nset Displacement = side1: 0.2; 0.1\n"
-                          "set Contact = side2\n"),
+                          "set Contact = side2\nend\nsubsection Contact\nset Gap = 1\n"),
                      3);
   const Displacement W = moved.solve();
   const Point<2> given(0.2, 0.1);
