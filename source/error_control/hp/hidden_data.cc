@@ -49,10 +49,12 @@ double jump_share(const Material<2> &material, const Triangulation<2>::active_ce
   return share;
 }
 
-/** Returns whether data of the body or of a side varies too fast in a cell for plain rules. */
+/** Returns whether data of the body or of a side hides in a cell. A few boxes hide nothing from
+ * elements of higher degree. */
 bool is_rough(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell) {
+  constexpr unsigned int few = 6;
   for (const Kinks<2> *const kinks : {&scene.kinks, &scene.law_kinks})
-    if (kinks->boxes().divides(cell->bounding_box()))
+    if (kinks->boxes().divides(cell->bounding_box(), few))
       return true;
   for (const auto &face : cell->face_iterators())
     if (face->at_boundary() && scene.kinks.has_breaks(face->vertex(0), face->vertex(1)))

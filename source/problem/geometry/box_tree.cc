@@ -68,7 +68,8 @@ bool BoxTree::join(const unsigned int node) {
   return false;
 }
 
-bool BoxTree::divides(const BoundingBox<2> &box, const unsigned int node) const {
+bool BoxTree::divides(const BoundingBox<2> &box, const unsigned int skipped,
+                      const unsigned int node) const {
   const auto &[line, parts, is_asked_for, is_rough] = nodes_[node];
   if (parts == 0)
     return false;
@@ -76,8 +77,9 @@ bool BoxTree::divides(const BoundingBox<2> &box, const unsigned int node) const 
   const double margin = 1e-10 * box.side_length(d);
   const bool before =
     box.lower_bound(d)<line.position - margin, behind = box.upper_bound(d)> line.position + margin;
-  if (before && behind && is_asked_for)
+  if (before && behind && is_asked_for && skipped == 0)
     return true;
-  return (before && divides(box, parts)) || (behind && divides(box, parts + 1));
+  const unsigned int rest = is_asked_for && skipped > 0 ? skipped - 1 : skipped;
+  return (before && divides(box, rest, parts)) || (behind && divides(box, rest, parts + 1));
 }
 } // namespace Signorini

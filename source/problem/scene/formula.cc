@@ -230,7 +230,7 @@ public:
   Enclosure<dim> bounds() const {
     Enclosure<dim> result;
     const Point<dim> centre = box_.centre();
-    Interval mean = value(centre);
+    Interval mean = value(centre, formula_.root);
     for (int d = 0; d < dim; ++d) {
       const Interval &slope = slope_of(formula_.root, d);
       mean += slope * (parts_[d].value - centre[d]);
@@ -243,29 +243,35 @@ public:
     result.upper = best.upper();
     return result;
   }
-  /** Finds the first undecided switch whose argument is affine. @return its line. */
+  /** Finds the first undecided switch that changes on a line: its argument is affine, or depends on
+   * one coordinate and is monotone in it. @return the line. */
   std::optional<KinkLine<dim>> line_of_switch(Index &number) const {
     for (const Index i : formula_.switches) {
       const Node &node = formula_.nodes[i];
-      const Box &argument = parts_[node.arguments[0]];
-      if ((root().undecided >> node.bit & 1U) == 0 || argument.undecided != 0)
+      if ((root().undecided >> node.bit & 1U) == 0 || parts_[node.arguments[0]].undecided != 0)
         continue;
       bool is_affine = true;
+      unsigned int n_directions = 0, last = 0;
       Tensor<1, dim> normal;
       for (int d = 0; d < dim; ++d) {
         const Interval &slope = slope_of(node.arguments[0], d);
         normal[d] = slope.lower();
         is_affine = is_affine && singleton(slope);
+        if (!is_zero(slope)) {
+          ++n_directions;
+          last = d;
+        }
       }
-      const double size = normal.norm();
-      if (!is_affine || size == 0.)
+      const bool is_monotone = n_directions == 1 && !zero_in(slope_of(node.arguments[0], last));
+      if (n_directions == 0 || !(is_affine || is_monotone))
         continue;
       number = i;
-      // The middle of an affine expression is its value at the centre. What is rounded down
-      // changes at the upper one of two values.
-      const double value =
-        median(argument.value) - (*node.operation->name == 'f' ? parts_[i].value.upper() : 0.);
-      return KinkLine<dim>{normal / size, (normal * box_.centre() - value) / size};
+      if (!is_affine)
+        return KinkLine<dim>{Point<dim>::unit_vector(last), root_of_switch(i, last)};
+      // The middle of an affine expression is its value at the centre.
+      const double value = median(parts_[node.arguments[0]].value) - level_of_switch(i);
+      return KinkLine<dim>{normal / normal.norm(),
+                           (normal * box_.centre() - value) / normal.norm()};
     }
     return {};
   }
@@ -306,11 +312,32 @@ private:
   const Interval &slope_of(const Index i, const int d) const {
     return parts_[formula_.slopes[i][d]].value;
   }
-  /** Returns the value at a point of the box, on the same branches. */
-  Interval value(const Point<dim> &x) const {
+  /** Returns the value of the argument at which a switch changes: what is rounded down changes at
+   * the upper one of two values. */
+  double level_of_switch(const Index i) const {
+    return *formula_.nodes[i].operation->name == 'f' ? parts_[i].value.upper() : 0.;
+  }
+  /** Returns where a monotone argument of one coordinate reaches the level of its switch; one end
+   * of the box if it does not. */
+  double root_of_switch(const Index i, const unsigned int d) const {
+    const auto above = [&](const double at) {
+      Point<dim> x = box_.centre();
+      x[d] = at;
+      return median(value(x, formula_.nodes[i].arguments[0])) - level_of_switch(i);
+    };
+    double from = box_.lower[d], to = box_.upper[d];
+    const bool rises = above(to) > above(from);
+    for (unsigned int bisection = 0; bisection < 60; ++bisection) {
+      const double middle = from + 0.5 * (to - from);
+      ((above(middle) > 0.) == rises ? to : from) = middle;
+    }
+    return to;
+  }
+  /** Returns the value of a part at a point of the box, on the same branches. */
+  Interval value(const Point<dim> &x, const Index part) const {
     BoxRun at_x(*this);
     at_x.evaluate({x, x}, formula_.n_values);
-    return at_x.root().value;
+    return at_x.parts_[part].value;
   }
   void evaluate(const FormulaBox<dim> &box, const Index n_parts) {
     for (int d = 0; d < dim; ++d) {

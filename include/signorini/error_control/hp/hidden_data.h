@@ -6,7 +6,7 @@
 #include <signorini/error_control/hp/indicators.h>
 
 namespace Signorini {
-/** Splits cells of a first plan in which the scan of the data found boxes or breaks, up to six
+/** Splits cells of a first plan in which the scan of the data found small boxes or breaks, up to six
  * times; smaller details are integrated on parts of cells. */
 void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan);
 

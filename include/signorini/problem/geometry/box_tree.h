@@ -53,8 +53,9 @@ public:
   const std::vector<Node> &nodes() const {
     return nodes_;
   }
-  /** Returns whether the data asks for a line through the interior of a box. */
-  bool divides(const BoundingBox<2> &box, unsigned int node = 0) const;
+  /** Returns whether the data asks for a line through the interior of a box. @param skipped the
+   * number of halvings that do not count. */
+  bool divides(const BoundingBox<2> &box, unsigned int skipped = 0, unsigned int node = 0) const;
 
 private:
   /** Joins halves that nobody asked for. @return whether one of the parts was asked for. */

@@ -52,7 +52,8 @@ struct Enclosure {
  * the centre c (R. E. Moore, Interval Analysis, 1966; W. Tucker, Validated Numerics, 2011). They
  * are not rounded outwards: they are right up to rounding of the values. A condition, abs, min, max
  * or a step (sign, floor, ...) that a box does not decide is a *switch*: the bounds contain both
- * branches. Where its argument is affine in the coordinates, it changes on a line that is known.
+ * branches. Where its argument is affine in the coordinates, or depends on one of them and is
+ * monotone, it changes on a line that is known.
  */
 template <int dim>
 class FormulaTree {
@@ -78,9 +79,9 @@ public:
   bool is_shown(const FormulaBox<dim> &box, const std::vector<KinkLine<dim>> &lines,
                 double tolerance) const;
 
-  /** Returns the lines of the switches that a box does not decide and whose arguments are affine in
-   * it, also of those inside of others. @param all whether every undecided switch has such a line.
-   */
+  /** Returns the lines of the switches that a box does not decide, also of those inside of others.
+   * There are lines where the argument is affine in the box, or depends on one coordinate and is
+   * monotone. @param all whether every undecided switch has a line. */
   std::vector<KinkLine<dim>> lines_in(const FormulaBox<dim> &box, bool &all) const;
 
 private:
