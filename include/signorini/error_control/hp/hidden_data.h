@@ -6,8 +6,8 @@
 #include <signorini/error_control/hp/indicators.h>
 
 namespace Signorini {
-/** Splits cells of a first plan in which the scan of the data found small boxes or breaks, up to six
- * times; smaller details are integrated on parts of cells. */
+/** Splits cells of a first plan in which the scan of the data found small boxes or breaks, up to
+ * six times; smaller details are integrated on parts of cells. */
 void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan);
 
 /** Adds the misfit of jumps of the moduli inside of cells to the indicators: u_h has no kink at a
