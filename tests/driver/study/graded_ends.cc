@@ -50,11 +50,10 @@ void check_contradiction(Checks &checks) {
  * d/1e-5 in a row, drawn by 1e-4: J = 1e-8/2/(1 - d + 1e5 d). */
 void check_coating(Checks &checks) {
   for (const double d : {1e-3, 1e-6}) {
-    const StudyResult<2> result =
-      solve_hp({"Boundary/Rollers=left, right", "Boundary/Displacement=top: 0; -1e-4",
-                "Contact/Gap=0", "Constants/Values=d=" + std::to_string(d),
-                "Material/Young's modulus=y < d ? 1e-5 : 1", "Material/Poisson's ratio=0",
-                "Discretization/Target error=0.05"});
+    const StudyResult<2> result = solve_hp(
+      {"Boundary/Rollers=left, right", "Boundary/Displacement=top: 0; -1e-4", "Contact/Gap=0",
+       "Constants/Values=d=" + std::to_string(d), "Material/Young's modulus=y < d ? 1e-5 : 1",
+       "Material/Poisson's ratio=0", "Discretization/Target error=0.05"});
     checks.that("Coating: certified", result.verdict.is_certified());
     checks.near("Coating: the energy", last(result, "energy") * (1. - d + 1e5 * d) / 0.5e-8, 1.,
                 d == 1e-3 ? 1e-6 : 1e-2);
