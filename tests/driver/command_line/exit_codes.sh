@@ -210,6 +210,9 @@ test_accuracy() {
     check "  nothing touches" says 'nothing touches'
     check "  the error is rounding" says 'at most 0.000001 %'
   done
+  run 0 rigid.prm --set 'Contact/Friction=tresca' --set 'Contact/Friction bound=0.01'
+  check "  friction: nothing touches" says 'nothing touches'
+  check "  no ratio of forces that vanish" [ "$(grep -cwiE 'T/N|nan|inf' stdout)" -eq 0 ]
   described '0; 0; 0.01' 0.1 3 >rigid.prm
   run 0 rigid.prm --set 'Solver/Contact solver=multigrid' --set Solver/Tolerance=1e-3
   printf 'subsection Boundary\nset Contact = bottom\nset Rollers = left\nset Plates = top: 0, -1 turning\nend\n' >plate.prm
