@@ -53,8 +53,8 @@ bool law_varies(const Material<2> &material, const std::array<Point<2>, 4> &corn
   std::array<double, 8> low, high;
   low.fill(HUGE_VAL);
   high.fill(-HUGE_VAL);
-  for (unsigned int k = 0; k < n * n; ++k) {
-    const Point<2> at((k % n + 0.5) / n, (k / n + 0.5) / n);
+  const QIterated<2> places(QMidpoint<1>(), n);
+  for (const Point<2> &at : places.get_points()) {
     const std::array<double, 8> here =
       features(material.relative_hooke(corners[0] + shape.offset(CellFunctions(at))));
     for (unsigned int i = 0; i < here.size(); ++i) {

@@ -74,8 +74,9 @@ public:
     , body_({scene.geometry.lower, scene.geometry.upper})
     , lines_(scene.kinks.lines()) {
     constexpr unsigned int n = 32;
-    for (unsigned int i = 0; i < n * n; ++i)
-      points_.push_back(body_.unit_to_real(Point<2>((i % n + 0.5) / n, (i / n + 0.5) / n)));
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j < n; ++j)
+        points_.push_back(body_.unit_to_real(Point<2>((i + 0.5) / n, (j + 0.5) / n)));
   }
 
   /** @param max_looks the price of data that varies everywhere. */
