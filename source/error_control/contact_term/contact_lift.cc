@@ -3,7 +3,6 @@
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/contact_term/contact_lift.h>
-#include <signorini/error_control/loads/law_sampling.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>

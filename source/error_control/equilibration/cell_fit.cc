@@ -48,7 +48,9 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
       // On parts of half the size, two degrees less have the same effect.
       constexpr unsigned int least = 6;
       const unsigned int of_part = whole - std::min(whole - least, part.halvings);
-      const Quadrature<2> &rule = rules.try_emplace(of_part, triangle_rule(of_part)).first->second;
+      Quadrature<2> &rule = rules[of_part];
+      if (rule.size() == 0)
+        rule = triangle_rule(of_part);
       // Where the law is not resolved, the energy of stresses is taken from above.
       std::optional<Law> softest = law;
       for (unsigned int q = 0; q < rule.size() && part.is_rough; ++q)
