@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The path of solutions from an open gap to contact with Coulomb's friction.
+
+#include <signorini/solvers/contact/active_set.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace Signorini {
+namespace {
+using Vector = dealii::Vector<double>;
+
+/** The path, with the inverse of the linear system of the states: column j belongs to P_j inside of
+ * its interval, else to W_j; the last ones to the motions. */
+class SolutionPath {
+public:
+  explicit SolutionPath(const BoundConstrainedQP &qp)
+    : qp_(qp)
+    , n_patches_(qp.size() / 2)
+    , states_(states_of(qp.K, Vector(qp.size())))
+    , inverse_(qp.size() + qp.balances.size()) {
+    F_ = {qp.F, Vector(qp.size())};
+    b_ = {qp.balances.b, Vector(qp.balances.size())};
+    // Gaps of different sizes, so that no two patches close at once.
+    for (unsigned int i = 0; i < qp.size(); ++i)
+      if (!is_inside(i))
+        F_[1][i] = qp.F.linfty_norm() * std::sqrt(qp.diagonal[i] / qp.diagonal.linfty_norm()) *
+                   (1. + 0.5 * std::sin(1. + i * i));
+  }
+
+  std::optional<States> follow() {
+    constexpr unsigned int n_updates = 64;
+    double direction = -1.;
+    std::optional<Change> back;
+    for (unsigned int step = 0; step < 20 * qp_.size(); ++step) {
+      if (step % n_updates == 0)
+        invert();
+      y_ = {solution(0), solution(1)};
+      if (back)
+        direction = rate(*back) < 0. ? -1. : 1.;
+      double length = direction < 0. ? tau_ : std::numeric_limits<double>::max();
+      std::optional<Change> change;
+      for (const Change &next : possible_changes())
+        if (const double fall = -direction * rate(next); fall > 0.)
+          if (const double here = std::max(0., margin(next)) / fall; here < length) {
+            length = here;
+            change = next;
+          }
+      if (!change)
+        return direction < 0. ? std::optional<States>(states_) : std::nullopt;
+      tau_ += direction * length;
+      back = Change{change->unknown, states_[change->unknown]};
+      make(*change);
+    }
+    return {};
+  }
+
+private:
+  /** An unknown that takes another state. */
+  struct Change {
+    unsigned int unknown;
+    State to;
+  };
+
+  bool is_inside(const unsigned int i) const {
+    return states_[i] == State::inside;
+  }
+  /** Adds a multiple of the column of P_j. */
+  void add_column(const unsigned int j, const double factor, Vector &to) const {
+    for (unsigned int i = 0; i < qp_.size(); ++i)
+      to[i] += factor * qp_.C->dense()(i, j);
+    for (unsigned int k = 0; k < qp_.balances.size(); ++k)
+      to[qp_.size() + k] -= factor * qp_.balances.B(j, k);
+  }
+  Vector column(const unsigned int j) const {
+    const unsigned int n = qp_.size();
+    Vector a(inverse_.m());
+    if (j >= n) {
+      for (unsigned int i = 0; i < n; ++i)
+        a[i] = qp_.balances.B(i, j - n);
+      for (unsigned int k = n; k < a.size(); ++k)
+        a[k] = qp_.balances.K(k - n, j - n);
+    } else if (!is_inside(j)) {
+      a[j] = -1.;
+    } else {
+      add_column(j, 1., a);
+      if (const unsigned int t = j + n_patches_; j < n_patches_ && !is_inside(t))
+        add_column(t, states_[t] == State::upper ? -qp_.K.coefficient(t) : qp_.K.coefficient(t), a);
+    }
+    return a;
+  }
+  void invert() {
+    for (unsigned int j = 0; j < inverse_.n(); ++j) {
+      const Vector a = column(j);
+      for (unsigned int i = 0; i < a.size(); ++i)
+        inverse_(i, j) = a[i];
+    }
+    inverse_.gauss_jordan();
+  }
+  /** Updates the inverse after a change of column j. */
+  void update(const unsigned int j) {
+    Vector d(inverse_.m());
+    inverse_.vmult(d, column(j));
+    for (unsigned int k = 0; k < d.size(); ++k)
+      inverse_(j, k) /= d[j];
+    for (unsigned int i = 0; i < d.size(); ++i)
+      if (i != j)
+        inverse_.add_row(i, -d[i], j);
+  }
+  /** Returns the unknowns of the states for τ = 0 or 1. */
+  Vector solution(const unsigned int end) const {
+    Vector side(inverse_.m()), y(inverse_.m());
+    for (unsigned int i = 0; i < side.size(); ++i)
+      side[i] = i < qp_.size() ? F_[end][i] : b_[end][i - qp_.size()];
+    for (unsigned int i = 0; i < qp_.size(); ++i)
+      if (!is_inside(i) && qp_.K[i].upper > 0.)
+        add_column(i, states_[i] == State::upper ? -qp_.K[i].upper : qp_.K[i].upper, side);
+    inverse_.vmult(y, side);
+    return y;
+  }
+  std::vector<Change> possible_changes() const {
+    std::vector<Change> changes;
+    for (unsigned int i = 0; i < qp_.size(); ++i)
+      if (is_inside(i)) {
+        changes.push_back({i, State::upper});
+        if (!std::isinf(qp_.K[i].lower))
+          changes.push_back({i, State::lower});
+      } else if (!is_idle(i)) {
+        changes.push_back({i, State::inside});
+      }
+    return changes;
+  }
+  /** Returns whether P_t,i of an open patch has no room: then its state means nothing. */
+  bool is_idle(const unsigned int i) const {
+    return i >= n_patches_ && qp_.K[i].upper == 0. && !is_inside(i - n_patches_);
+  }
+  /** Returns the number at one end of τ that is positive as long as a change is not due. */
+  double margin(const Change &change, const unsigned int end) const {
+    const unsigned int i = change.unknown;
+    const Vector &y = y_[end];
+    if (!is_inside(i))
+      return states_[i] == State::upper ? -y[i] : y[i];
+    const bool follows = i >= n_patches_ && is_inside(i - n_patches_);
+    const double bound = qp_.K[i].upper - (follows ? qp_.K.coefficient(i) * y[i - n_patches_] : 0.);
+    return change.to == State::upper ? bound - y[i] : bound + y[i];
+  }
+  double rate(const Change &change) const {
+    return margin(change, 1) - margin(change, 0);
+  }
+  double margin(const Change &change) const {
+    return margin(change, 0) + tau_ * rate(change);
+  }
+  /** Makes a change. A patch without s that closes begins to slip. */
+  void make(const Change &change) {
+    const unsigned int i = change.unknown, t = i + n_patches_;
+    if (i < n_patches_ && qp_.K[t].upper == 0.)
+      states_[t] =
+        is_inside(i) || y_[0][t] + tau_ * (y_[1][t] - y_[0][t]) <= 0. ? State::upper : State::lower;
+    states_[i] = change.to;
+    update(i);
+    if (i >= n_patches_ && is_inside(i - n_patches_))
+      update(i - n_patches_);
+  }
+
+  const BoundConstrainedQP &qp_;
+  unsigned int n_patches_;
+  States states_;
+  FullMatrix<double> inverse_;
+  double tau_ = 1.;
+  /** The data and the unknowns for τ = 0 and 1. */
+  std::array<Vector, 2> F_, b_, y_;
+};
+} // namespace
+
+std::optional<States> follow_solutions(const BoundConstrainedQP &qp) {
+  return SolutionPath(qp).follow();
+}
+} // namespace Signorini
