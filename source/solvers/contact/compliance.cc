@@ -143,6 +143,16 @@ FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSp
   state.U = space.complete(U_0);
   state.F = G;
   state.F -= D.transpose_product(state.U);
+  // The rounding of U, which would decide whether a body that only touches presses.
+  constexpr double rounding = 1e-13;
+  const double largest = state.U.linfty_norm();
+  for (unsigned int k = 0; k < D.n_columns(); ++k) {
+    double size = 0.;
+    for (const auto &entry : D.column(k))
+      size += std::abs(entry.second) * largest;
+    if (std::abs(state.F[k]) <= rounding * size)
+      state.F[k] = 0.;
+  }
   return state;
 }
 

@@ -125,12 +125,16 @@ FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const {
 template <int dim>
 MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates, const DualVector &loads,
                                   const Displacement &U_0) const {
+  // Loads in balance do no work, which rounding must not turn into a force.
+  constexpr double rounding = 1e-13;
   MotionWork work = {dealii::Vector<double>(size()), dealii::Vector<double>(size())};
   for (unsigned int j = 0; j < size(); ++j) {
     const auto on_boundary = work_in(motions[j], Z[j], plates, loads);
     const auto by_U_0 = forces[j].size() > 0 ? product_of(forces[j], U_0) : std::array<double, 2>();
     work.value[j] = on_boundary[0] - by_U_0[0];
     work.magnitude[j] = on_boundary[1] + by_U_0[1];
+    if (std::abs(work.value[j]) <= rounding * work.magnitude[j])
+      work.value[j] = 0.;
   }
   return work;
 }

@@ -104,6 +104,28 @@ void test_free_body(Checks &checks) {
   checks.near("T/N", friction.tangential_force / last(found, "contact_force_n"), -0.4, 1e-9);
 }
 
+/** Strongly sheared bodies with stick almost without limit: Newton's sets come back or wander, and
+ * the path of solutions ends where they are valid. */
+void test_stick_without_limit(Checks &checks) {
+  const std::vector<std::array<std::string, 3>> scenes = {{"0.02; -0.03", "0.02*(x-0.4)^2", "10"},
+                                                          {"-0.067; -0.001", "0", "10"},
+                                                          {"0.024; -0.016", "0", "1e6"}};
+  for (const auto &[displacement, gap, f] : scenes) {
+    checks.about("f = " + f + ", displacement " + displacement);
+    const StudyResult<2> found =
+      solve("Boundary/Displacement = top: " + displacement +
+              "\nBoundary/Contact = bottom\nContact/Gap = " + gap +
+              "\nContact/Friction = coulomb\nContact/Friction coefficient = " + f,
+            graded("1e-3"));
+    checks.that("accuracy estimated", found.verdict.outcome == Outcome::accuracy_estimated);
+    const LevelRecord &finest = found.levels.back();
+    checks.between("KKT residual", finest.dual.kkt, 0., 1e-13);
+    // Slip needs a pressure that is small there.
+    checks.between("dissipation over energy",
+                   finest.friction->dissipation / finest.certificate.energy, 0., 0.05);
+  }
+}
+
 /** Load steps on the last mesh, whose smallest faces have 1e-10 of the length of the largest. */
 void test_steps(Checks &checks) {
   const StudyResult<2> found = solve_scene("dragged_block", "1e-4");
@@ -114,6 +136,7 @@ void test_steps(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv,
-                   {test_exponential, test_limit_of_levels, test_free_body, test_steps});
+  return run_tests(
+    argc, argv,
+    {test_exponential, test_limit_of_levels, test_free_body, test_stick_without_limit, test_steps});
 }

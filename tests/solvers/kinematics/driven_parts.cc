@@ -276,6 +276,7 @@ void test_loads_in_balance(Checks &checks) {
                 "; 0 | right: " + std::to_string(T) + "; 0\nContact/Gap = 0\n",
               levels(2, 3));
       checks.that("certified", bar.verdict.outcome == Outcome::certified);
+      checks.near("no force", bar.levels.back().contact.normal_force, 0., nu > 0. ? 1e-15 : 0.);
       checks.near("energy", bar.levels.back().certificate.energy, -0.5e-4 * (1. - nu * nu), 1e-14);
     }
   checks.about("pressure in a ring");

@@ -94,7 +94,7 @@ struct FreeState {
   bool nothing_touches(const AdmissibleSet &K) const;
 };
 
-/** Computes F = G - Dᵀ A⁻¹ f by one solve. Collective. */
+/** Computes F = G - Dᵀ A⁻¹ f by one solve; openings as small as rounding are zero. Collective. */
 template <int dim>
 FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
                            const DistributedVector &f, const Coupling &D,
