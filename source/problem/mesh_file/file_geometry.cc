@@ -188,10 +188,44 @@ struct RegionMap {
   std::vector<boost::geometry::model::ring<Point<2>, false, false>> cells;
   std::vector<unsigned int> regions;
   RTree<std::pair<BoundingBox<2>, unsigned int>> boxes;
+  /** The body's box, divided into a grid: the region of each of its parts, n_regions where more
+   * than one may be there, or none is. */
+  BoundingBox<2> body;
+  unsigned int n_regions = 0;
+  Table<2, unsigned int> grid;
+
+  /** Returns the row or column of the grid in which a coordinate lies. */
+  unsigned int place(const double x, const unsigned int d) const {
+    const double part = (x - body.lower_bound(d)) / body.side_length(d);
+    return std::clamp(part, 0., 1. - 1e-9) * grid.size(d);
+  }
+  /** Fills the grid. Cells count in the parts next to their boxes, too. */
+  void fill_grid() {
+    constexpr unsigned int n_parts = 256;
+    constexpr unsigned int none = numbers::invalid_unsigned_int;
+    grid.reinit(n_parts, n_parts);
+    grid.fill(none);
+    for (const auto &[box, cell] : boxes) {
+      std::array<unsigned int, 2> begin = {}, end = {};
+      for (unsigned int d = 0; d < 2; ++d) {
+        begin[d] = std::max(1U, place(box.lower_bound(d), d)) - 1;
+        end[d] = std::min(n_parts, place(box.upper_bound(d), d) + 2);
+      }
+      for (unsigned int i = begin[0]; i < end[0]; ++i)
+        for (unsigned int j = begin[1]; j < end[1]; ++j)
+          grid(i, j) =
+            grid(i, j) == none || grid(i, j) == regions[cell] ? regions[cell] : n_regions;
+    }
+    for (unsigned int i = 0; i < n_parts; ++i)
+      for (unsigned int j = 0; j < n_parts; ++j)
+        grid(i, j) = std::min(grid(i, j), n_regions);
+  }
 
   /** Returns the region of a point. Beyond chords of arcs no cell has it: the nearest one counts.
    */
   unsigned int region_at(const Point<2> &x) const {
+    if (const unsigned int region = grid(place(x[0], 0), place(x[1], 1)); region < n_regions)
+      return region;
     constexpr unsigned int n_near = 8;
     std::pair<double, unsigned int> nearest(HUGE_VAL, 0);
     for (auto entry = boxes.qbegin(boost::geometry::index::nearest(x, n_near));
@@ -213,15 +247,20 @@ void add_regions(const FileMesh &mesh, Geometry<2> &geometry) {
     return;
   const auto map = std::make_shared<RegionMap>();
   std::vector<std::pair<BoundingBox<2>, unsigned int>> boxes;
+  std::vector<Point<2>> corners_of_body;
   for (const FileMesh::Element &cell : mesh.cells) {
     std::vector<Point<2>> corners;
     for (unsigned int i = 0; i < cell.n_corners; ++i)
       corners.push_back(mesh.nodes[cell.nodes[i]].x);
+    corners_of_body.insert(corners_of_body.end(), corners.begin(), corners.end());
     boxes.emplace_back(BoundingBox<2>(corners), boxes.size());
     map->cells.emplace_back(corners.begin(), corners.end());
     map->regions.push_back(std::distance(names.begin(), names.find(mesh.name_of(cell, 2))));
   }
   map->boxes = pack_rtree(boxes);
+  map->body = BoundingBox<2>(corners_of_body);
+  map->n_regions = names.size();
+  map->fill_grid();
   geometry.region_at = [map](const Point<2> &x) { return map->region_at(x); };
 }
 } // namespace
