@@ -101,4 +101,15 @@ check("  and says what to install", "\nPictures: not drawn, because Python's mat
       done.stdout and "draw them later with" in done.stdout)
 done = subprocess.run([sys.executable, script, "nowhere"], capture_output=True, text=True, check=False)
 check("no results: one sentence", done.returncode == 1 and done.stderr.count("\n") == 1)
+for name in ["certificate.json", "convergence.csv"] + sorted(name for name in os.listdir("without") if name.endswith(".vtu")):
+    with open(os.path.join("without", name), "rb") as file:
+        whole = file.read()
+    with open(os.path.join("without", name), "wb") as file:
+        file.write(whole[:len(whole) // 2 - 3])
+    done = subprocess.run([sys.executable, script, "without"], capture_output=True, text=True, check=False)
+    check(f"half of {name}: drawn, or one sentence",
+          done.returncode == 0 or done.stderr.count("\n") == 1 and "damaged or incomplete" in done.stderr)
+    check("  which names the file", name.endswith(".csv") or name in done.stderr)
+    with open(os.path.join("without", name), "wb") as file:
+        file.write(whole)
 sys.exit(failures > 0)
