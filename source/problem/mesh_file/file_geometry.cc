@@ -7,6 +7,7 @@
 #include <signorini/problem/geometry/outline.h>
 #include <signorini/problem/mesh_file/file_geometry.h>
 
+#include <deal.II/base/table.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <boost/geometry.hpp>
