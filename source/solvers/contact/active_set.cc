@@ -127,8 +127,8 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
       states = next;
       const bool wanders = !settled && !has_path && result.iterations > max_wandering;
       if ((result.cycled || wanders) && qp.K.moves()) {
-        // No energy falls there. Once a path leads to the solution; where it rounds, states are
-        // tried.
+        // No energy falls there. A path leads to the solution; if rounding spoils it, random states
+        // are tried.
         const auto end = has_path ? std::nullopt : follow_solutions(qp);
         has_path = true;
         states = end ? *end : any_states(qp, random);

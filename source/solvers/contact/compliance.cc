@@ -144,12 +144,11 @@ FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSp
   state.F = G;
   state.F -= D.transpose_product(state.U);
   // The rounding of U, which would decide whether a body that only touches presses.
-  constexpr double rounding = 1e-13;
-  const double largest = state.U.linfty_norm();
+  const double rounding = 1e-13 * state.U.linfty_norm();
   for (unsigned int k = 0; k < D.n_columns(); ++k) {
     double size = 0.;
     for (const auto &entry : D.column(k))
-      size += std::abs(entry.second) * largest;
+      size += std::abs(entry.second);
     if (std::abs(state.F[k]) <= rounding * size)
       state.F[k] = 0.;
   }

@@ -13,6 +13,43 @@ namespace {
 using Vector = dealii::Vector<double>;
 using Indices = ComplianceOperator::Indices;
 
+/** A bound that follows a pressure: P_t changes by the factor times the change of P_n. */
+struct Follower {
+  unsigned int P_t;
+  /** The place of P_n among the active unknowns. */
+  unsigned int P_n;
+  double factor;
+};
+
+/** The active unknowns A, the bounds that follow them, and the rest of P. */
+struct ActiveSet {
+  ActiveSet(const AdmissibleSet &K, const States &states)
+    : P(K.size()) {
+    std::vector<unsigned int> place(K.size());
+    const unsigned int n_patches = K.size() / 2;
+    for (unsigned int i = 0; i < K.size(); ++i)
+      if (states[i] == State::inside) {
+        place[i] = A.size();
+        A.push_back(i);
+      } else {
+        P[i] = states[i] == State::upper ? K[i].upper : K[i].lower;
+        if (const double f = K.coefficient(i); f > 0. && states[i - n_patches] == State::inside)
+          followers.push_back({i, place[i - n_patches], states[i] == State::upper ? -f : f});
+      }
+  }
+  /** Adds a change of the active unknowns to a P. */
+  void add(const double factor, const Vector &change, Vector &to) const {
+    for (unsigned int r = 0; r < A.size(); ++r)
+      to[A[r]] += factor * change[r];
+    for (const Follower &follower : followers)
+      to[follower.P_t] += factor * follower.factor * change[follower.P_n];
+  }
+
+  Indices A;
+  std::vector<Follower> followers;
+  Vector P;
+};
+
 /** Returns C_AA, which contains the columns of followers. */
 FullMatrix<double> matrix_of(const ComplianceOperator &C, const ActiveSet &set) {
   FullMatrix<double> C_AA = submatrix(C, set.A);
@@ -88,7 +125,6 @@ void move_until_one_stops(const BoundConstrainedQP &qp, const States &states,
   if (x.stopping)
     x.z.add(nearest, motion);
 }
-
 } // namespace
 
 Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {

@@ -24,10 +24,9 @@ public:
     F_ = {qp.F, Vector(qp.size())};
     b_ = {qp.balances.b, Vector(qp.balances.size())};
     // Gaps of different sizes, so that no two patches close at once.
-    for (unsigned int i = 0; i < qp.size(); ++i)
-      if (!is_inside(i))
-        F_[1][i] = qp.F.linfty_norm() * std::sqrt(qp.diagonal[i] / qp.diagonal.linfty_norm()) *
-                   (1. + 0.5 * std::sin(1. + i * i));
+    for (unsigned int i = 0; i < n_patches_; ++i)
+      F_[1][i] = qp.F.linfty_norm() * std::sqrt(qp.diagonal[i] / qp.diagonal.linfty_norm()) *
+                 (1. + 0.5 * std::sin(1. + i * i));
   }
 
   std::optional<States> follow() {
@@ -67,6 +66,10 @@ private:
   bool is_inside(const unsigned int i) const {
     return states_[i] == State::inside;
   }
+  /** Returns the sign of the end of the interval at which an unknown is. */
+  double sign(const unsigned int i) const {
+    return states_[i] == State::upper ? 1. : -1.;
+  }
   /** Adds a multiple of the column of P_j. */
   void add_column(const unsigned int j, const double factor, Vector &to) const {
     for (unsigned int i = 0; i < qp_.size(); ++i)
@@ -87,7 +90,7 @@ private:
     } else {
       add_column(j, 1., a);
       if (const unsigned int t = j + n_patches_; j < n_patches_ && !is_inside(t))
-        add_column(t, states_[t] == State::upper ? -qp_.K.coefficient(t) : qp_.K.coefficient(t), a);
+        add_column(t, -sign(t) * qp_.K.coefficient(t), a);
     }
     return a;
   }
@@ -116,7 +119,7 @@ private:
       side[i] = i < qp_.size() ? F_[end][i] : b_[end][i - qp_.size()];
     for (unsigned int i = 0; i < qp_.size(); ++i)
       if (!is_inside(i) && qp_.K[i].upper > 0.)
-        add_column(i, states_[i] == State::upper ? -qp_.K[i].upper : qp_.K[i].upper, side);
+        add_column(i, -sign(i) * qp_.K[i].upper, side);
     inverse_.vmult(y, side);
     return y;
   }
@@ -141,7 +144,7 @@ private:
     const unsigned int i = change.unknown;
     const Vector &y = y_[end];
     if (!is_inside(i))
-      return states_[i] == State::upper ? -y[i] : y[i];
+      return -sign(i) * y[i];
     const bool follows = i >= n_patches_ && is_inside(i - n_patches_);
     const double bound = qp_.K[i].upper - (follows ? qp_.K.coefficient(i) * y[i - n_patches_] : 0.);
     return change.to == State::upper ? bound - y[i] : bound + y[i];

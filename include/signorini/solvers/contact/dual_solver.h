@@ -59,7 +59,7 @@ QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<
  *
  * Where K moves (Coulomb's friction), the ends of P_t are ±(s - f P_n), so that with a slipping
  * patch the column of its P_n is that of C minus ±f times that of its P_t, and C_AA gets a factor
- * LU. When a set comes back there, a path of solutions leads to the next one.
+ * LU. When a set comes back there, or after many sets, follow_solutions() gives the next one.
  *
  * Where a set leaves a motion free, the body moves along it until the first slipping patch stops,
  * and that patch sticks in the next set.
