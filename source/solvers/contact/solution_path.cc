@@ -27,6 +27,10 @@ public:
     for (unsigned int i = 0; i < n_patches_; ++i)
       F_[1][i] = qp.F.linfty_norm() * std::sqrt(qp.diagonal[i] / qp.diagonal.linfty_norm()) *
                  (1. + 0.5 * std::sin(1. + i * i));
+    constexpr double weak = 1e-6;
+    for (unsigned int i = 0; i < qp.size(); ++i)
+      for (unsigned int j = 0; j < qp.balances.size(); ++j)
+        spring_ += weak * std::pow(qp.balances.B(i, j), 2) / qp.diagonal[i];
   }
 
   std::optional<States> follow() {
@@ -84,7 +88,7 @@ private:
       for (unsigned int i = 0; i < n; ++i)
         a[i] = qp_.balances.B(i, j - n);
       for (unsigned int k = n; k < a.size(); ++k)
-        a[k] = qp_.balances.K(k - n, j - n);
+        a[k] = qp_.balances.K(k - n, j - n) + (k == j ? spring_ : 0.);
     } else if (!is_inside(j)) {
       a[j] = -1.;
     } else {
@@ -171,6 +175,8 @@ private:
   unsigned int n_patches_;
   States states_;
   FullMatrix<double> inverse_;
+  /** The stiffness of weak springs, which hold a free body where no patch does. */
+  double spring_ = 0.;
   double tau_ = 1.;
   /** The data and the unknowns for τ = 0 and 1. */
   std::array<Vector, 2> F_, b_, y_;

@@ -104,6 +104,16 @@ void test_free_body(Checks &checks) {
   checks.near("T/N", friction.tangential_force / last(found, "contact_force_n"), -0.4, 1e-9);
 }
 
+void check_sticking(Checks &checks, const std::string &scene) {
+  const StudyResult<2> found = solve(scene + "\nContact/Friction = coulomb", graded("1e-3"));
+  checks.that("accuracy estimated", found.verdict.outcome == Outcome::accuracy_estimated);
+  const LevelRecord &finest = found.levels.back();
+  checks.between("KKT residual", finest.dual.kkt, 0., 1e-13);
+  // Slip needs a pressure that is small there.
+  checks.between("dissipation over energy",
+                 finest.friction->dissipation / std::abs(finest.certificate.energy), 0., 0.05);
+}
+
 /** Strongly sheared bodies with stick almost without limit: Newton's sets come back or wander, and
  * the path of solutions ends where they are valid. */
 void test_stick_without_limit(Checks &checks) {
@@ -112,18 +122,15 @@ void test_stick_without_limit(Checks &checks) {
                                                           {"0.024; -0.016", "0", "1e6"}};
   for (const auto &[displacement, gap, f] : scenes) {
     checks.about("f = " + f + ", displacement " + displacement);
-    const StudyResult<2> found =
-      solve("Boundary/Displacement = top: " + displacement +
-              "\nBoundary/Contact = bottom\nContact/Gap = " + gap +
-              "\nContact/Friction = coulomb\nContact/Friction coefficient = " + f,
-            graded("1e-3"));
-    checks.that("accuracy estimated", found.verdict.outcome == Outcome::accuracy_estimated);
-    const LevelRecord &finest = found.levels.back();
-    checks.between("KKT residual", finest.dual.kkt, 0., 1e-13);
-    // Slip needs a pressure that is small there.
-    checks.between("dissipation over energy",
-                   finest.friction->dissipation / finest.certificate.energy, 0., 0.05);
+    check_sticking(checks, "Boundary/Displacement = top: " + displacement +
+                             "\nBoundary/Contact = bottom\nContact/Gap = " + gap +
+                             "\nContact/Friction coefficient = " + f);
   }
+  checks.about("f = 50, held by two contact sides");
+  check_sticking(
+    checks,
+    "Boundary/Traction = top: 0.01; -0.05\nBoundary/Contact = bottom right\nContact/Gap = 0\n"
+    "Contact/Friction coefficient = 50");
 }
 
 /** Load steps on the last mesh, whose smallest faces have 1e-10 of the length of the largest. */

@@ -50,7 +50,7 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states);
  * the next one leads to where the inequality of the new state holds, so that τ may grow again. All
  * solutions are bounded and the path cannot return to P = 0: in exact arithmetic, and where no two
  * inequalities end at once, it comes to τ = 0 for every f. A step costs some products with a matrix
- * of the size of C.
+ * of the size of C. Weak springs hold a free body where no patch does.
  *
  * @return the states at τ = 0; nothing where rounding leads elsewhere.
  */
