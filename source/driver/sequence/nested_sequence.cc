@@ -108,7 +108,6 @@ private:
       start.P_t = friction_of_shares(discretization.K, start.P, shares);
     }
     start.scale = scale_;
-    start.relative_error = relative_error_;
     if (coarse_ != nullptr)
       start.U = carry_over(coarse_->space, coarse_U_, discretization.space);
     coarse_.reset();
@@ -131,9 +130,6 @@ private:
     pressure_ = result.pressure();
     shares_ = friction_shares(result.discretization->K, solution.P, solution.P_t);
     scale_ = solution.cycles ? solution.cycles->scale : 0.;
-    relative_error_ = {};
-    if (solution.record.estimate)
-      relative_error_ = solution.record.estimate->relative;
     if (solvers_of(result.discretization->mesh.level() + 1).is_by_cycles()) {
       coarse_ = result.discretization;
       coarse_U_ = solution.U;
@@ -154,9 +150,8 @@ private:
   /** The last level and its displacement, if V-cycles find contact on the next one; else null. */
   std::shared_ptr<const Discretization<dim>> coarse_;
   Displacement coarse_U_;
-  /** The scale and the estimated error of the last level, see ContactStart. */
+  /** The scale of the last level, see ContactStart. */
   double scale_ = 0.;
-  std::optional<double> relative_error_;
 };
 } // namespace
 

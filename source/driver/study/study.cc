@@ -203,8 +203,8 @@ void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
     return;
   const DiscretizationParameters &given = parameters.discretization;
   const Given<ContactSolver> &contact = parameters.solver.contact_solver;
-  refuse_if(contact == ContactSolver::mprgp || contact == ContactSolver::multigrid, contact,
-            "with friction", "with it: automatic, psor, active set");
+  refuse_if(contact == ContactSolver::multigrid, contact, "with friction",
+            "with it: automatic, psor, active set");
   if (given.strategy == Strategy::hp)
     return;
   refuse_if(given.element == Element::q2, given.element, "with friction",
@@ -219,11 +219,11 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
   const Given<ContactSolver> &contact = parameters.solver.contact_solver;
   const Given<LinearSolver> &linear = parameters.solver.linear_solver;
   check_multigrid(linear, "automatic, condensed", parameters);
-  check_multigrid(contact, "automatic, psor, active set, mprgp", parameters);
+  check_multigrid(contact, "automatic, psor, active set", parameters);
   check_friction(parameters, scene);
   const bool by_cycles = contact == ContactSolver::multigrid;
   refuse_if(n_ranks > 1 && by_cycles, contact, on_several,
-            "on several: automatic, psor, active set, mprgp");
+            "on several: automatic, psor, active set");
   refuse_if(n_ranks > 1 && (linear == LinearSolver::condensed || linear == LinearSolver::multigrid),
             linear, on_several, "on several: automatic, amesos_mumps, amesos_klu");
   refuse_if(n_ranks > 1 && parameters.discretization.strategy == Strategy::hp,

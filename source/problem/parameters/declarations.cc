@@ -211,24 +211,19 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
 
 void Declarations::declare_solver(SolverParameters &solver) {
   add("Solver/Contact solver", solver.contact_solver,
-      "Method for contact. psor (projected SOR), active set (primal-dual) and mprgp (conjugate "
-      "gradients with projections) solve the dual problem. multigrid forms none: every V-cycle is "
-      "followed by a small problem on the contact sides (one process, nested meshes, Linear solver "
+      "Method for contact. psor (projected SOR) and active set (primal-dual) solve the dual "
+      "problem. multigrid forms none: every V-cycle is followed by a small problem on the contact "
+      "sides (one process, nested meshes, Linear solver "
       "= multigrid or automatic). automatic is multigrid on levels with 1e5 unknowns and more (in "
       "3-D 5e3), where nothing forbids it, else active set.");
   add("Solver/Relaxation", solver.relaxation, "Relaxation parameter omega of projected SOR.",
       std::numeric_limits<double>::min(), 2. - 1e-15, "a number between 0 and 2 (both excluded)");
   add("Solver/Tolerance", solver.tolerance, "On the relative KKT residual of the dual problem.",
       1e-15, 1e-2);
-  add(
-    "Solver/Stop at", solver.stop_at,
-    "Where Contact solver = multigrid ends: at Tolerance, or, from the second level on, at a tenth "
-    "of the error of the discretisation that the estimate of the level before lets expect.");
-  add(
-    "Solver/Maximum iterations", solver.maximum_iterations,
-    "Sweeps of projected SOR, steps of the active set, products of MPRGP or V-cycles before giving "
-    "up; a level that needs more is the last one, and is not certified.",
-    1U, 2147483647U, "a positive integer");
+  add("Solver/Maximum iterations", solver.maximum_iterations,
+      "Sweeps of projected SOR, steps of the active set, or V-cycles before giving "
+      "up; a level that needs more is the last one, and is not certified.",
+      1U, 2147483647U, "a positive integer");
   add("Solver/Linear solver", solver.linear_solver,
       "How systems with the stiffness matrix are solved. condensed (CHOLMOD, one process only) "
       "eliminates the contact unknowns last and reads the compliance C from the factor; "

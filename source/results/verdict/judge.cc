@@ -153,9 +153,7 @@ double Judge::residual_bound(const LevelRecord &level) const {
   // Direct solves and sums over all cells lose some digits of their own, and so do other measures
   // of contact than the KKT residual. No tolerance makes an imbalance of one per cent a balance.
   const double tolerance_bound = std::min(100. * demands.tolerance, 0.01);
-  // V-cycles that end at the error of the discretisation leave that much in the forces of nodes.
-  const double cycle_bound = 10. * level.dual.energy_tolerance;
-  return std::max({1e-8, tolerance_bound, rounding_bound, cycle_bound});
+  return std::max({1e-8, tolerance_bound, rounding_bound});
 }
 
 double Judge::max_residual_bound(const std::vector<LevelRecord> &levels) const {

@@ -27,8 +27,6 @@ QPResult by_chosen_method(const BoundConstrainedQP &qp, const Vector &start,
                           const DualSolverOptions &options) {
   if (options.method == ContactSolver::psor && qp.size() > 0)
     return solve_by_psor(qp, start, options);
-  if (options.method == ContactSolver::mprgp)
-    return solve_by_mprgp(qp, start, options);
   try {
     return qp.K.n_discs() > 0 ? solve_by_disc_newton(qp, start, options)
                               : solve_by_active_set(qp, start, options);
@@ -49,8 +47,7 @@ QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C, 
     return result;
   };
   const bool has_friction = options.K.size() > 0;
-  if (options.method != ContactSolver::psor && options.method != ContactSolver::mprgp &&
-      !C->is_explicit() && !has_friction)
+  if (options.method != ContactSolver::psor && !C->is_explicit() && !has_friction)
     return solve_on_growing_set(*C, F, start, solve, balances);
   const AdmissibleSet K = has_friction ? options.K : AdmissibleSet::nonpositive(F.size());
   return solve(BoundConstrainedQP(C, F, K, balances), start);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace Signorini {
@@ -142,9 +141,7 @@ QPResult sweep_proximally(const BoundConstrainedQP &qp, const Vector &start,
     const QPResult swept = sweep_until_settled(
       BoundConstrainedQP(std::make_shared<const DenseCompliance>(std::move(C)), F, qp.K), result.P,
       {std::max(0.1 * options.tolerance, std::min(1e-4, 1e-2 * result.kkt_residual)),
-       options.maximum_iterations - result.iterations,
-       options.relaxation,
-       {}});
+       options.maximum_iterations - result.iterations, options.relaxation});
     result.P = swept.P;
     result.iterations += std::max(1U, swept.iterations);
     B_Q.Tvmult_add(z, result.P);
@@ -165,164 +162,5 @@ QPResult solve_by_psor(const BoundConstrainedQP &qp, const Vector &start,
     throw std::invalid_argument("Projected SOR converges for relaxations between 0 and 2 only.");
   return qp.balances.size() > 0 ? sweep_proximally(qp, start, options)
                                 : sweep_until_settled(qp, start, options);
-}
-
-// MPRGP: modified proportioning with reduced gradient projections.
-
-namespace {
-/** Returns 1.05 times the norm |C| that the power method finds. Steps of a length below 2/|C| are
- * allowed. */
-double norm_of(const ComplianceOperator &C, unsigned int &products) {
-  constexpr unsigned int steps = 10;
-  Vector v(C.size());
-  for (unsigned int i = 0; i < v.size(); ++i)
-    v[i] = 1. + 0.1 * std::sin(1. + i * (i + 1.7));
-  double norm = 0.;
-  for (unsigned int k = 0; k < steps; ++k) {
-    v /= v.l2_norm();
-    v = C.apply(v);
-    norm = v.l2_norm();
-    ++products;
-  }
-  return 1.05 * norm;
-}
-
-/** The iteration: P with its gradient, and the next step. */
-class Mprgp {
-public:
-  Mprgp(const BoundConstrainedQP &qp, const Vector &start, const IterationOptions &options)
-    : qp_(qp)
-    , options_(options)
-    , P_(start.size() > 0 ? start : Vector(qp.size())) {
-    qp.K.project(P_);
-    length_ = 1.9 / norm_of(*qp.C, products_);
-    restart();
-  }
-
-  QPResult solve() {
-    QPResult result;
-    while (qp_.kkt_residual(P_, {}, W_, true) > options_.tolerance &&
-           products_ < options_.maximum_iterations)
-      if (is_proportional())
-        conjugate_step();
-      else
-        proportioning_step();
-    result.P = P_;
-    result.kkt_residual = qp_.kkt_residual(P_);
-    result.iterations = products_ + 1;
-    result.converged = result.kkt_residual <= options_.tolerance;
-    return result;
-  }
-
-private:
-  bool is_free(const unsigned int i) const {
-    return qp_.K.is_inside(i, P_[i]);
-  }
-  Vector times_C(const Vector &v) {
-    ++products_;
-    return qp_.C->apply(v);
-  }
-
-  /** Computes the gradient anew, and the first direction. */
-  void restart() {
-    W_ = times_C(P_);
-    W_ -= qp_.F;
-    direction_ = preconditioned();
-  }
-
-  /** Returns W_i, reduced so that a step of the fixed length along it stays in K. */
-  double reduced(const unsigned int i) const {
-    return std::max((P_[i] - qp_.K[i].upper) / length_,
-                    std::min((P_[i] - qp_.K[i].lower) / length_, W_[i]));
-  }
-  /** Returns the largest t for which P - t v stays in K. */
-  double feasible_step(const Vector &v) const {
-    double feasible = std::numeric_limits<double>::max();
-    for (unsigned int i = 0; i < P_.size(); ++i)
-      if (v[i] != 0.) {
-        const double end = v[i] < 0. ? qp_.K[i].upper : qp_.K[i].lower;
-        feasible = std::min(feasible, (P_[i] - end) / v[i]);
-      }
-    return feasible;
-  }
-
-  /** Returns whether |β|² is at most φ̃·φ, with the chopped gradient β of the active set and the
-   * free gradient φ, reduced φ̃. */
-  bool is_proportional() const {
-    double held = 0., free = 0.;
-    for (unsigned int i = 0; i < P_.size(); ++i)
-      if (is_free(i))
-        free += W_[i] * reduced(i);
-      else
-        held += std::pow(qp_.K.inward(i, P_[i], W_[i]), 2);
-    return held <= free;
-  }
-
-  /** Returns z = M⁻¹ W on the free set, zero elsewhere. */
-  Vector preconditioned() const {
-    std::vector<unsigned int> set;
-    for (unsigned int i = 0; i < P_.size(); ++i)
-      if (is_free(i))
-        set.push_back(i);
-    Vector r(set.size()), z(P_.size());
-    for (unsigned int k = 0; k < set.size(); ++k)
-      r[k] = W_[set[k]];
-    if (options_.preconditioner && !set.empty())
-      r = options_.preconditioner(set, r);
-    for (unsigned int k = 0; k < set.size(); ++k)
-      z[set[k]] = r[k];
-    return z;
-  }
-
-  void conjugate_step() {
-    const Vector product = times_C(direction_);
-    const double curvature = direction_ * product;
-    const double step = (W_ * direction_) / curvature;
-    const double feasible = feasible_step(direction_);
-    if (step <= feasible) {
-      P_.add(-step, direction_);
-      W_.add(-step, product);
-      const Vector z = preconditioned();
-      direction_.sadd(-(z * product) / curvature, 1., z);
-      return;
-    }
-    P_.add(-feasible, direction_);
-    W_.add(-feasible, product);
-    for (unsigned int i = 0; i < P_.size(); ++i)
-      if (is_free(i))
-        P_[i] = qp_.K.project(i, P_[i] - length_ * W_[i]);
-    restart();
-  }
-
-  void proportioning_step() {
-    Vector chopped(P_.size());
-    for (unsigned int i = 0; i < P_.size(); ++i)
-      if (!is_free(i))
-        chopped[i] = qp_.K.inward(i, P_[i], W_[i]);
-    const Vector product = times_C(chopped);
-    // With two bounds the step may end at the other one.
-    const double step = std::min((W_ * chopped) / (chopped * product), feasible_step(chopped));
-    P_.add(-step, chopped);
-    qp_.K.project(P_);
-    W_.add(-step, product);
-    direction_ = preconditioned();
-  }
-
-  const BoundConstrainedQP &qp_;
-  const IterationOptions &options_;
-  Vector P_, W_, direction_;
-  double length_ = 0.;
-  unsigned int products_ = 0;
-};
-} // namespace
-
-QPResult solve_by_mprgp(const BoundConstrainedQP &qp, const Vector &start,
-                        const IterationOptions &options) {
-  if (qp.size() == 0) {
-    QPResult nothing;
-    nothing.converged = true;
-    return nothing;
-  }
-  return Mprgp(qp, start, options).solve();
 }
 } // namespace Signorini

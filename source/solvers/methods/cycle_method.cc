@@ -15,8 +15,6 @@ namespace Signorini {
 namespace {
 /** The factor by which the scale t is expected to grow from level to level. */
 constexpr double growth_of_scale = 1.05;
-/** The share of the error of the discretisation that the algebraic error may have. */
-constexpr double share_of_discretisation_error = 0.1;
 /** The largest number of cycles. Where MINRES needs more, a factorisation is the better choice. */
 constexpr unsigned int max_cycles = 1000;
 /** The ratio of the tolerance of stationarity to that of the KKT residual. */
@@ -75,7 +73,9 @@ public:
     state.inverse = inverse;
     state.modes = make_motion_modes(space, scene_, *inverse);
     if (state.modes.size() > 0 || !state.modes.unseen.empty())
-      refuse_solver_for_free_motions(parameters_.solver);
+      throw InputError(parameters_.solver.contact_solver.where() +
+                       ": found 'multigrid' for a body or a plate that moves freely, allowed "
+                       "there: psor, active set.");
     progress("V-cycles");
     const StageTimer timer(state.times.qp);
     iterate(discretization, inverse->stiffness(), start, state);
@@ -103,7 +103,6 @@ private:
     state.report.kkt = result.kkt_residual;
     state.report.converged = result.converged;
     state.report.stalled = result.stalled;
-    state.report.energy_tolerance = options.energy_tolerance;
     Vector diagonal = model->diagonal();
     diagonal *= result.scale;
     state.diagonal_P = result.P;
@@ -121,20 +120,7 @@ private:
     options.stationarity = stationarity_per_tolerance * solver.tolerance;
     options.maximum_cycles = std::min<unsigned int>(solver.maximum_iterations, max_cycles);
     options.scale = growth_of_scale * start.scale;
-    options.energy_tolerance = energy_tolerance(start);
     return options;
-  }
-
-  /**
-   * Returns the relative algebraic error in the energy norm that is negligible beside the error of
-   * the discretisation. u_h has about half the error of the level before, and π^{2h}u_h, which
-   * gains an order where the solution is smooth, not less than the square of that.
-   */
-  double energy_tolerance(const ContactStart &start) const {
-    if (parameters_.solver.stop_at != StopAt::discretisation_error || !start.relative_error)
-      return 0.;
-    const double before = *start.relative_error;
-    return share_of_discretisation_error * std::min(0.25 * before, before * before);
   }
 
   const Parameters &parameters_;
@@ -146,12 +132,6 @@ template <int dim>
 std::unique_ptr<ContactMethod<dim>> make_cycle_method(const Parameters &parameters,
                                                       const Scene<dim> &scene) {
   return std::make_unique<CycleMethod<dim>>(parameters, scene);
-}
-
-void refuse_solver_for_free_motions(const SolverParameters &solver) {
-  throw InputError(solver.contact_solver.where() + ": found '" +
-                   to_text(solver.contact_solver.value) +
-                   "' for a body or a plate that moves freely, allowed there: psor, active set.");
 }
 
 INSTANTIATE_FUNCTION(make_cycle_method);

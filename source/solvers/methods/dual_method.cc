@@ -7,7 +7,6 @@
 #include <signorini/discretization/level/discretization.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>
-#include <signorini/solvers/cycles/boundary_model.h>
 #include <signorini/solvers/kinematics/free_motions.h>
 #include <signorini/solvers/kinematics/motion_modes.h>
 #include <signorini/solvers/multigrid/stiffness_multigrid.h>
@@ -248,17 +247,11 @@ private:
       state.undetermined.push_back(motion.rigid->name());
   }
 
-  /** Makes C; only its products where MPRGP is used with a solver without factors. */
   void form_compliance(const Discretization<dim> &discretization, const Progress &progress,
                        ContactState<dim> &state) const {
     const Coupling &D = discretization.condensed_D;
-    const auto model = state.inverse->has_factors() ? nullptr : boundary_model(discretization);
-    if (model != nullptr)
-      state.dual->C =
-        std::make_shared<const SolvedCompliance>(*state.inverse, D, model->diagonal());
-    else
-      state.dual->C = make_compliance(*state.inverse, D, state.times.compliance,
-                                      column_progress(progress, D.n_columns()));
+    state.dual->C = make_compliance(*state.inverse, D, state.times.compliance,
+                                    column_progress(progress, D.n_columns()));
   }
 
   /** Computes P, and q where motions are free. */
@@ -267,8 +260,6 @@ private:
     const StageTimer timer(state.times.qp);
     const DualData &dual = *state.dual;
     const DualSolverOptions options = options_for(discretization);
-    if (state.modes.size() > 0 && choice_.contact == ContactSolver::mprgp)
-      refuse_solver_for_free_motions(parameters_.solver);
     const MotionResult found = solve_dual_problem(dual.C, dual.F, dual.motions, start, options);
     if constexpr (dim == 2)
       if (found.escape)
@@ -343,15 +334,6 @@ private:
     state.dual->free.F -= B_q;
   }
 
-  /** Returns Ĉ for MPRGP; null for other methods, and for multipliers that are not constants. */
-  std::shared_ptr<const BoundaryModel>
-  boundary_model(const Discretization<dim> &discretization) const {
-    if (choice_.contact != ContactSolver::mprgp ||
-        !discretization.multipliers.is_piecewise_constant())
-      return nullptr;
-    return make_boundary_model(discretization.multipliers);
-  }
-
   /** Returns K with friction, else the empty set, which stands for P ≤ 0. */
   AdmissibleSet admissible_of(const Discretization<dim> &discretization) const {
     return scene_.friction == Friction::none ? AdmissibleSet() : discretization.K;
@@ -359,16 +341,10 @@ private:
 
   DualSolverOptions options_for(const Discretization<dim> &discretization) const {
     const SolverParameters &solver = parameters_.solver;
-    DualSolverOptions options = {
-      {solver.tolerance, solver.maximum_iterations, solver.relaxation, {}},
-      choice_.contact,
-      is_unstable(discretization),
-      admissible_of(discretization)};
-    if (const auto model = boundary_model(discretization))
-      options.preconditioner = [model](const std::vector<unsigned int> &set, const Vector &r) {
-        return model->solve(set, r);
-      };
-    return options;
+    return {{solver.tolerance, solver.maximum_iterations, solver.relaxation},
+            choice_.contact,
+            is_unstable(discretization),
+            admissible_of(discretization)};
   }
 
   const Parameters &parameters_;

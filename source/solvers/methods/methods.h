@@ -28,8 +28,4 @@ std::unique_ptr<ContactMethod<dim>> make_cycle_method(const Parameters &paramete
  */
 double algebraic_error(const AdmissibleSet &K, const dealii::Vector<double> &P,
                        const dealii::Vector<double> &W, const dealii::Vector<double> &diagonal);
-
-/** Refuses a contact solver that cannot treat bodies and plates that move freely.
- * @throws InputError always. */
-[[noreturn]] void refuse_solver_for_free_motions(const SolverParameters &solver);
 } // namespace Signorini

@@ -47,8 +47,7 @@ void solve(const Problem &problem, const BoundConstrainedQP &qp, Checks &checks)
   for (const auto &[method, result, tolerance] :
        {std::tuple("psor", solve_by_psor(qp, zero, {1e-12, 1000, 1.1}), 1e-10),
         std::tuple("active set", solve_by_active_set(qp, {}, {1e-12, 100}), 1e-14),
-        std::tuple("active set from zero", solve_by_active_set(qp, zero, {1e-12, 100}), 1e-14),
-        std::tuple("mprgp", solve_by_mprgp(qp, {}, {1e-12, 1000}), 1e-10)}) {
+        std::tuple("active set from zero", solve_by_active_set(qp, zero, {1e-12, 100}), 1e-14)}) {
     checks.about(problem.name + ", " + method);
     checks.near("P", std::vector<double>(result.P.begin(), result.P.end()), problem.P, tolerance);
     checks.that("converged", result.converged);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Projected SOR, MPRGP and the active set method on random and contact-like matrices; cycling,
+// Projected SOR and the active set method on random and contact-like matrices; cycling,
 // degenerate, shifted, scaled and empty problems.
 
 #include <signorini/solvers/contact/dual_solver.h>
@@ -53,8 +53,7 @@ void small_problems(Checks &checks) {
     const BoundConstrainedQP qp(std::make_shared<const DenseCompliance>(random_matrix(m, random)),
                                 F, AdmissibleSet(intervals));
     for (const QPResult &result :
-         {solve_by_psor(qp, start, {1e-13, 10000, 1.2}), solve_by_mprgp(qp, start, {1e-13, 10000}),
-          solve_by_active_set(qp, {}, {1e-12, 1000}),
+         {solve_by_psor(qp, start, {1e-13, 10000, 1.2}), solve_by_active_set(qp, {}, {1e-12, 1000}),
           solve_by_active_set(qp, start, {1e-12, 1000})}) {
       worst = std::max(worst, violation(qp, result.P));
       converged = converged && result.converged;
@@ -86,24 +85,12 @@ void prescribed(Checks &checks, const std::string &name, const Matrix &C,
   C.vmult(F, P);
   F -= W;
   const BoundConstrainedQP qp(C, F);
-  // With C itself as the preconditioner a face is solved in one step.
-  const auto inverse_of_face = [&](const std::vector<unsigned int> &set, const Vector &r) {
-    Matrix inverse(set.size(), set.size());
-    inverse.invert(submatrix(*qp.C, set));
-    Vector z(r.size());
-    inverse.vmult(z, r);
-    return z;
-  };
-  const QPResult mprgp = solve_by_mprgp(qp, {}, {1e-12, 100000}),
-                 faces = solve_by_mprgp(qp, {}, {1e-12, 100000, 1.1, inverse_of_face});
   for (const auto &[method, result, factor] :
        {std::tuple("active set", solve_by_active_set(qp, {}, {1e-12, 200}), 1.),
-        std::tuple("psor", solve_by_psor(qp, Vector(m), {1e-12, 100000, 1.3}), 100.),
-        std::tuple("mprgp", mprgp, 100.), std::tuple("preconditioned mprgp", faces, 100.)}) {
+        std::tuple("psor", solve_by_psor(qp, Vector(m), {1e-12, 100000, 1.3}), 100.)}) {
     checks.that(std::string("converges, ") + method, result.converged);
     checks.near(method, distance(result.P, P), 0., factor * tolerance);
   }
-  checks.that("fewer products", faces.iterations <= mprgp.iterations);
 }
 
 /** C_AA P_A = F_A - C_AI bound_I with the members of A as the bits of @p set. */

@@ -17,18 +17,8 @@ enum class ContactSolver {
   psor,
   /** The primal-dual active set method. */
   active_set,
-  /** MPRGP: conjugate gradients and projected gradient steps. */
-  mprgp,
   /** V-cycles, each followed by a problem on the boundary; no dual problem is formed. */
   multigrid
-};
-
-/** The point at which V-cycles for contact end. */
-enum class StopAt {
-  /** They end at the tolerance. */
-  tolerance,
-  /** They end at a tenth of the discretisation error that the level before predicts. */
-  discretisation_error
 };
 
 /** The solver of systems with the stiffness matrix. */

@@ -149,7 +149,6 @@ struct SolverParameters {
   Given<ContactSolver> contact_solver{ContactSolver::automatic};
   Given<double> relaxation{1.1};
   Given<double> tolerance{1e-10};
-  Given<StopAt> stop_at{StopAt::tolerance};
   Given<unsigned int> maximum_iterations{100000};
   Given<LinearSolver> linear_solver{LinearSolver::automatic};
   Given<bool> warm_start{true};

@@ -8,7 +8,6 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -171,23 +170,15 @@ struct MotionResistance {
   FullMatrix<double> S;
 };
 
-/** A function that returns z = M⁻¹ r on a set of indices. M is symmetric positive definite and
- * close to C there. */
-using SetPreconditioner = std::function<dealii::Vector<double>(const std::vector<unsigned int> &set,
-                                                               const dealii::Vector<double> &r)>;
-
 /** The options of the methods that solve the dual problem. */
 struct IterationOptions {
   /** The tolerance of the KKT residual, for projected SOR also of the increment. */
   double tolerance = 1e-10;
-  /** The maximal number of sweeps, linear solves or products with C. */
+  /** The maximal number of sweeps, or linear solves. */
   unsigned int maximum_iterations = 100000;
   /** The factor ω of projected SOR, 0 < ω < 2. */
   double relaxation = 1.1;
-  /** MPRGP: the preconditioner of C restricted to the free set, where P is inside of K; empty:
-   * none.
-   */
-  SetPreconditioner preconditioner = {};
+};
 };
 
 /** The result of a solver of the dual problem. */

@@ -32,17 +32,4 @@ double psor_sweep(const BoundConstrainedQP &qp, double relaxation, dealii::Vecto
  */
 QPResult solve_by_psor(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
                        const IterationOptions &options);
-
-/**
- * Solves the dual problem by MPRGP, modified proportioning with reduced gradient projections
- * (Dostal and Schoeberl, Comput. Optim. Appl. 30 (2005) 23-43), with preconditioning in the face.
- * While the chopped gradient of the active set is no larger than the free gradient, it takes steps
- * of conjugate gradients on the free set; otherwise a step along the chopped gradient. Where a
- * bound stops a step, a projected gradient step of the length 1.9/|C| follows. |C| is estimated by
- * ten steps of the power method.
- *
- * QPResult::iterations counts products with C; nothing else of C is needed but its diagonal.
- */
-QPResult solve_by_mprgp(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
-                        const IterationOptions &options);
 } // namespace Signorini

@@ -40,9 +40,6 @@ struct ContactIterationOptions {
    * thousandth of the largest of its terms; and of |P.W| relative to P.t Ĉ_1 P. Residuals at the
    * level of rounding are accepted. */
   double stationarity = 1e-9;
-  /** If positive, the iteration also ends when the energy norm of a step is below this part of that
-   * of U. */
-  double energy_tolerance = 0.;
   /** The limit of the number of V-cycles, those of MINRES included. */
   unsigned int maximum_cycles = 1000;
   /** The scale t; zero: from estimate_scale(). */

@@ -23,9 +23,7 @@ namespace Signorini {
 struct DualSolve {
   /** The method that solved the problem, never automatic. */
   ContactSolver method = ContactSolver::active_set;
-  /** The number of sweeps of projected SOR, linear solves of the active set method, products of
-   * MPRGP, or V-cycles.
-   */
+  /** The number of sweeps of projected SOR, linear solves of the active set method, or V-cycles. */
   unsigned int iterations = 0;
   /** The sweep of projected SOR at which the increment alone was small enough. */
   std::optional<unsigned int> increment_iterations;
@@ -41,9 +39,6 @@ struct DualSolve {
   /** The level on which V-cycles failed, and why; this level and later ones are solved with
    * factors. */
   std::optional<std::string> failure_of_cycles;
-  /** The algebraic error, relative to the energy norm of U, at which V-cycles ended because the
-   * error of the discretisation is larger; 0 where the tolerance counts. */
-  double energy_tolerance = 0.;
 
   static Columns<DualSolve> columns();
 };
@@ -70,8 +65,6 @@ struct ContactStart {
   Displacement U;
   /** The scale t of the level before, see ContactIterationOptions; zero: none. */
   double scale = 0.;
-  /** The estimated error of the level before, relative in the energy norm; none: unknown. */
-  std::optional<double> relative_error;
 };
 
 /** The data of the dual problem, stored by a method that forms it. */
@@ -182,7 +175,7 @@ public:
 
 /**
  * Makes the chosen method. The dual method takes C from factors or column by column, and computes P
- * by projected SOR, the active set method or MPRGP; the other method uses V-cycles. Parameters and
+ * by projected SOR or the active set method; the other method uses V-cycles. Parameters and
  * scene must outlive the result.
  */
 template <int dim>
