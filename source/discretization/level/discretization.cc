@@ -159,6 +159,13 @@ dealii::Vector<double> Discretization<dim>::assemble_gap_of(const Scene<dim> &sc
 }
 
 template <int dim>
+dealii::Vector<double> Discretization<dim>::gap_residual(const Displacement &U) const {
+  dealii::Vector<double> W = D.transpose_product(U);
+  W -= G;
+  return W;
+}
+
+template <int dim>
 dealii::Vector<double> Discretization<dim>::moments_of(
   const Scene<dim> &scene, FunctionPointer<dim> BoundaryCondition<dim>::*const data,
   const Component component) const {

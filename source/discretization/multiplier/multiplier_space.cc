@@ -64,7 +64,7 @@ double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
 }
 
 template <int dim>
-double MultiplierSpace<dim>::value(const Pressure &P, const unsigned int patch,
+double MultiplierSpace<dim>::value(const Vector &P, const unsigned int patch,
                                    const Point<dim - 1> &s, const unsigned int component) const {
   double sum = 0.;
   for (unsigned int k = first_of(patch); k < first_of(patch + 1); ++k)

@@ -23,19 +23,20 @@ void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &soluti
   // C of several ranks is written column by column, each by a solve.
   const bool writes_compliance = problem.parameters.output.compliance;
   const bool solves_later = writes_compliance || !problem.scene.load_cases.empty();
-  if (solution.dual && !writes_compliance)
-    solution.dual->C = nullptr;
+  ContactSolution<dim> &contact = solution.contact;
+  if (contact.dual && !writes_compliance)
+    contact.dual->C = nullptr;
   if (!solves_later)
-    solution.inverse = nullptr;
+    contact.inverse = nullptr;
   if (!solves_later && !problem.parameters.output.lemmas)
-    solution.system = nullptr;
+    contact.system = nullptr;
 }
 
 /** Returns whether the constant of Lemma 1 is computed on a level of this size; on graded meshes
  * only if the user sets it. The constant needs a factorisation of its own, which in 3-D costs more
  * than the rest of the level from some thousand unknowns on. */
 template <int dim>
-bool wants_inf_sup(const Parameters &parameters, const ContactState<dim> &contact) {
+bool wants_inf_sup(const Parameters &parameters, const ContactSolution<dim> &contact) {
   const Choice choice = parameters.output.inf_sup_constant;
   return choice == Choice::yes || (choice == Choice::automatic && contact.inverse->has_factors() &&
                                    parameters.discretization.strategy == Strategy::nested &&
@@ -63,7 +64,7 @@ LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy st
 /** Returns the records of all plates: their motions, and the forces that hold them there. */
 template <int dim>
 std::vector<PlateRecord> plates_of(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                                   const ContactState<dim> &contact, const NodalForces &nodal) {
+                                   const ContactSolution<dim> &contact, const NodalForces &nodal) {
   std::vector<PlateRecord> plates;
   if constexpr (dim == 2) {
     const std::vector<PlateMotion> motions = contact.modes.plate_motions(scene.plates, contact.q);
@@ -90,38 +91,17 @@ double motion_balance(const std::vector<Plate> &plates, const MotionModes<dim> &
   return largest;
 }
 
-/** Returns the work of the forces on plates, which the energy of the problem with given forces
- * does not contain. */
-double work_of_plates(const LevelRecord &record) {
-  double work = 0.;
-  for (const PlateRecord &plate : record.motions.plates)
-    work += plate.plate.work(plate.motion);
-  return work;
-}
-
 /** Computes the estimate of the error. */
 template <int dim>
 ErrorEstimate estimate_of(const Discretization<dim> &discretization, const Scene<dim> &scene,
-                          const ContactState<dim> &contact) {
-  // After V-cycles there is no such problem: each column of C would be a linear solve, and F is not
-  // computed.
-  DualProblem on_other_patches;
-  if (contact.dual)
-    on_other_patches = [&contact](const Coupling &D, const Coupling &condensed_D,
-                                  const dealii::Vector<double> &F,
-                                  const dealii::Vector<double> &start) {
-      return solve_on_other_patches(contact, {D, condensed_D}, F, start);
-    };
-  const PressureCorrection correction = correct_pressure<dim>(
-    {discretization.space, scene, discretization.multipliers,
-     contact.dual ? contact.dual->free.U : contact.U, contact.P, contact.P_t, discretization.K,
-     discretization.condensed_D, *contact.inverse, discretization.n_points, on_other_patches});
+                          const ContactSolution<dim> &contact) {
   OtherErrors others;
   others.algebra = contact.algebraic_error;
   if constexpr (dim == 3)
     others.contact = energy_of_missed_contact(discretization.space, discretization.multipliers,
-                                              scene, contact.U, contact.P);
-  return estimate_error(discretization.space, scene, contact.U, correction, others);
+                                              scene, contact.U, contact.P.normal());
+  return estimate_error(discretization.space, scene, contact.U,
+                        correct_pressure(discretization, scene, contact), others);
 }
 
 /** Computes the bound of the error of U and P, and its parts by cell. */
@@ -129,16 +109,17 @@ void add_bound(const Discretization<2> &discretization, LevelSolution<2> &soluti
   LevelRecord &record = solution.record;
   const StageTimer timer(record.times.postprocess), bound_timer(record.times.bound);
   LocatedBound located;
-  if (solution.U.size() > max_bounded_unknowns)
+  const ContactSolution<2> &contact = solution.contact;
+  if (contact.U.size() > max_bounded_unknowns)
     located.bound.missing =
       "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
   else {
-    const double work = work_of_plates(record),
+    const double work = contact.modes.work_of_plates(solution.scene.plates, contact.q),
                  dissipation = record.friction ? record.friction->dissipation : 0.;
-    located = compute_located_bound(
-      {discretization.space, solution.scene, discretization.multipliers, solution.U, solution.P,
-       solution.P_t, discretization.K, *solution.inverse, discretization.condensed_D,
-       record.certificate.energy + work - dissipation});
+    located =
+      compute_located_bound({discretization.space, solution.scene, discretization.multipliers,
+                             contact.U, contact.P, *contact.inverse, discretization.condensed_D,
+                             record.certificate.energy + work - dissipation});
     for (std::optional<double> *const energy :
          {&located.bound.energy_lower, &located.bound.energy_upper})
       if (*energy)
@@ -152,10 +133,11 @@ void add_bound(const Discretization<2> &discretization, LevelSolution<2> &soluti
 void add_regularity(const Discretization<2> &discretization, LevelSolution<2> &solution) {
   FrictionSummary &friction = *solution.record.friction;
   const StageTimer timer(solution.record.times.postprocess);
-  if (solution.dual->C == nullptr)
+  const ContactSolution<2> &contact = solution.contact;
+  if (contact.dual->C == nullptr)
     return;
-  if (const auto found = examine_regularity(solution.dual->C, solution.dual->motions,
-                                            discretization.K, solution.multipliers())) {
+  if (const auto found = examine_regularity(contact.dual->C, contact.dual->motions,
+                                            discretization.K, contact.P.values())) {
     friction.critical_factor = found->critical_factor;
     friction.fixed_point_rate = found->fixed_point_rate;
     friction.is_regular = found->has_sign_of_no_friction;
@@ -165,17 +147,15 @@ void add_regularity(const Discretization<2> &discretization, LevelSolution<2> &s
 /** Adds the certificate, and the answer, which needs the same nodal forces. */
 template <int dim>
 void add_certificate_and_answer(const Discretization<dim> &discretization, const Scene<dim> &scene,
-                                const ContactState<dim> &contact, LevelRecord &record) {
+                                const ContactSolution<dim> &contact, LevelRecord &record) {
   const DisplacementSpace<dim> &space = discretization.space;
   const NodalForces forces = nodal_forces(space, scene, contact.system->loads, discretization.D,
-                                          contact.U, Pressure(contact.multipliers()));
-  record.certificate =
-    certify(space, scene, discretization.multipliers,
-            {contact, discretization.D, discretization.G, forces, discretization.K});
+                                          contact.U, contact.P.values());
+  record.certificate = certify(discretization, scene, contact, forces);
   record.certificate.motion_balance = motion_balance(scene.plates, contact.modes, forces);
   record.motions.plates = plates_of(space, scene, contact, forces);
-  record.answer = compute_answer(space, scene, discretization.multipliers, forces, contact.U,
-                                 contact.P, contact.P_t);
+  record.answer =
+    compute_answer(space, scene, discretization.multipliers, forces, contact.U, contact.P);
 }
 
 /** Computes what follows from U and P: β, the certificate, the answer, and the estimate and the
@@ -183,7 +163,7 @@ void add_certificate_and_answer(const Discretization<dim> &discretization, const
 template <int dim>
 void examine(const Parameters &parameters, const Discretization<dim> &discretization,
              const Progress &progress, LevelSolution<dim> &solution) {
-  const ContactState<dim> &contact = solution;
+  const ContactSolution<dim> &contact = solution.contact;
   LevelRecord &record = solution.record;
   record.sizes = sizes_of(discretization, parameters.discretization.strategy);
   record.times = contact.times;
@@ -192,16 +172,11 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   record.linear = contact.linear;
   record.dual = contact.report;
   record.motions.undetermined = contact.undetermined;
-  record.contact = summarise_contact(discretization.multipliers, contact.P);
+  record.contact = summarise_contact(discretization.multipliers, contact.P.normal());
   const StageTimer timer(record.times.postprocess);
-  const bool has_friction = contact.P_t.size() > 0;
-  if (has_friction) {
-    dealii::Vector<double> W = discretization.D.transpose_product(contact.U);
-    W -= discretization.G;
-    record.friction =
-      summarise_friction(discretization.multipliers, discretization.K, contact.multipliers(), W);
-  }
-  if (!has_friction && wants_inf_sup<dim>(parameters, contact)) {
+  if (contact.P.has_friction())
+    record.friction = summarise_friction(discretization.multipliers, contact.P, contact.W);
+  else if (wants_inf_sup<dim>(parameters, contact)) {
     progress("inf-sup constant");
     record.inf_sup = measure_inf_sup(discretization.space, discretization.multipliers,
                                      discretization.condensed_D, parameters.solver.linear_solver);
@@ -210,7 +185,6 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   add_certificate_and_answer(discretization, solution.scene, contact, record);
   if (discretization.mesh.has_parents())
     record.estimate = estimate_of(discretization, solution.scene, contact);
-  record.certificate.energy -= work_of_plates(record);
 }
 } // namespace
 
@@ -221,8 +195,9 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
   const auto [parameters, scene, solvers] = problem;
   const auto method = make_contact_method(parameters, scene, solvers);
   LevelSolution<dim> solution;
-  static_cast<ContactState<dim> &>(solution) = method->solve(discretization, start, progress);
-  solution.scene = with_plates_moved(scene, solution.modes.plate_motions(scene.plates, solution.q));
+  solution.contact = method->solve(discretization, start, progress);
+  const ContactSolution<dim> &contact = solution.contact;
+  solution.scene = with_plates_moved(scene, contact.modes.plate_motions(scene.plates, contact.q));
   examine(parameters, discretization, progress, solution);
   return solution;
 }
@@ -251,29 +226,32 @@ void add_errors(const Parameters &parameters, const Scene<dim> &scene,
     return;
   const unsigned int n_points = discretization.n_points + 1;
   const MultiplierSpace<dim> &multipliers = discretization.multipliers;
+  const ContactSolution<dim> &contact = solution.contact;
+  const Pressure &P = contact.P.normal();
   LevelRecord &record = solution.record;
   const StageTimer timer(record.times.errors);
   if (scene.exact_displacement != nullptr)
     record.displacement_errors =
-      compute_displacement_errors(discretization.space, scene, solution.U, n_points);
+      compute_displacement_errors(discretization.space, scene, contact.U, n_points);
   if (scene.has_exact_pressure()) {
-    record.pressure_errors = compute_pressure_errors(multipliers, solution.P, n_points);
+    record.pressure_errors = compute_pressure_errors(multipliers, P, n_points);
     if constexpr (dim == 2)
-      record.endpoint_error = contact_end_error(multipliers, scene, solution.P);
+      record.endpoint_error = contact_end_error(multipliers, scene, P);
   }
   if constexpr (dim == 2)
     if (record.friction && scene.boundary[scene.contact_sides().front()].exact_friction != nullptr)
-      record.friction->l2_error = compute_pressure_errors(multipliers, solution.P_t, n_points,
-                                                          &BoundaryCondition<2>::exact_friction)
-                                    .l2;
+      record.friction->l2_error =
+        compute_pressure_errors(multipliers, contact.P.tangential()[0], n_points,
+                                &BoundaryCondition<2>::exact_friction)
+          .l2;
   if (pressure != nullptr)
-    record.dual_norm_errors = pressure->errors(multipliers, solution.P);
+    record.dual_norm_errors = pressure->errors(multipliers, P);
   if constexpr (dim == 2)
     if (parameters.output.lemmas && parameters.discretization.strategy == Strategy::nested &&
         scene.exact_displacement != nullptr && pressure != nullptr)
       record.lemmas =
         compute_lemma_numbers(discretization.space, scene, multipliers, discretization.D, *pressure,
-                              solution.system->loads, parameters.solver.linear_solver, n_points);
+                              contact.system->loads, parameters.solver.linear_solver, n_points);
 }
 
 INSTANTIATE_FUNCTION(add_errors);

@@ -18,7 +18,7 @@ namespace {
 struct HpStep {
   std::shared_ptr<const Discretization<2>> discretization;
   Displacement U;
-  Pressure P, P_t;
+  Multiplier P;
 };
 
 /** Returns the scene with quadrature rules that are not graded: the mesh itself is graded to the
@@ -83,7 +83,7 @@ public:
     StepFindings findings = examine(discretization, solution);
     progress("errors");
     add_errors<2>(parameters, context_.scene, discretization, nullptr, solution);
-    last_ = {next_, solution.U, solution.P, solution.P_t};
+    last_ = {next_, solution.contact.U, solution.contact.P};
     // Where the contact solver did not converge, there is no solution to plan a mesh from.
     result.is_last = !record.dual.converged || examination_.stagnates();
     bool is_finished = false;
@@ -126,12 +126,13 @@ private:
     if (!context_.parameters.solver.warm_start || last_.discretization == nullptr)
       return start;
     const MultiplierSpace<2> &from = last_.discretization->multipliers;
-    start.P = transfer_pressure(from, last_.P, discretization.multipliers);
-    if (last_.P_t.size() > 0)
-      start.P_t = friction_of_shares(
-        discretization.K, start.P,
-        transfer_pressure(from, friction_shares(last_.discretization->K, last_.P, last_.P_t),
-                          discretization.multipliers, {-1., 1.}));
+    const MultiplierSpace<2> &to = discretization.multipliers;
+    dealii::Vector<double> shares;
+    for (const Pressure &share : last_.P.shares())
+      shares = transfer_pressure(from, share, to, {-1., 1.});
+    start.P = Multiplier::from_shares(transfer_pressure(from, last_.P.normal(), to), shares,
+                                      discretization.K)
+                .values();
     return start;
   }
 
@@ -142,9 +143,7 @@ private:
     if (last_.discretization != nullptr)
       before.emplace(StepField{last_.discretization->space, last_.U});
     StepFindings findings =
-      examination_.examine({discretization.space, discretization.multipliers, discretization.K,
-                            solution.U, solution.P, solution.P_t, solution.algebraic_error},
-                           before, plan_.aim);
+      examination_.examine(discretization, solution.contact, before, plan_.aim);
     if (findings.has_estimate())
       solution.record.estimate = ErrorEstimate{
         {}, findings.error, findings.error > 0. ? findings.error / findings.scale : 0., {}, {}};

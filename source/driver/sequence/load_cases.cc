@@ -6,28 +6,6 @@
 #include <signorini/postprocessing/load_cases/case_solver.h>
 
 namespace Signorini {
-namespace {
-CaseData case_data(const Parameters &parameters, const Scene<2> &scene,
-                   const Discretization<2> &discretization, const ContactState<2> &contact) {
-  const SolverParameters &solver = parameters.solver;
-  return {
-    discretization.space,
-    scene,
-    discretization.multipliers,
-    discretization.D,
-    discretization.condensed_D,
-    *contact.inverse,
-    contact.modes,
-    discretization.n_points,
-    [&discretization](const Scene<2> &other) { return discretization.assemble_gap_of(other); },
-    {{solver.tolerance, solver.maximum_iterations, solver.relaxation, {}},
-     solver.contact_solver,
-     is_unstable(discretization),
-     scene.friction == Friction::none ? AdmissibleSet() : discretization.K},
-    parameters.load_cases.sequence == CaseSequence::steps};
-}
-} // namespace
-
 std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Scene<2> &scene,
                                          LevelResult<2> &level, const CaseFields &use_fields,
                                          const Progress &progress) {
@@ -36,7 +14,12 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
   {
     const StageTimer timer(seconds);
     progress("load cases");
-    CaseSolver solver(case_data(parameters, scene, *level.discretization, level.solution));
+    const SolverParameters &given = parameters.solver;
+    CaseSolver solver(*level.discretization, scene, level.solution.contact,
+                      {{given.tolerance, given.maximum_iterations, given.relaxation},
+                       given.contact_solver,
+                       is_unstable(*level.discretization)},
+                      parameters.load_cases.sequence == CaseSequence::steps);
     const std::size_t n = scene.load_cases.size(), every = std::max<std::size_t>(1, n / 20);
     for (const LoadCase &load_case : scene.load_cases) {
       results.push_back(solver.solve(load_case));
@@ -45,7 +28,7 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
       if (level.is_last && load_case.has_fields && results.back().escape.empty())
         use_fields(results.size(),
                    with_plates_moved(scene_of_case(scene, load_case), results.back().plates),
-                   solver.displacement(), solver.pressure(), solver.friction());
+                   solver.displacement(), solver.multiplier());
       if (results.size() % every == 0)
         progress("load cases: " + std::to_string(results.size()) + " of " + std::to_string(n));
     }
@@ -53,7 +36,7 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
   LevelRecord &record = level.solution.record;
   record.load_cases = summarise(results, seconds);
   record.times.postprocess += seconds;
-  level.solution.inverse = nullptr;
+  level.solution.contact.inverse = nullptr;
   return results;
 }
 } // namespace Signorini

@@ -99,14 +99,13 @@ private:
     ContactStart start;
     if (!context_.parameters.solver.warm_start || pressure_.patches.empty())
       return start;
-    start.P = transfer_pressure<dim>(pressure_, discretization.surface.patches());
-    if (shares_.size() > 0) {
-      Pressure shares;
-      for (const Pressure &share : components_of(shares_, pressure_.patches.size()))
-        shares = Pressure(join(shares, transfer_pressure<dim>({pressure_.patches, share},
-                                                              discretization.surface.patches())));
-      start.P_t = friction_of_shares(discretization.K, start.P, shares);
-    }
+    const std::vector<Patch<dim>> &patches = discretization.surface.patches();
+    dealii::Vector<double> shares;
+    for (const Pressure &share : shares_)
+      shares = join(shares, transfer_pressure<dim>({pressure_.patches, share}, patches));
+    start.P =
+      Multiplier::from_shares(transfer_pressure<dim>(pressure_, patches), shares, discretization.K)
+        .values();
     start.scale = scale_;
     if (coarse_ != nullptr)
       start.U = carry_over(coarse_->space, coarse_U_, discretization.space);
@@ -115,24 +114,14 @@ private:
     return start;
   }
 
-  /** Returns the parts of m numbers. */
-  static std::vector<Pressure> components_of(const Pressure &P_t, const unsigned int m) {
-    std::vector<Pressure> parts;
-    for (unsigned int first = 0; first < P_t.size(); first += m) {
-      parts.emplace_back(m);
-      std::copy_n(P_t.begin() + first, m, parts.back().begin());
-    }
-    return parts;
-  }
-
   void keep_for_next(const LevelResult<dim> &result) {
-    const LevelSolution<dim> &solution = result.solution;
+    const ContactSolution<dim> &contact = result.solution.contact;
     pressure_ = result.pressure();
-    shares_ = friction_shares(result.discretization->K, solution.P, solution.P_t);
-    scale_ = solution.cycles ? solution.cycles->scale : 0.;
+    shares_ = contact.P.shares();
+    scale_ = contact.cycles ? contact.cycles->scale : 0.;
     if (solvers_of(result.discretization->mesh.level() + 1).is_by_cycles()) {
       coarse_ = result.discretization;
-      coarse_U_ = solution.U;
+      coarse_U_ = contact.U;
     }
   }
 
@@ -144,9 +133,8 @@ private:
   std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
   unsigned int next_level_;
   PatchPressure<dim> pressure_;
-  /** The shares P_t/s of the same patches, one component after the other; empty without friction.
-   */
-  Pressure shares_;
+  /** The shares of P_t of the same patches by components; none without friction. */
+  std::vector<Pressure> shares_;
   /** The last level and its displacement, if V-cycles find contact on the next one; else null. */
   std::shared_ptr<const Discretization<dim>> coarse_;
   Displacement coarse_U_;

@@ -132,8 +132,8 @@ private:
       if (scene.load_cases.empty() || !(level.is_last || on_every_level))
         return;
       const auto write_fields = [&](const unsigned int number, const Scene<2> &scene_of_case,
-                                    const Displacement &U, const Pressure &P, const Pressure &P_t) {
-        writer_.write_case_fields(*level.discretization, scene_of_case, U, P, P_t, number);
+                                    const Displacement &U, const Multiplier &P) {
+        writer_.write_case_fields(*level.discretization, scene_of_case, U, P, number);
       };
       const std::vector<CaseResult> found =
         solve_load_cases(parameters_, scene, level, write_fields, progress);

@@ -144,7 +144,7 @@ LocatedBound sum_up(const BoundData &data, const BestStress &stress) {
   const double scale =
     energy_scale(stress.energy_norm(), *result.absolute, data.space, data.scene, data.U);
   result.relative = ratio(*result.absolute, scale);
-  result.is_conditional = data.K.moves();
+  result.is_conditional = data.P.is_coupled();
   result.guaranteed = stress.is_guaranteed() && !result.is_conditional;
   result.geometry = std::sqrt(stress_data.geometry_square);
   result.relative_geometry = ratio(*result.geometry, scale);

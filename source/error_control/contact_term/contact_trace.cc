@@ -117,12 +117,11 @@ void ContactTrace::find_faces(const std::vector<FaceField> &fields) {
   const ContactSurface<2> &surface = data_.multipliers.surface();
   for (std::size_t i = 0; i < surface.faces().size(); ++i)
     faces_.push_back(make_face(surface.faces()[i], fields[i]));
-  const std::vector<bool> presses = pressing_patches(data_.multipliers, data_.P);
-  const std::vector<SlipState> slips = slip_states(data_.multipliers, data_.K, data_.P, data_.P_t);
+  const std::vector<NodeState> states = patch_states(data_.multipliers, data_.P);
   for (const Piece<2> &piece : surface.pieces()) {
     const auto [from, to] = std::minmax(piece.lower_on_face[0], piece.upper_on_face[0]);
     faces_[piece.face].pressures.push_back(
-      {from, to, presses[piece.patch], slips[piece.patch] == SlipState::none});
+      {from, to, states[piece.patch].presses, states[piece.patch].slip == State::inside});
   }
   for (PenetrationFace &face : faces_)
     face.lifts_slip = data_.has_friction() && wants_lift_of_slip(face);
@@ -252,7 +251,7 @@ double ContactTrace::slip(const PenetrationFace &face, const double t) const {
 
 double ContactTrace::friction_bound(const PenetrationFace &face, const double t) const {
   const double given = data_.scene.boundary[face.side].friction->value(face.point(t));
-  return data_.K.moves() ? given * std::abs(face.traction[0].value(t)) : given;
+  return data_.P.is_coupled() ? given * std::abs(face.traction[0].value(t)) : given;
 }
 
 double ContactTrace::rounding(const PenetrationFace &face) const {

@@ -159,9 +159,10 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
                                   std::vector<bool> &touches) {
   DistributedVector forces = data.space.make_vector();
   // Where friction slips, its force does the work that s |ũ_t - g_t - w_t| loses.
-  Vector P(data.P);
+  const Pressure &P_n = data.P.normal();
+  Vector P(P_n);
   if (data.has_friction())
-    P = join(data.P, Vector(data.P.size()));
+    P = join(P_n, Vector(P_n.size()));
   data.condensed_D.add_product(P, forces);
   forces.compress(VectorOperation::add);
   const MovingNodes nodes(data.space, trace, false);
@@ -174,7 +175,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
       {Interval().lower, condition.is_normal() ? 0. : std::numeric_limits<double>::infinity()});
     required[i] = condition.required;
     if (condition.presses)
-      start[i] = -data.P.linfty_norm() * trace.faces()[0].length;
+      start[i] = -P_n.linfty_norm() * trace.faces()[0].length;
     held.push_back(condition.presses || required[i] > 0.);
   }
   if (!data.inverse.has_factors())
@@ -186,11 +187,9 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
       nodes.E.transpose_product(solve_homogeneous(data.inverse, data.space, pressure_forces));
     F -= required;
     double seconds = 0.;
-    DualSolverOptions options;
-    if (data.has_friction())
-      options.K = AdmissibleSet(intervals);
-    Vector minus_Q =
-      solve_dual_problem(make_compliance(data.inverse, nodes.E, seconds), F, start, options).P;
+    Vector minus_Q = solve_dual_problem(make_compliance(data.inverse, nodes.E, seconds), F,
+                                        AdmissibleSet(intervals), start, {})
+                       .P;
     minus_Q *= -1.;
     for (unsigned int i = 0; i < F.size(); ++i)
       touches[nodes.numbers[i]] =

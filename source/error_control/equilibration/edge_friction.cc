@@ -66,7 +66,7 @@ double BestStress::friction_bound(const unsigned int number, const double s) con
   const TractionEdge &edge = mesh_->edges()[number];
   const double given =
     data_.scene.boundary[edge.side].friction->value(edge.start + s * (edge.end - edge.start));
-  if (!data_.K.moves())
+  if (!data_.P.is_coupled())
     return given;
   return given * std::abs(bernstein_value(bernstein_coefficients(coefficients(number, 0)), s));
 }
@@ -111,24 +111,23 @@ std::vector<double> BestStress::lower_friction_bound(const unsigned int number) 
 }
 
 void BestStress::give_friction() {
-  const std::vector<SlipState> of_patches =
-    slip_states(data_.multipliers, data_.K, data_.P, data_.P_t);
+  const std::vector<NodeState> of_patches = patch_states(data_.multipliers, data_.P);
   slips_.clear();
   friction_bounds_.clear();
   unresolved_friction_.clear();
   for (const Piece<2> &piece : data_.multipliers.surface().pieces()) {
-    const SlipState state = of_patches[piece.patch];
-    SlipState &on_edge = slips_.emplace(contact_edges_[piece.face], state).first->second;
-    on_edge = on_edge == state ? state : SlipState::mixed;
+    const State state = of_patches[piece.patch].slip;
+    State &on_edge = slips_.emplace(contact_edges_[piece.face], state).first->second;
+    on_edge = on_edge == state ? state : State::mixed;
   }
   std::map<unsigned int, bool> is_free;
   for (const auto &[edge, state] : slips_)
-    is_free[edge] = state == SlipState::none;
+    is_free[edge] = state == State::inside;
   // Next to an edge that slips the best shear would exceed the bound.
   for (std::size_t i = 0; i + 1 < contact_edges_.size(); ++i)
     if (const unsigned int here = contact_edges_[i], next = contact_edges_[i + 1];
         mesh_->edges()[here].side == mesh_->edges()[next].side &&
-        (slips_[here] != SlipState::none || slips_[next] != SlipState::none))
+        (slips_[here] != State::inside || slips_[next] != State::inside))
       is_free[here] = is_free[next] = false;
   for (const auto &[edge, free] : is_free) {
     friction_bounds_[edge] = lower_friction_bound(edge);
@@ -139,12 +138,12 @@ void BestStress::give_friction() {
 
 void BestStress::rub_by_multipliers(const unsigned int number) {
   const std::vector<double> &bound = friction_bounds_.at(number);
-  std::vector<double> b = bernstein_coefficients(projection_of(data_.P_t, number));
-  const SlipState state = slips_.at(number);
+  std::vector<double> b = bernstein_coefficients(projection_of(data_.P.tangential()[0], number));
+  const State state = slips_.at(number);
   for (std::size_t i = 0; i < b.size(); ++i)
-    b[i] = state == SlipState::upper   ? bound[i]
-           : state == SlipState::lower ? -bound[i]
-                                       : std::clamp(b[i], -bound[i], bound[i]);
+    b[i] = state == State::upper   ? bound[i]
+           : state == State::lower ? -bound[i]
+                                   : std::clamp(b[i], -bound[i], bound[i]);
   fix_edge(number, 1, legendre_coefficients(b));
 }
 

@@ -106,7 +106,7 @@ std::vector<double> BestStress::coefficients(const unsigned int number,
 }
 
 void BestStress::press_by_multipliers(const unsigned int number) {
-  std::vector<double> p = projection_of(data_.P, number), b = bernstein_coefficients(p);
+  std::vector<double> p = projection_of(data_.P.normal(), number), b = bernstein_coefficients(p);
   if (std::any_of(b.begin(), b.end(), [](const double value) { return value > 0.; })) {
     // The same force, where it presses: the mean of the coefficients is that of the polynomial.
     const double force = std::accumulate(b.begin(), b.end(), 0.);
@@ -125,11 +125,11 @@ void BestStress::give_contact() {
   contact_edges_.clear();
   for (const ContactFace<2> &face : surface.faces())
     contact_edges_.push_back(mesh_->edge_at(face.cell, face.face_no));
-  const std::vector<bool> patch_presses = pressing_patches(data_.multipliers, data_.P);
+  const std::vector<NodeState> of_patches = patch_states(data_.multipliers, data_.P);
   std::map<unsigned int, bool> presses;
   for (const Piece<2> &piece : surface.pieces()) {
     bool &on_edge = presses.emplace(contact_edges_[piece.face], true).first->second;
-    on_edge = on_edge && patch_presses[piece.patch];
+    on_edge = on_edge && of_patches[piece.patch].presses;
   }
   // Next to an edge that is open the best traction would pull.
   std::map<unsigned int, bool> is_free = presses;
@@ -140,7 +140,7 @@ void BestStress::give_contact() {
   for (const auto &[edge, free] : is_free) {
     press_by_multipliers(edge);
     // With Coulomb's law the bound of friction needs a τ_n that is known.
-    mesh_->set_free(edge, 0, free && !data_.K.moves());
+    mesh_->set_free(edge, 0, free && !data_.P.is_coupled());
   }
   if (data_.has_friction())
     give_friction();
@@ -225,7 +225,7 @@ std::vector<FaceField> BestStress::face_fields(const bool interpolated) const {
 }
 
 double BestStress::change_of_force() const {
-  double change = -(data_.P * data_.multipliers.integrals());
+  double change = -(data_.P.normal() * data_.multipliers.integrals());
   for (const unsigned int number :
        std::set<unsigned int>(contact_edges_.begin(), contact_edges_.end()))
     change += mesh_->edges()[number].length() * x_[mesh_->edges()[number].position(0, 0)];

@@ -25,12 +25,10 @@ std::vector<Point<2>> singular_points(const BoundData &data) {
     for (const double s : side.corners())
       points.push_back(side.point(s));
   }
-  const std::vector<bool> presses = pressing_patches(data.multipliers, data.P);
-  const std::vector<SlipState> slips = slip_states(data.multipliers, data.K, data.P, data.P_t);
+  const std::vector<NodeState> states = patch_states(data.multipliers, data.P);
   const auto &patches = data.multipliers.surface().patches();
   for (std::size_t i = 0; i + 1 < patches.size(); ++i)
-    if (patches[i].side == patches[i + 1].side &&
-        (presses[i] != presses[i + 1] || slips[i] != slips[i + 1]))
+    if (patches[i].side == patches[i + 1].side && states[i] != states[i + 1])
       points.push_back(data.scene.geometry.sides[patches[i].side].point(patches[i].upper[0]));
   return points;
 }

@@ -159,14 +159,14 @@ Deformation deformation(const DisplacementSpace<dim> &space, const Displacement 
  * less of it than rounding does. 1e-8 of this share is 50 times the unit roundoff. */
 constexpr double min_share_of_free_state = 1e-6;
 
-/** Checks signs, penetration and complementarity of P and W = Dᵀ U - G, and that W vanishes where
- * P_t sticks. @param K K(P). */
+/** Checks signs, penetration and complementarity of P and W, and that W vanishes where P_t sticks.
+ */
 template <int dim>
-void check_contact(const MultiplierSpace<dim> &multipliers, const SolvedContact<dim> &solved,
-                   const AdmissibleSet &K, const dealii::Vector<double> &W,
+void check_contact(const Discretization<dim> &discretization, const ContactSolution<dim> &solution,
                    const double energy_scale, Certificate &certificate) {
-  const ContactState<dim> &solution = solved.contact;
-  const dealii::Vector<double> measures = multipliers.integrals(), P = solution.multipliers();
+  const dealii::Vector<double> measures = discretization.multipliers.integrals(),
+                               &P = solution.P.values(), &W = solution.W;
+  const AdmissibleSet &K = solution.P.set();
   const unsigned int m = measures.size();
   double deepest = 0., outside = 0.;
   double length_scale = solution.U.linfty_norm();
@@ -175,7 +175,7 @@ void check_contact(const MultiplierSpace<dim> &multipliers, const SolvedContact<
       std::max(length_scale, min_share_of_free_state * solution.dual->free.U.linfty_norm());
   for (unsigned int tau = 0; tau < m; ++tau) {
     deepest = std::max(deepest, W[tau] / measures[tau]);
-    length_scale = std::max(length_scale, std::abs(solved.G[tau]) / measures[tau]);
+    length_scale = std::max(length_scale, std::abs(discretization.G[tau]) / measures[tau]);
   }
   const dealii::Vector<double> slip = K.slip(P, W);
   for (unsigned int i = m; i < K.n_blocks(); ++i)
@@ -201,11 +201,11 @@ void check_contact(const MultiplierSpace<dim> &multipliers, const SolvedContact<
  * friction plus its dissipation; the dual one is Pᵀ F - Pᵀ C P/2.
  */
 template <int dim>
-double duality_gap(const ContactState<dim> &contact, const DualData &data,
+double duality_gap(const ContactSolution<dim> &contact, const DualData &data,
                    const NodalForces &forces, const double dissipation, const double energy_scale) {
   Displacement V = contact.U;
   V -= data.free.U;
-  const dealii::Vector<double> P = contact.multipliers();
+  const dealii::Vector<double> &P = contact.P.values();
   const double primal = 0.5 * (V * forces.internal - V * forces.loads) + dissipation;
   const double dual = P * data.free.F - 0.5 * (P * data.C_P);
   return relative(primal - dual, std::max(energy_scale, std::abs(dual)));
@@ -214,13 +214,13 @@ double duality_gap(const ContactState<dim> &contact, const DualData &data,
 /** Returns the relative duality gap where the body without contact is not computed: with r = f + D
  * P - A U it is Pᵀ W + ½ rᵀ A⁻¹ r. */
 template <int dim>
-double duality_gap(const SolvedContact<dim> &solved, const CycleData &cycles,
-                   const dealii::Vector<double> &W) {
-  const ContactState<dim> &contact = solved.contact;
-  const double scale = std::max({0.5 * std::abs(contact.U * solved.forces.internal),
-                                 std::abs(contact.U * solved.forces.loads),
-                                 std::abs(contact.P * solved.G), solved.forces.rigid_energy()});
-  return relative(contact.P * W + cycles.energy_of_residual, scale);
+double duality_gap(const ContactSolution<dim> &contact, const dealii::Vector<double> &G,
+                   const NodalForces &forces) {
+  const dealii::Vector<double> &P = contact.P.values();
+  const double scale =
+    std::max({0.5 * std::abs(contact.U * forces.internal), std::abs(contact.U * forces.loads),
+              std::abs(P * G), forces.rigid_energy()});
+  return relative(P * contact.W + contact.cycles->energy_of_residual, scale);
 }
 } // namespace
 
@@ -229,11 +229,11 @@ Columns<Certificate> Certificate::columns() {
 }
 
 template <int dim>
-Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                    const MultiplierSpace<dim> &multipliers, const SolvedContact<dim> &solved) {
-  const auto &[solution, D, G, forces, admissible] = solved;
-  const dealii::Vector<double> P = solution.multipliers();
-  const AdmissibleSet K = admissible.at(P);
+Certificate certify(const Discretization<dim> &discretization, const Scene<dim> &scene,
+                    const ContactSolution<dim> &solution, const NodalForces &forces) {
+  const DisplacementSpace<dim> &space = discretization.space;
+  const dealii::Vector<double> &P = solution.P.values(), &W = solution.W, &G = discretization.G;
+  const AdmissibleSet &K = solution.P.set();
   Certificate certificate;
   certificate.moments_are_exact = !space.mesh().is_curved();
   // |Tᵀ r|₂ relative to the largest term of r.
@@ -244,16 +244,14 @@ Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene
   Resultant<dim> contact;
   // Pressures all around a hole have no resultant.
   double size_of_contact = 0.;
-  for (const Piece<dim> &piece : multipliers.surface().pieces()) {
+  for (const Piece<dim> &piece : discretization.surface.pieces()) {
     const Resultant<dim> piece_resultant =
-      contact_resultant(multipliers, solution.P, piece, solution.P_t);
+      contact_resultant(discretization.multipliers, solution.P, piece);
     contact += piece_resultant;
     size_of_contact += piece_resultant.force.norm();
   }
   balance(space, scene, solution.system->applied, contact, size_of_contact, forces, certificate);
 
-  dealii::Vector<double> W = D.transpose_product(solution.U);
-  W -= G;
   // A translation has no strain energy, but its product with rounding of forces may be large.
   const double strain_energy = 0.5 * (deformed.V * forces.internal);
   const double work_of_loads = solution.U * forces.loads;
@@ -263,10 +261,11 @@ Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene
   if (solution.dual)
     energy_scale =
       std::max(energy_scale, min_share_of_free_state * std::abs(P * solution.dual->free.F));
-  check_contact(multipliers, solved, K, W, energy_scale, certificate);
+  check_contact(discretization, solution, energy_scale, certificate);
   // The energy J of (22); [p, Bu - g] is Pᵀ W.
-  certificate.energy = strain_energy - work_of_loads - P * W;
-  if (solution.P_t.size() > 0) {
+  certificate.energy =
+    strain_energy - work_of_loads - P * W - solution.modes.work_of_plates(scene.plates, solution.q);
+  if (solution.P.has_friction()) {
     double work = solution.U * forces.internal - work_of_loads - work_of_gap + dissipation;
     double work_of_supports = 0.;
     for (const auto support : space.supports())
@@ -277,7 +276,7 @@ Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene
   }
 
   if (solution.cycles)
-    certificate.duality_gap = duality_gap(solved, *solution.cycles, W);
+    certificate.duality_gap = duality_gap(solution, G, forces);
   else if (solution.dual && solution.dual->C_P.size() > 0)
     certificate.duality_gap =
       duality_gap(solution, *solution.dual, forces, dissipation, energy_scale);

@@ -33,20 +33,22 @@ bool presses_nowhere(const dealii::Vector<double> &P) {
  * where the solver fails. */
 template <int dim>
 std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multipliers,
-                                               const PressureData<dim> &data) {
-  const Coupling D = assemble_coupling(data.space, multipliers);
-  const Coupling condensed_D = condense(D, data.space.constraints());
+                                               const Discretization<dim> &given,
+                                               const ContactSolution<dim> &contact) {
+  const Coupling D = assemble_coupling(given.space, multipliers);
+  const Coupling condensed_D = condense(D, given.space.constraints());
   for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
     if (condensed_D.column(k).empty())
       return {};
   FreeState free;
-  free.F = assemble_gap(multipliers, multipliers.surface().scene().boundary, data.n_points);
-  free.F -= D.transpose_product(data.U_free);
+  free.F = assemble_gap(multipliers, multipliers.surface().scene().boundary, given.n_points);
+  free.F -= D.transpose_product(contact.dual->free.U);
   if (free.nothing_touches(AdmissibleSet::nonpositive(free.F.size())))
     return dealii::Vector<double>(multipliers.n_multipliers());
-  return data.solve_dual(D, condensed_D, free.F,
-                         transfer_pressure<dim>({data.multipliers.surface().patches(), data.P},
-                                                multipliers.surface().patches()));
+  return solve_on_other_patches(
+    contact, {D, condensed_D}, free.F,
+    transfer_pressure<dim>({given.surface.patches(), contact.P.normal()},
+                           multipliers.surface().patches()));
 }
 
 /** The recovered p or q, shifted on every patch so that its mean is that of p_H or q_H; p is cut
@@ -93,27 +95,22 @@ private:
 template <int dim>
 class RecoveredFriction {
 public:
-  explicit RecoveredFriction(const PressureData<dim> &data)
-    : data_(data)
-    , pressure_(data.multipliers, data.P) {
-    const unsigned int m = data.P.size();
-    const dealii::Vector<double> all = join(data.P, data.P_t);
-    const AdmissibleSet K = data.K.at(all);
-    for (unsigned int k = 0; k < m; ++k)
-      slips_.push_back(K.slips(m + k, all));
-    for (unsigned int first = 0; first < data.P_t.size(); first += m) {
-      Pressure part(m);
-      std::copy_n(data.P_t.begin() + first, m, part.begin());
-      components_.emplace_back(data.multipliers, part, Component::tangential);
+  RecoveredFriction(const MultiplierSpace<dim> &space, const Scene<dim> &scene,
+                    const Multiplier &multiplier)
+    : space_(space)
+    , scene_(scene)
+    , multiplier_(multiplier)
+    , pressure_(space, multiplier.normal()) {
+    for (const Pressure &part : multiplier.tangential()) {
+      components_.emplace_back(space, part, Component::tangential);
+      largest_ = std::max(largest_, 2. * part.linfty_norm());
     }
-    for (unsigned int k = 0; k < data.P_t.size(); ++k)
-      largest_ = std::max(largest_, 2. * std::abs(data.P_t[k]));
   }
   /** Returns component c of q at the points of a rule. */
   std::vector<double> operator()(const unsigned int c, const Piece<dim> &piece,
                                  const SurfaceRule<dim> &rule) const {
-    const auto &given =
-      *data_.scene.boundary[data_.multipliers.surface().faces()[piece.face].side].friction;
+    const auto &given = *scene_.boundary[space_.surface().faces()[piece.face].side].friction;
+    const bool slips = multiplier_.state(piece.patch).slip != State::inside;
     const std::vector<double> p = pressure_(piece, rule);
     std::vector<std::vector<double>> q;
     for (const ShiftedPressure<dim> &component : components_)
@@ -121,72 +118,70 @@ public:
     for (std::size_t i = 0; i < p.size(); ++i) {
       const double given_here = given.value(rule.points[i]);
       const double bound =
-        data_.K.moves() ? std::min(largest_, given_here * std::abs(p[i])) : given_here;
+        multiplier_.is_coupled() ? std::min(largest_, given_here * std::abs(p[i])) : given_here;
       double square = 0.;
       for (const std::vector<double> &component : q)
         square += component[i] * component[i];
       const double length = std::sqrt(square);
-      if (length > 0. && (slips_[piece.patch] || length > bound))
+      if (length > 0. && (slips || length > bound))
         q[c][i] *= bound / length;
     }
     return q[c];
   }
 
 private:
-  const PressureData<dim> &data_;
+  const MultiplierSpace<dim> &space_;
+  const Scene<dim> &scene_;
+  const Multiplier &multiplier_;
   ShiftedPressure<dim> pressure_;
   std::vector<ShiftedPressure<dim>> components_;
-  std::vector<bool> slips_;
   /** A large coefficient must not multiply what the recovered p has beyond its mean. */
   double largest_ = 0.;
 };
 
+const auto rule_on_mesh = [](const auto &piece) -> const auto & {
+  return piece.on_mesh;
+};
+
 /** Adds the load of the recovered q. */
 template <int dim>
-void add_friction_load(const PressureData<dim> &data, Coupling::Column &load) {
-  const RecoveredFriction<dim> friction(data);
-  const auto rule_on = [](const Piece<dim> &piece) -> const SurfaceRule<dim> & {
-    return piece.on_mesh;
-  };
+void add_friction_load(const Discretization<dim> &discretization, const Scene<dim> &scene,
+                       const Multiplier &multiplier, Coupling::Column &load) {
+  const RecoveredFriction<dim> friction(discretization.multipliers, scene, multiplier);
   for (unsigned int c = 0; c < tangents<dim>().size(); ++c) {
     const auto values_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
       return friction(c, piece, rule);
     };
-    for (const auto &[row, value] : contact_load(data.space, data.multipliers.surface(), rule_on,
-                                                 values_on, tangents<dim>()[c]))
+    for (const auto &[row, value] : contact_load(discretization.space, discretization.surface,
+                                                 rule_on_mesh, values_on, tangents<dim>()[c]))
       load[row] += value;
   }
 }
 
 /** Returns z_h for a load. */
 template <int dim>
-PressureCorrection correct_by(const Coupling &load, const PressureData<dim> &data) {
-  dealii::Vector<double> minus_P(data.P);
-  if (data.P_t.size() > 0)
-    minus_P = join(data.P, data.P_t);
+PressureCorrection correct_by(const Coupling &load, const Discretization<dim> &discretization,
+                              const ContactSolution<dim> &contact) {
+  const DisplacementSpace<dim> &space = discretization.space;
+  dealii::Vector<double> minus_P(contact.P.values());
   minus_P *= -1.;
-  DistributedVector forces = data.space.make_vector();
+  DistributedVector forces = space.make_vector();
   load.add_product(dealii::Vector<double>{1.}, forces);
-  data.condensed_D.add_product(minus_P, forces);
+  discretization.condensed_D.add_product(minus_P, forces);
   PressureCorrection correction;
-  correction.z = solve_homogeneous(data.inverse, data.space, forces);
+  correction.z = solve_homogeneous(*contact.inverse, space, forces);
   // b.z = a(z, z): z is in V^h with homogeneous conditions.
-  const double work = data.space.dual(forces) * correction.z;
+  const double work = space.dual(forces) * correction.z;
   correction.energy_norm = std::sqrt(std::max(0., work));
   return correction;
 }
-} // namespace
 
-namespace {
 /** Returns the load of the recovered pressure. */
 template <int dim>
 Coupling::Column pressure_load(const DisplacementSpace<dim> &space,
                                const MultiplierSpace<dim> &multipliers, const Pressure &P) {
-  const auto rule_on = [](const Piece<dim> &piece) -> const SurfaceRule<dim> & {
-    return piece.on_mesh;
-  };
   const ShiftedPressure<dim> pressure(multipliers, P);
-  return contact_load(space, multipliers.surface(), rule_on, pressure);
+  return contact_load(space, multipliers.surface(), rule_on_mesh, pressure);
 }
 } // namespace
 
@@ -197,25 +192,32 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-PressureCorrection correct_pressure(const PressureData<dim> &data) {
-  const ContactSurface<dim> &surface = data.multipliers.surface();
-  const ContactSurface<dim> finer(data.space.mesh(), data.scene, Partition{recovery_ratio, 0});
+PressureCorrection correct_pressure(const Discretization<dim> &discretization,
+                                    const Scene<dim> &scene, const ContactSolution<dim> &contact) {
+  const auto &[space, surface, multipliers] =
+    std::tie(discretization.space, discretization.surface, discretization.multipliers);
+  const Pressure &given = contact.P.normal();
   if (surface.has_unstable_patch())
     return {};
-  const MultiplierSpace<dim> finer_multipliers(finer);
-  std::optional<dealii::Vector<double>> P;
-  if (data.solve_dual && data.P_t.size() == 0 && finer.patches().size() > surface.patches().size())
-    P = solve_on(finer_multipliers, data);
-  if (data.P_t.size() > 0) {
-    Coupling::Column load = pressure_load(data.space, data.multipliers, data.P);
-    add_friction_load(data, load);
-    return correct_by<dim>(condense(Coupling({load}), data.space.constraints()), data);
+  if (contact.P.has_friction()) {
+    Coupling::Column load = pressure_load(space, multipliers, given);
+    add_friction_load(discretization, scene, contact.P, load);
+    return correct_by<dim>(condense(Coupling({load}), space.constraints()), discretization,
+                           contact);
   }
-  if (presses_nowhere(data.P) && (!P || presses_nowhere(*P)))
-    return {};
-  return correct_by<dim>(P ? recovered_load(data.space, finer_multipliers, Pressure(*P))
-                           : recovered_load(data.space, data.multipliers, data.P),
-                         data);
+  if (contact.dual) {
+    const ContactSurface<dim> finer(space.mesh(), scene, Partition{recovery_ratio, 0});
+    const MultiplierSpace<dim> finer_multipliers(finer);
+    if (finer.patches().size() > surface.patches().size())
+      if (const auto P = solve_on(finer_multipliers, discretization, contact))
+        return presses_nowhere(given) && presses_nowhere(*P)
+                 ? PressureCorrection()
+                 : correct_by<dim>(recovered_load(space, finer_multipliers, Pressure(*P)),
+                                   discretization, contact);
+  }
+  return presses_nowhere(given)
+           ? PressureCorrection()
+           : correct_by<dim>(recovered_load(space, multipliers, given), discretization, contact);
 }
 
 INSTANTIATE_FUNCTION(recovered_load);

@@ -6,7 +6,7 @@
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/hp/step_examination.h>
 #include <signorini/postprocessing/fields/forces.h>
-#include <signorini/postprocessing/quantities/friction.h>
+#include <signorini/postprocessing/quantities/contact_zones.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
@@ -161,19 +161,27 @@ StepExamination::StepExamination(const Scene<2> &scene, const double target)
   : scene_(scene)
   , target_(target) {}
 
-StepFindings StepExamination::examine(const SolvedStep &step,
+StepFindings StepExamination::examine(const Discretization<2> &discretization,
+                                      const ContactSolution<2> &contact,
                                       const std::optional<StepField> &before,
                                       const double planned) {
-  const auto &[space, multipliers, K, U, P, P_t, algebraic_error] = step;
+  const DisplacementSpace<2> &space = discretization.space;
+  const MultiplierSpace<2> &multipliers = discretization.multipliers;
+  const Displacement &U = contact.U;
+  std::vector<bool> presses, sticks;
+  for (const NodeState &state : patch_states(multipliers, contact.P)) {
+    presses.push_back(state.presses);
+    sticks.push_back(contact.P.has_friction() && state.slip == State::inside);
+  }
   StepFindings findings;
   findings.indicators = indicate(space, scene_, U);
-  add_contact_misfit(space, multipliers, scene_, U, pressing_patches(multipliers, P),
-                     Component::normal, findings.indicators);
-  add_contact_misfit(space, multipliers, scene_, U, sticking_patches(multipliers, K, P, P_t),
-                     Component::tangential, findings.indicators);
+  add_contact_misfit(space, multipliers, scene_, U, presses, Component::normal,
+                     findings.indicators);
+  add_contact_misfit(space, multipliers, scene_, U, sticks, Component::tangential,
+                     findings.indicators);
   add_jump_misfit(space, scene_, U, findings.indicators);
-  findings.brackets = zone_brackets(multipliers, zone_states(K, P, P_t));
-  findings.missed_contact_cells = missed_contact_cells(space, multipliers, U, P);
+  findings.brackets = zone_brackets(multipliers, contact.P.states());
+  findings.missed_contact_cells = missed_contact_cells(space, multipliers, U, contact.P.normal());
   const double indicator = total(findings.indicators);
   const double norm = energy_norm(space, scene_, U);
   findings.scale = energy_scale(norm, indicator, space, scene_, U);
@@ -193,7 +201,7 @@ StepFindings StepExamination::examine(const SolvedStep &step,
   constexpr double noticeable = 1e-3;
   if (history_.stagnates() && error > noticeable * findings.scale)
     error = std::max(error, findings.scale);
-  error = std::hypot(error, algebraic_error);
+  error = std::hypot(error, contact.algebraic_error);
   // Nothing has an error where nothing deforms the body: all that is left is rounding.
   constexpr double rounding_of_rigid_motions = 1e-7;
   const bool is_rigid =

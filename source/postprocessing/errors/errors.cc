@@ -238,7 +238,7 @@ std::vector<double> discrete_ends(const MultiplierSpace<2> &space, const unsigne
   const double threshold = pressing_threshold(P);
   std::vector<double> ends;
   if (!space.is_piecewise_constant()) {
-    for (const ZoneBracket &bracket : zone_brackets(space, pressing_states(P)))
+    for (const ZoneBracket &bracket : zone_brackets(space, Multiplier(P).states()))
       if (bracket.side == number)
         ends.push_back(0.5 * (bracket.from + bracket.to));
     return ends;

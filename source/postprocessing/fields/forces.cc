@@ -40,11 +40,11 @@ struct Change {
 
 /** Returns the change between two nodes, the second of which presses if contact begins. */
 Change between(const SideNode &first, const SideNode &second) {
-  return {{0.5 * (first.s + second.s), 0.5 * (second.s - first.s)}, second.state != 0};
+  return {{0.5 * (first.s + second.s), 0.5 * (second.s - first.s)}, second.state.presses};
 }
 
 std::vector<PressedInterval> intervals_of(const SideNodes &side) {
-  const auto presses = [](const SideNode &node) { return node.state != 0; };
+  const auto presses = [](const SideNode &node) { return node.state.presses; };
   if (std::none_of(side.nodes.begin(), side.nodes.end(), presses))
     return {};
   if (std::all_of(side.nodes.begin(), side.nodes.end(), presses))
@@ -82,7 +82,7 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side) {
 std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipliers,
                                                const Pressure &P) {
   std::vector<PressedInterval> intervals;
-  for (const SideNodes &side : nodes_by_side(multipliers, pressing_states(P))) {
+  for (const SideNodes &side : nodes_by_side(multipliers, Multiplier(P).states())) {
     const std::vector<PressedInterval> side_data = intervals_of(side);
     intervals.insert(intervals.end(), side_data.begin(), side_data.end());
   }
@@ -90,10 +90,6 @@ std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipl
 }
 
 // p_H: resultants, recovery, transfer between partitions.
-
-double pressing_threshold(const Pressure &P) {
-  return P.size() == 0 ? 0. : -1e-12 * P.linfty_norm();
-}
 
 template <int dim>
 ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressure &P) {
@@ -195,43 +191,10 @@ Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Pat
   return transferred;
 }
 
-std::vector<bool> pressing_patches(const MultiplierSpace<2> &multipliers, const Pressure &P) {
-  const double threshold = pressing_threshold(P);
-  std::vector<bool> presses(multipliers.surface().patches().size(), true);
-  for (unsigned int k = 0; k < P.size(); ++k)
-    if (!(P[k] < threshold))
-      presses[multipliers.patch_of(k)] = false;
-  return presses;
-}
-
-std::vector<SlipState> slip_states(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
-                                   const Pressure &P, const Pressure &P_t) {
-  std::vector<SlipState> states(multipliers.surface().patches().size(), SlipState::none);
-  const dealii::Vector<double> all = join(P, P_t);
-  const AdmissibleSet K_P = K.at(all);
-  for (unsigned int k = 0; k < P_t.size(); ++k) {
-    const unsigned int patch = multipliers.patch_of(k);
-    const SlipState here = !K_P.slips(P.size() + k, all) ? SlipState::none
-                           : P_t[k] >= 0.                ? SlipState::upper
-                                                         : SlipState::lower;
-    SlipState &state = states[patch];
-    state = k == multipliers.first_of(patch) || state == here ? here : SlipState::mixed;
-  }
-  return states;
-}
-
 // The nodes of multipliers with their states.
 
-std::vector<int> pressing_states(const Pressure &P) {
-  const double threshold = pressing_threshold(P);
-  std::vector<int> states;
-  for (const double p : P)
-    states.push_back(p < threshold ? 1 : 0);
-  return states;
-}
-
 std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
-                                     const std::vector<int> &states) {
+                                     const std::vector<NodeState> &states) {
   const ContactSurface<2> &surface = multipliers.surface();
   std::vector<SideNodes> sides;
   for (unsigned int k = 0; k < states.size(); ++k) {
@@ -254,7 +217,7 @@ double NodalForces::largest() const {
 template <int dim>
 NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                          const DistributedVector &loads, const Coupling &D, const Displacement &U,
-                         const Pressure &P) {
+                         const dealii::Vector<double> &P) {
   NodalForces forces;
   const InternalForces<dim> internal = internal_forces(space, scene, U);
   forces.internal = space.dual(internal.forces);
@@ -273,19 +236,18 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &
 }
 
 template <int dim>
-Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers, const Pressure &P,
-                                 const Piece<dim> &piece, const Pressure &P_t) {
+Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
+                                 const Multiplier &multiplier, const Piece<dim> &piece) {
   Resultant<dim> resultant;
   const SurfaceRule<dim> &rule = piece.on_mesh;
-  for (std::size_t q = 0; q < rule.size(); ++q)
-    resultant.add(multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q] *
-                    rule.normals[q],
+  for (std::size_t q = 0; q < rule.size(); ++q) {
+    const Point<dim - 1> &s = rule.on_side[q];
+    const Tensor<1, dim> &n = rule.normals[q];
+    resultant.add((multipliers.value(multiplier.normal(), piece.patch, s) * n +
+                   tangential_traction(multipliers, multiplier, piece.patch, s, n)) *
+                    rule.weights[q],
                   rule.points[q]);
-  for (unsigned int c = 0; c * P.size() < P_t.size(); ++c)
-    for (std::size_t q = 0; q < rule.size(); ++q)
-      resultant.add(multipliers.value(P_t, piece.patch, rule.on_side[q], c) * rule.weights[q] *
-                      direction_of(tangents<dim>()[c], rule.normals[q]),
-                    rule.points[q]);
+  }
   return resultant;
 }
 

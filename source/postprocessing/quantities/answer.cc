@@ -72,13 +72,14 @@ Columns<Answer> Answer::columns() {
 template <int dim>
 Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                       const MultiplierSpace<dim> &multipliers, const NodalForces &forces,
-                      const Displacement &U, const Pressure &P, const Pressure &P_t) {
+                      const Displacement &U, const Multiplier &multiplier) {
+  const Pressure &P = multiplier.normal();
   Answer answer;
   answer.dimension = dim;
   answer.size = scene.geometry.diameter();
   for (const unsigned int side : scene.contact_sides())
-    answer.contact_by_side.push_back(contact_force(multipliers, {side}, P, P_t));
-  answer.contact_force = contact_force(multipliers, scene.contact_sides(), P, P_t);
+    answer.contact_by_side.push_back(contact_force(multipliers, {side}, multiplier));
+  answer.contact_force = contact_force(multipliers, scene.contact_sides(), multiplier);
   answer.contact_force.side.clear();
   answer.reactions = reactions(space, scene, forces);
   const std::vector<SingularPlace<dim>> places = singular_places(scene);

@@ -10,7 +10,7 @@
 
 namespace Signorini {
 std::vector<ZoneBracket> zone_brackets(const MultiplierSpace<2> &multipliers,
-                                       const std::vector<int> &states) {
+                                       const std::vector<NodeState> &states) {
   std::vector<ZoneBracket> brackets;
   for (const SideNodes &side : nodes_by_side(multipliers, states))
     for (const std::vector<SideNode> &run : alternations(side)) {

@@ -37,18 +37,18 @@ SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
 
 template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,
-                        const std::vector<unsigned int> &sides, const Pressure &P,
-                        const Pressure &P_t) {
+                        const std::vector<unsigned int> &sides, const Multiplier &multiplier) {
   const ContactSurface<dim> &surface = multipliers.surface();
   Resultant<dim> resultant;
   double total = 0.;
   Tensor<1, dim> centre;
   for (const Piece<dim> &piece : surface.pieces())
     if (std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0) {
-      resultant += contact_resultant(multipliers, P, piece, P_t);
+      resultant += contact_resultant(multipliers, multiplier, piece);
       const SurfaceRule<dim> &rule = piece.on_mesh;
       for (std::size_t q = 0; q < rule.size(); ++q) {
-        const double share = multipliers.value(P, piece.patch, rule.on_side[q]) * rule.weights[q];
+        const double share =
+          multipliers.value(multiplier.normal(), piece.patch, rule.on_side[q]) * rule.weights[q];
         total += share;
         centre += share * rule.points[q];
       }

@@ -82,77 +82,93 @@ Columns<ContactRow<dim>> contact_columns(const bool has_friction) {
       columns.push_back({name + std::string(1, "xyz"[d]), [part = vector, d](const Row &row) {
                            return ((*row.point.friction).*part)[d];
                          }});
-  columns.push_back(
-    {"state", [](const Row &row) { return static_cast<int>(row.point.friction->state); }});
+  columns.push_back({"state", [](const Row &row) { return row.point.friction->state; }});
   return columns;
 }
+
+/** Evaluates the fields at points of the contact boundary. */
+template <int dim>
+class ContactTracer {
+public:
+  ContactTracer(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
+                const std::vector<BoundaryCondition<dim>> &boundary, const Displacement &U,
+                const Multiplier &P)
+    : multipliers_(multipliers)
+    , surface_(multipliers.surface())
+    , boundary_(boundary)
+    , U_(U)
+    , P_(P)
+    , bounds_(P.bounds())
+    , recovered_(multipliers, P.normal())
+    , traces_(space) {}
+
+  std::vector<ContactPoint<dim>> trace(const Piece<dim> &piece,
+                                       const std::vector<Point<dim - 1>> &positions) {
+    const BoundaryCondition<dim> &condition = boundary_[surface_.patches()[piece.patch].side];
+    const SurfaceRule<dim> rule = surface_.at(piece, positions);
+    const auto u = traces_.displacement(surface_.faces()[piece.face], rule, U_);
+    std::vector<ContactPoint<dim>> points;
+    for (std::size_t q = 0; q < rule.size(); ++q) {
+      ContactPoint<dim> point;
+      point.s = rule.on_side[q];
+      point.x = rule.points[q];
+      point.p_H = multipliers_.value(P_.normal(), piece.patch, point.s);
+      point.p_recovered = recovered_(piece.patch, point.s);
+      point.u = u[q];
+      point.u_n = u[q] * rule.normals[q];
+      point.g = condition.data->value(point.x);
+      if (P_.has_friction())
+        point.friction = friction_at(piece.patch, condition, point, rule.normals[q]);
+      if (condition.exact_pressure != nullptr)
+        point.p_exact = condition.exact_pressure->value(point.x);
+      points.push_back(point);
+    }
+    return points;
+  }
+
+private:
+  FrictionPoint friction_at(const unsigned int patch, const BoundaryCondition<dim> &condition,
+                            const ContactPoint<dim> &at, const Tensor<1, dim> &normal) const {
+    const NodeState state = P_.state(multipliers_.nearest_node(patch, at.s));
+    FrictionPoint point;
+    point.q_H = multipliers_.value(P_.values(), patch, at.s, 1);
+    point.s_H = multipliers_.value(bounds_, patch, at.s);
+    point.state = !state.presses ? 0 : state.slip == State::inside ? 1 : 2;
+    if (condition.exact_friction != nullptr)
+      point.q_exact = condition.exact_friction->value(at.x);
+    Tensor<1, dim> slip = at.u;
+    if constexpr (dim == 2)
+      point.slip = slip * direction_of(Component::tangential, normal) -
+                   (condition.shift != nullptr ? condition.shift->value(at.x) : 0.);
+    else {
+      for (unsigned int d = 0; d < dim && condition.shift != nullptr; ++d)
+        slip[d] -= condition.shift->value(at.x, d);
+      point.slip_vector = slip - (slip * normal) * normal;
+      point.slip = point.slip_vector.norm();
+      point.traction = tangential_traction(multipliers_, P_, patch, at.s, normal);
+      point.q_H = point.traction.norm();
+    }
+    return point;
+  }
+
+  const MultiplierSpace<dim> &multipliers_;
+  const ContactSurface<dim> &surface_;
+  const std::vector<BoundaryCondition<dim>> &boundary_;
+  const Displacement &U_;
+  const Multiplier &P_;
+  Pressure bounds_;
+  RecoveredPressure<dim> recovered_;
+  TraceValues<dim> traces_;
+};
 } // namespace
 
 template <int dim>
 TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                                  const MultiplierSpace<dim> &multipliers,
                                  const std::vector<BoundaryCondition<dim>> &boundary,
-                                 const Displacement &U, const Pressure &P, const AdmissibleSet &K,
-                                 const Pressure &P_t) {
+                                 const Displacement &U, const Multiplier &P) {
   const ContactSurface<dim> &surface = multipliers.surface();
-  const RecoveredPressure<dim> recovered(multipliers, P);
-  const dealii::Vector<double> all = join(P, P_t);
-  const AdmissibleSet K_P = K.at(all);
-  Pressure bounds(P_t.size() > 0 ? P.size() : 0);
-  for (unsigned int k = 0; k < bounds.size(); ++k)
-    bounds[k] = K_P[P.size() + k].upper;
-  std::vector<FrictionState> states;
-  if (P_t.size() > 0)
-    states = friction_states(K, all);
-  TraceValues<dim> traces(space);
-  const auto friction_at = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule,
-                               const std::size_t q, const Tensor<1, dim> &u) {
-    const BoundaryCondition<dim> &condition = boundary[surface.patches()[piece.patch].side];
-    const auto value = [&](const FunctionPointer<dim> &f) {
-      return f == nullptr ? std::nullopt : std::optional<double>(f->value(rule.points[q]));
-    };
-    const Point<dim - 1> &s = rule.on_side[q];
-    FrictionPoint point = {
-      multipliers.value(P_t, piece.patch, s), multipliers.value(bounds, piece.patch, s),
-      u * direction_of(Component::tangential, rule.normals[q]),
-      states[multipliers.nearest_node(piece.patch, s)], value(condition.exact_friction)};
-    if constexpr (dim == 2)
-      point.slip -= value(condition.shift).value_or(0.);
-    else {
-      point.slip_vector = u;
-      for (unsigned int d = 0; d < dim && condition.shift != nullptr; ++d)
-        point.slip_vector[d] -= condition.shift->value(rule.points[q], d);
-      point.slip_vector -= (point.slip_vector * rule.normals[q]) * rule.normals[q];
-      for (unsigned int c = 0; c < tangents<dim>().size(); ++c)
-        point.traction +=
-          P_t[c * P.size() + piece.patch] * direction_of(tangents<dim>()[c], rule.normals[q]);
-      point.slip = point.slip_vector.norm();
-      point.q_H = K.length(P.size() + piece.patch, all);
-    }
-    return point;
-  };
-  const auto trace = [&](const Piece<dim> &piece, const std::vector<Point<dim - 1>> &positions) {
-    const BoundaryCondition<dim> &condition = boundary[surface.patches()[piece.patch].side];
-    const SurfaceRule<dim> rule = surface.at(piece, positions);
-    const auto u = traces.displacement(surface.faces()[piece.face], rule, U);
-    std::vector<ContactPoint<dim>> points;
-    for (std::size_t q = 0; q < rule.size(); ++q) {
-      points.push_back({rule.on_side[q],
-                        rule.points[q],
-                        multipliers.value(P, piece.patch, rule.on_side[q]),
-                        recovered(piece.patch, rule.on_side[q]),
-                        u[q],
-                        u[q] * rule.normals[q],
-                        condition.data->value(rule.points[q]),
-                        {},
-                        {}});
-      if (P_t.size() > 0)
-        points.back().friction = friction_at(piece, rule, q, u[q]);
-      if (condition.exact_pressure != nullptr)
-        points.back().p_exact = condition.exact_pressure->value(rule.points[q]);
-    }
-    return points;
-  };
+  ContactTracer<dim> tracer(space, multipliers, boundary, U, P);
   TracedContact<dim> contact;
   for (const Piece<dim> &piece : surface.pieces()) {
     const Patch<dim> &patch = surface.patches()[piece.patch];
@@ -162,7 +178,7 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
       if (!multipliers.is_piecewise_constant())
         rows = corners = positions_of_polynomial(piece, multipliers);
     contact.push_back({surface.side(patch).name(), patch.side, piece.face, piece.patch,
-                       patch.measure, trace(piece, rows), trace(piece, corners)});
+                       patch.measure, tracer.trace(piece, rows), tracer.trace(piece, corners)});
   }
   return contact;
 }
@@ -216,7 +232,7 @@ void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
           add_friction<dim>("friction_traction", friction->q_H, friction->traction, fields.back());
           fields.back().emplace_back("friction_limit", friction->s_H);
           add_friction<dim>("slip", friction->slip, friction->slip_vector, fields.back());
-          fields.back().emplace_back("friction_state", static_cast<int>(friction->state));
+          fields.back().emplace_back("friction_state", friction->state);
         }
         if (!bound.empty())
           fields.back().emplace_back("bound_contact", bound[piece.face]);

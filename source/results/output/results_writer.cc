@@ -81,12 +81,13 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
     return;
   const DisplacementSpace<dim> &space = level.discretization->space;
   const LevelSolution<dim> &solution = level.solution;
+  const Displacement &U = solution.contact.U;
   const unsigned int number = solution.record.sizes.level;
   start_directory();
   TracedContact<dim> traced;
   on_first_rank([&]() {
-    traced = trace_contact(space, level.discretization->multipliers, scene.boundary, solution.U,
-                           solution.P, level.discretization->K, solution.P_t);
+    traced = trace_contact(space, level.discretization->multipliers, scene.boundary, U,
+                           solution.contact.P);
   });
   write(level_file("contact", number, ".csv"),
         [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
@@ -94,8 +95,8 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
   const bool wants_finest = vtu == VtuLevels::finest || parameters_.output.pictures;
   if (vtu == VtuLevels::all || (wants_finest && level.is_last)) {
     const BoundFields &bound = solution.bound_fields;
-    write_solution_vtu(directory_ / level_file("solution", number, ".vtu"), space, scene,
-                       solution.U, bound, number);
+    write_solution_vtu(directory_ / level_file("solution", number, ".vtu"), space, scene, U, bound,
+                       number);
     write(level_file("contact", number, ".vtu"),
           [&](std::ostream &stream) { write_contact_vtu<dim>(stream, traced, bound.contact); });
     for (const char *const name : {"solution", "contact"}) {
@@ -110,8 +111,7 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
 
 void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
                                       const Scene<2> &scene, const Displacement &U,
-                                      const Pressure &P, const Pressure &P_t,
-                                      const unsigned int number) {
+                                      const Multiplier &P, const unsigned int number) {
   if (directory_.empty())
     return;
   start_directory();
@@ -121,7 +121,7 @@ void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
                        {}, number);
   write("contact" + ending + ".csv", [&](std::ostream &stream) {
     write_contact_csv<2>(stream, trace_contact(discretization.space, discretization.multipliers,
-                                               scene.boundary, U, P, discretization.K, P_t));
+                                               scene.boundary, U, P));
   });
 }
 
@@ -134,8 +134,9 @@ template <int dim>
 void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization,
                                        const LevelSolution<dim> &solution) {
   const DisplacementSpace<dim> &space = discretization.space;
-  const LinearSystem<dim> &system = *solution.system;
-  const DualData &dual = *solution.dual;
+  const ContactSolution<dim> &contact = solution.contact;
+  const LinearSystem<dim> &system = *contact.system;
+  const DualData &dual = *contact.dual;
   const std::vector<std::string> A =
     gather_texts(lower_triangle(system.matrix, system.unit), communicator_);
   const dealii::Vector<double> f(system.f);
@@ -155,10 +156,10 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   write_vector("f", f);
   write_vector("G", G);
   write_vector("F", dual.F);
-  write_vector("P", solution.multipliers());
-  if (solution.q.size() > 0) {
+  write_vector("P", contact.P.values());
+  if (contact.q.size() > 0) {
     write_vector("b", dual.motions.b);
-    write_vector("q", solution.q);
+    write_vector("q", contact.q);
     write_matrix("B", dual.motions.B);
     write_matrix("K", dual.motions.K, true);
   }

@@ -39,17 +39,15 @@ QPResult by_chosen_method(const BoundConstrainedQP &qp, const Vector &start,
 } // namespace
 
 QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C, const Vector &F,
-                            const Vector &start, const DualSolverOptions &options,
-                            const Balances &balances) {
+                            const AdmissibleSet &K, const Vector &start,
+                            const DualSolverOptions &options, const Balances &balances) {
   const QPSolver solve = [&](const BoundConstrainedQP &qp, const Vector &qp_start) {
     QPResult result = by_chosen_method(qp, qp_start, options);
     result.unique = !options.may_be_singular || qp.has_unique_solution(result.P, result.z);
     return result;
   };
-  const bool has_friction = options.K.size() > 0;
-  if (options.method != ContactSolver::psor && !C->is_explicit() && !has_friction)
+  if (options.method != ContactSolver::psor && !C->is_explicit() && K.is_nonpositive())
     return solve_on_growing_set(*C, F, start, solve, balances);
-  const AdmissibleSet K = has_friction ? options.K : AdmissibleSet::nonpositive(F.size());
   return solve(BoundConstrainedQP(C, F, K, balances), start);
 }
 

@@ -153,10 +153,10 @@ struct Generator {
 };
 
 /** Returns the generators of {P ≤ 0}, or of Coulomb's cone: two edges per patch. */
-std::vector<Generator> generators_of(const AdmissibleSet &K, const unsigned int m) {
+std::vector<Generator> generators_of(const AdmissibleSet &K) {
   std::vector<Generator> generators;
-  for (unsigned int i = 0, n = K.size() > 0 ? m / 2 : m; i < n; ++i)
-    if (const double f = K.size() > 0 ? K.coefficient(n + i) : 0.; f > 0.)
+  for (unsigned int i = 0, n = K.n_normal(); i < n; ++i)
+    if (const double f = K.has_friction() ? K.coefficient(n + i) : 0.; f > 0.)
       generators.insert(generators.end(), {{i, n + i, f}, {i, n + i, -f}});
     else
       generators.push_back({i, 0, 0.});
@@ -167,7 +167,7 @@ std::vector<Generator> generators_of(const AdmissibleSet &K, const unsigned int 
  * @return what remains of Π b. */
 Vector balance(const Matrix &projector, const AdmissibleSet &K, Balances &balances) {
   const unsigned int n = balances.size();
-  const std::vector<Generator> generators = generators_of(K, balances.P.size());
+  const std::vector<Generator> generators = generators_of(K);
   std::vector<Vector> directions(generators.size(), Vector(n));
   Vector norms(generators.size()), row(n), b(n);
   for (unsigned int i = 0; i < generators.size(); ++i) {
@@ -210,9 +210,9 @@ Vector balance_in_intervals(const Matrix &projector, const AdmissibleSet &K, Bal
 }
 } // namespace
 
-ReducedMotions::ReducedMotions(const FreeMotions &motions, const unsigned int m,
+ReducedMotions::ReducedMotions(const FreeMotions &motions, const AdmissibleSet &admissible,
                                const double stiffness) {
-  const unsigned int k = motions.b.size();
+  const unsigned int k = motions.b.size(), m = admissible.size();
   const Vector norms = m > 0 ? column_norms(motions.B) : Vector(k);
   const Vector units = units_of(motions, norms, stiffness);
   // B, K and b without units.
@@ -261,8 +261,7 @@ ReducedMotions::ReducedMotions(const FreeMotions &motions, const unsigned int m,
   projector.triple_product(free, seen, seen, true);
   K_without_rounding.triple_product(K, resisted, resisted);
   balances.K.triple_product(K_without_rounding, seen, seen, true);
-  const AdmissibleSet &admissible = motions.admissible;
-  const Vector left = admissible.size() > 0 && !admissible.moves()
+  const Vector left = admissible.has_friction() && !admissible.moves()
                         ? balance_in_intervals(projector, admissible, balances)
                         : balance(projector, admissible, balances);
   if (left.l2_norm() > noise) {
@@ -316,8 +315,9 @@ Vector on_springs(const Vector &F, const Balances &balances, const double stiffn
  * @param presses P of the patches along which it may slide.
  */
 std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOperator> &C,
-                                      const Vector &F, const FreeMotions &motions,
-                                      const DualSolverOptions &options, const Vector &presses) {
+                                      const Vector &F, const AdmissibleSet &K,
+                                      const FreeMotions &motions, const DualSolverOptions &options,
+                                      const Vector &presses) {
   constexpr double far = 100.;
   const unsigned int k = motions.b.size(), m = F.size() / 2;
   Matrix closing(k, k);
@@ -336,7 +336,7 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
   sliding.v *= sliding.load < 0. ? -1. : 1.;
   sliding.load = std::abs(sliding.load);
   const unsigned int n = others.n();
-  FreeMotions rest = {Matrix(2 * m, n), Matrix(n, n), Vector(n), {}, motions.admissible};
+  FreeMotions rest = {Matrix(2 * m, n), Matrix(n, n), Vector(n)};
   Vector slip(2 * m), moved(F);
   motions.B.vmult(slip, sliding.v);
   moved.add(-far * F.linfty_norm() / slip.linfty_norm(), slip);
@@ -345,10 +345,10 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
     rest.K.triple_product(motions.K, others, others, true);
     others.Tvmult(rest.b, motions.b);
   }
-  const MotionResult found = solve_dual_problem(C, moved, rest, {}, options);
+  const MotionResult found = solve_dual_problem(C, moved, K, rest, {}, options);
   sliding.friction = -(found.qp.P * slip);
   // Where a patch does not slip, the body turns about it.
-  const double limit = motions.admissible.at(found.qp.P).dissipation(slip);
+  const double limit = K.at(found.qp.P).dissipation(slip);
   const bool slides = found.qp.converged && sliding.friction > (1. - 1e-9) * limit;
   sliding.P = found.qp.P;
   return slides ? std::optional(sliding) : std::nullopt;
@@ -356,30 +356,27 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
 } // namespace
 
 MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C, const Vector &F,
-                                const FreeMotions &motions, const Vector &start,
-                                const DualSolverOptions &options) {
+                                const AdmissibleSet &K, const FreeMotions &motions,
+                                const Vector &start, const DualSolverOptions &options) {
   const unsigned int m = F.size(), k = motions.b.size();
   MotionResult result;
   if (k == 0) {
-    result.qp = solve_dual_problem(C, F, start, options);
+    result.qp = solve_dual_problem(C, F, K, start, options);
     return result;
   }
   result.q.reinit(k);
   result.qp.P.reinit(m);
-  const bool has_friction = motions.admissible.size() > 0;
-  const FreeState at_rest = {{}, F};
-  const bool nothing_happens =
-    motions.b.all_zero() &&
-    at_rest.nothing_touches(has_friction ? options.K : AdmissibleSet::nonpositive(m));
+  const bool has_friction = K.has_friction();
+  const bool nothing_happens = motions.b.all_zero() && FreeState{{}, F}.nothing_touches(K);
   const double stiffness = nothing_happens ? 1. : contact_stiffness(*C, motions.B);
-  const ReducedMotions reduced(motions, m, stiffness);
+  const ReducedMotions reduced(motions, K, stiffness);
   result.unseen = reduced.unseen;
   result.escape = reduced.escape;
   result.qp.converged = nothing_happens;
   const auto slides_along_all = [&]() {
     Vector all(m);
     all = -1.;
-    return steady_sliding(C, F, motions, options, all);
+    return steady_sliding(C, F, K, motions, options, all);
   };
   if (reduced.escape && has_friction)
     result.sliding = slides_along_all();
@@ -390,26 +387,26 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   const bool needs_start = start.size() == 0 && !C->is_explicit() && !has_friction;
   // What few systems or sweeps do not solve may be close to the limit of sliding.
   DualSolverOptions first = options;
-  if (motions.admissible.moves())
+  if (K.moves())
     first.maximum_iterations =
       std::min(options.maximum_iterations, options.method == ContactSolver::psor ? 2000U : 50U);
   result.qp =
-    solve_dual_problem(C, F, needs_start ? on_springs(F, reduced.balances, stiffness) : start,
+    solve_dual_problem(C, F, K, needs_start ? on_springs(F, reduced.balances, stiffness) : start,
                        first, reduced.balances);
   if (!result.qp.converged && has_friction) {
     std::optional<Sliding> sliding = slides_along_all();
     if (!sliding) {
       // Sweeps follow the body while it slides along some of its contact sides.
       const Vector drifting =
-        solve_by_psor({C, F, options.K, reduced.balances}, {}, {options.tolerance, 2000, 1., {}}).P;
-      sliding = steady_sliding(C, F, motions, options, drifting);
+        solve_by_psor({C, F, K, reduced.balances}, {}, {options.tolerance, 2000, 1.}).P;
+      sliding = steady_sliding(C, F, K, motions, options, drifting);
     }
     if (sliding && sliding->lasts()) {
       result.sliding = sliding;
       result.escape = sliding->v;
     } else
       result.qp =
-        solve_dual_problem(C, F, sliding ? sliding->P : result.qp.P, options, reduced.balances);
+        solve_dual_problem(C, F, K, sliding ? sliding->P : result.qp.P, options, reduced.balances);
   }
   if (reduced.balances.size() > 0)
     reduced.T.vmult(result.q, result.qp.z);

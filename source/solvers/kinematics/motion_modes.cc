@@ -157,6 +157,16 @@ void MotionModes<dim>::add_to(Displacement &U, const dealii::Vector<double> &q) 
 }
 
 template <int dim>
+double MotionModes<dim>::work_of_plates(const std::vector<Plate> &plates,
+                                        const dealii::Vector<double> &q) const {
+  double work = 0.;
+  const std::vector<PlateMotion> moved = plate_motions(plates, q);
+  for (std::size_t p = 0; p < plates.size(); ++p)
+    work += plates[p].work(moved[p]);
+  return work;
+}
+
+template <int dim>
 std::vector<PlateMotion> MotionModes<dim>::plate_motions(const std::vector<Plate> &plates,
                                                          const dealii::Vector<double> &q) const {
   std::vector<PlateMotion> sum =

@@ -10,7 +10,7 @@ std::optional<Regularity> examine_regularity(const std::shared_ptr<const Complia
   Balances balances;
   if (motions.b.size() > 0) {
     const double stiffness = P.size() * P.size() / C->diagonal().l1_norm();
-    balances = ReducedMotions(motions, P.size(), stiffness).balances;
+    balances = ReducedMotions(motions, K, stiffness).balances;
   }
   return examine_regularity(BoundConstrainedQP(C, dealii::Vector<double>(P.size()), K, balances),
                             P);

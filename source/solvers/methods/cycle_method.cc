@@ -57,10 +57,10 @@ public:
     : parameters_(parameters)
     , scene_(scene) {}
 
-  ContactState<dim> solve(const Discretization<dim> &discretization, const ContactStart &start,
-                          const Progress &progress) const override {
+  ContactSolution<dim> solve(const Discretization<dim> &discretization, const ContactStart &start,
+                             const Progress &progress) const override {
     const DisplacementSpace<dim> &space = discretization.space;
-    ContactState<dim> state;
+    ContactSolution<dim> state;
     progress("assembly");
     state.system = timed(state.times.assembly, [&]() {
       return std::make_shared<const LinearSystem<dim>>(
@@ -84,7 +84,7 @@ public:
 
 private:
   void iterate(const Discretization<dim> &discretization, const StiffnessOperator &A,
-               const ContactStart &start, ContactState<dim> &state) const {
+               const ContactStart &start, ContactSolution<dim> &state) const {
     const DisplacementSpace<dim> &space = discretization.space;
     const auto model = make_boundary_model(discretization.multipliers);
     const Vector f = serial(space.dual(state.system->f));
@@ -94,9 +94,10 @@ private:
     const ContactIterationResult result = solve_contact_by_cycles(
       {A, f, discretization.condensed_D, gap, *model,
        space.condense(space.dual(state.system->loads)).l2_norm()},
-      free_part(space, start.U), start.P.size() > 0 ? start.P : Pressure(gap.size()), options);
-    state.P = Pressure(result.P);
+      free_part(space, start.U), start.P.size() > 0 ? start.P : Vector(gap.size()), options);
+    state.P = Multiplier(result.P, discretization.K);
     state.U = complete_free_part(space, result.U);
+    state.W = discretization.gap_residual(state.U);
     state.cycles = CycleData{result.scale, result.energy_of_residual};
     state.report.method = ContactSolver::multigrid;
     state.report.iterations = result.cycles + result.cycles_for_scale;
@@ -107,10 +108,9 @@ private:
     diagonal *= result.scale;
     state.diagonal_P = result.P;
     state.diagonal_P.scale(diagonal);
-    Vector W = discretization.D.transpose_product(state.U);
-    W -= discretization.G;
-    state.algebraic_error = std::hypot(algebraic_error(discretization.K, result.P, W, diagonal),
-                                       std::sqrt(2. * std::abs(result.energy_of_residual)));
+    state.algebraic_error =
+      std::hypot(algebraic_error(discretization.K, result.P, state.W, diagonal),
+                 std::sqrt(2. * std::abs(result.energy_of_residual)));
   }
 
   ContactIterationOptions options_for(const ContactStart &start) const {

@@ -20,14 +20,21 @@ namespace Signorini {
 namespace {
 using Vector = dealii::Vector<double>;
 
-/** Returns the free motions with B of forces at the ends of all pieces of the contact boundary. */
-FreeMotions with_forces_at_points(FreeMotions motions, const Discretization<2> &discretization,
-                                  const MotionModes<2> &modes) {
+/** Free motions with B of forces at points of the contact boundary, and the set of these forces. */
+struct PointMotions {
+  FreeMotions motions;
+  AdmissibleSet admissible;
+};
+
+/** Returns the motions with forces at the ends of all pieces. */
+PointMotions with_forces_at_points(FreeMotions motions, const Discretization<2> &discretization,
+                                   const MotionModes<2> &modes) {
   const ContactSurface<2> &surface = discretization.surface;
   const std::vector<Point<1>> ends = {Point<1>(0.), Point<1>(1.)};
   const unsigned int m = discretization.multipliers.n_multipliers(),
                      n = ends.size() * surface.pieces().size();
-  const bool has_friction = motions.admissible.size() > 0;
+  const AdmissibleSet &K = discretization.K;
+  const bool has_friction = K.has_friction();
   TraceValues<2> traces(discretization.space);
   motions.B.reinit(has_friction ? 2 * n : n, modes.size());
   Vector s(n), f(n);
@@ -44,14 +51,12 @@ FreeMotions with_forces_at_points(FreeMotions motions, const Discretization<2> &
       }
     }
     for (std::size_t e = 0; has_friction && e < ends.size(); ++e) {
-      s[ends.size() * i + e] =
-        0.5 * (piece.upper[0] - piece.lower[0]) * motions.admissible[m + piece.patch].upper;
-      f[ends.size() * i + e] = motions.admissible.coefficient(m + piece.patch);
+      s[ends.size() * i + e] = 0.5 * (piece.upper[0] - piece.lower[0]) * K[m + piece.patch].upper;
+      f[ends.size() * i + e] = K.coefficient(m + piece.patch);
     }
   }
-  if (has_friction)
-    motions.admissible = AdmissibleSet::with_friction(s, f);
-  return motions;
+  return {std::move(motions),
+          has_friction ? AdmissibleSet::with_friction(s, f) : AdmissibleSet::nonpositive(n)};
 }
 
 /** Returns the largest diagonal entry of K; one if K has no positive entry. */
@@ -65,8 +70,9 @@ double typical_stiffness(const FreeMotions &motions) {
 /** Returns whether forces at points of the contact boundary can balance the loads. */
 bool points_balance(const Discretization<2> &discretization, const MotionModes<2> &modes,
                     const FreeMotions &motions) {
-  const FreeMotions point_motions = with_forces_at_points(motions, discretization, modes);
-  return !ReducedMotions(point_motions, point_motions.B.m(), typical_stiffness(motions)).escape;
+  const PointMotions at_points = with_forces_at_points(motions, discretization, modes);
+  return !ReducedMotions(at_points.motions, at_points.admissible, typical_stiffness(motions))
+            .escape;
 }
 
 /** Refuses loads that drive a motion along which contact sides slide. @throws InputError always. */
@@ -94,7 +100,7 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
   const double negligible =
     std::max<double>(rounding, parameters.solver.tolerance) * dual.F.l2_norm();
   Vector holding(P);
-  const AdmissibleSet K = motions.admissible.at(P);
+  const AdmissibleSet K = discretization.K.at(P);
   for (unsigned int i = m; i < P.size(); ++i)
     holding[i] = K[i].upper;
   const Vector closing = dual.C->diagonal_times(holding);
@@ -102,7 +108,8 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
   for (unsigned int i = 0; i < P.size(); ++i)
     for (unsigned int j = 0; j < modes.size() && std::abs(closing[i]) <= negligible; ++j)
       pressing_motions.B(i, j) = 0.;
-  const auto unseen = ReducedMotions(pressing_motions, P.size(), typical_stiffness(motions)).unseen;
+  const auto unseen =
+    ReducedMotions(pressing_motions, discretization.K, typical_stiffness(motions)).unseen;
   if (!unseen.empty())
     throw InputError(parameters.boundary.where +
                      ": no load moves the body, and the pressure of the foundation, into which it "
@@ -177,24 +184,23 @@ public:
     , scene_(scene)
     , choice_(choice) {}
 
-  ContactState<dim> solve(const Discretization<dim> &discretization, const ContactStart &start,
-                          const Progress &progress) const override {
-    ContactState<dim> state;
+  ContactSolution<dim> solve(const Discretization<dim> &discretization, const ContactStart &start,
+                             const Progress &progress) const override {
+    ContactSolution<dim> state;
     state.dual.emplace();
     factorise_stiffness(discretization, progress, state);
     find_free_state(discretization, state);
     DualData &dual = *state.dual;
-    state.set_multipliers(Vector(discretization.K.size()),
-                          discretization.multipliers.n_multipliers());
+    state.P = Multiplier(Vector(discretization.K.size()), discretization.K);
     if (state.modes.size() == 0 && dual.free.nothing_touches(discretization.K))
-      state.U = dual.free.U;
+      set_displacement(discretization, dual.free.U, state);
     else {
       form_compliance(discretization, progress, state);
       progress("dual problem");
-      find_pressure(discretization, join(start.P, start.P_t), state);
+      find_pressure(discretization, start.P, state);
       recover(discretization, state);
       correct_rounding(discretization, state);
-      state.algebraic_error = algebraic_part(discretization, state);
+      state.algebraic_error = algebraic_part(state);
     }
     prescribe_motions(state);
     state.linear = {state.inverse->n_solves(), state.inverse->max_residual(),
@@ -205,7 +211,7 @@ public:
 private:
   /** Computes A, f and A⁻¹. */
   void factorise_stiffness(const Discretization<dim> &discretization, const Progress &progress,
-                           ContactState<dim> &state) const {
+                           ContactSolution<dim> &state) const {
     const DisplacementSpace<dim> &space = discretization.space;
     progress("assembly");
     state.system = timed(state.times.assembly, [&]() {
@@ -224,7 +230,8 @@ private:
 
   /** Computes F and the free motions. @throws InputError if loads drive a motion that no
    * contact resists. */
-  void find_free_state(const Discretization<dim> &discretization, ContactState<dim> &state) const {
+  void find_free_state(const Discretization<dim> &discretization,
+                       ContactSolution<dim> &state) const {
     const StageTimer timer(state.times.compliance);
     const DisplacementSpace<dim> &space = discretization.space;
     DualData &dual = *state.dual;
@@ -236,8 +243,7 @@ private:
     const DualVector loads = space.dual(state.system->loads);
     if (modes.size() > 0) {
       const MotionWork work = modes.work(scene_.plates, loads, dual.free.U);
-      dual.motions = {modes.couple(discretization.D), modes.K, work.value, work.magnitude,
-                      admissible_of(discretization)};
+      dual.motions = {modes.couple(discretization.D), modes.K, work.value, work.magnitude};
     }
     if (modes.unseen.empty())
       return;
@@ -248,7 +254,7 @@ private:
   }
 
   void form_compliance(const Discretization<dim> &discretization, const Progress &progress,
-                       ContactState<dim> &state) const {
+                       ContactSolution<dim> &state) const {
     const Coupling &D = discretization.condensed_D;
     state.dual->C = make_compliance(*state.inverse, D, state.times.compliance,
                                     column_progress(progress, D.n_columns()));
@@ -256,11 +262,11 @@ private:
 
   /** Computes P, and q where motions are free. */
   void find_pressure(const Discretization<dim> &discretization, const Vector &start,
-                     ContactState<dim> &state) const {
+                     ContactSolution<dim> &state) const {
     const StageTimer timer(state.times.qp);
     const DualData &dual = *state.dual;
-    const DualSolverOptions options = options_for(discretization);
-    const MotionResult found = solve_dual_problem(dual.C, dual.F, dual.motions, start, options);
+    const MotionResult found = solve_dual_problem(dual.C, dual.F, discretization.K, dual.motions,
+                                                  start, options_for(discretization));
     if constexpr (dim == 2)
       if (found.escape)
         refuse_escape(parameters_, discretization, state.modes, dual.motions, *found.escape,
@@ -270,17 +276,25 @@ private:
         refuse_undetermined(parameters_, discretization, state.modes, dual, found.qp.P);
     state.q = found.q;
     state.report = summary_of(found.qp, choice_.contact);
-    state.set_multipliers(found.qp.P, discretization.multipliers.n_multipliers());
+    state.P = Multiplier(found.qp.P, discretization.K);
     state.dual->C_P = dual.C->apply(found.qp.P);
     state.diagonal_P = dual.C->diagonal_times(found.qp.P);
   }
 
   /** Computes U = A⁻¹(f + D P) + Z q. */
-  void recover(const Discretization<dim> &discretization, ContactState<dim> &state) const {
+  void recover(const Discretization<dim> &discretization, ContactSolution<dim> &state) const {
     const StageTimer timer(state.times.recovery);
-    state.U = recover_displacement(*state.inverse, discretization.space, discretization.condensed_D,
-                                   state.multipliers(), state.system->f);
-    state.modes.add_to(state.U, state.q);
+    Displacement U =
+      recover_displacement(*state.inverse, discretization.space, discretization.condensed_D,
+                           state.P.values(), state.system->f);
+    state.modes.add_to(U, state.q);
+    set_displacement(discretization, std::move(U), state);
+  }
+
+  void set_displacement(const Discretization<dim> &discretization, Displacement U,
+                        ContactSolution<dim> &state) const {
+    state.U = std::move(U);
+    state.W = discretization.gap_residual(state.U);
   }
 
   /**
@@ -288,7 +302,8 @@ private:
    * is C P + B q - F + r. F - r takes the place of F, up to three times. Without rounding r is
    * zero, however P was found.
    */
-  void correct_rounding(const Discretization<dim> &discretization, ContactState<dim> &state) const {
+  void correct_rounding(const Discretization<dim> &discretization,
+                        ContactSolution<dim> &state) const {
     constexpr unsigned int max_passes = 3;
     constexpr double negligible = 1e-10;
     const double measure = discretization.multipliers.integrals().l2_norm();
@@ -298,34 +313,30 @@ private:
       Vector corrected(state.dual->C_P);
       if (state.modes.size() > 0)
         state.dual->motions.B.vmult_add(corrected, state.q);
-      corrected -= discretization.D.transpose_product(state.U);
-      corrected += discretization.G;
+      corrected -= state.W;
       Vector r(corrected);
       r -= state.dual->F;
       if (r.l2_norm() <= negligible * measure * state.U.linfty_norm())
         break;
       state.dual->F = corrected;
-      find_pressure(discretization, state.multipliers(), state);
+      find_pressure(discretization, state.P.values(), state);
       recover(discretization, state);
     }
     state.dual->F = F;
   }
 
   /** Returns the estimated algebraic error in the energy norm. */
-  double algebraic_part(const Discretization<dim> &discretization,
-                        const ContactState<dim> &state) const {
-    const Vector P = state.multipliers();
-    Vector W = discretization.D.transpose_product(state.U);
-    W -= discretization.G;
+  double algebraic_part(const ContactSolution<dim> &state) const {
+    const Vector &P = state.P.values(), &W = state.W;
     // Where nothing presses nor penetrates, a column of C may cost a solve.
     Vector counted(P.size());
     for (unsigned int k = 0; k < counted.size(); ++k)
       counted[k] = P[k] != 0. || W[k] > 0. ? 1. : 0.;
-    return algebraic_error(discretization.K.at(P), P, W, state.dual->C->diagonal_times(counted));
+    return algebraic_error(state.P.set(), P, W, state.dual->C->diagonal_times(counted));
   }
 
   /** Adds the free motions to the free state: U_0 + Z q is then the body without contact. */
-  void prescribe_motions(ContactState<dim> &state) const {
+  void prescribe_motions(ContactSolution<dim> &state) const {
     if (state.modes.size() == 0)
       return;
     state.modes.add_to(state.dual->free.U, state.q);
@@ -334,17 +345,11 @@ private:
     state.dual->free.F -= B_q;
   }
 
-  /** Returns K with friction, else the empty set, which stands for P ≤ 0. */
-  AdmissibleSet admissible_of(const Discretization<dim> &discretization) const {
-    return scene_.friction == Friction::none ? AdmissibleSet() : discretization.K;
-  }
-
   DualSolverOptions options_for(const Discretization<dim> &discretization) const {
     const SolverParameters &solver = parameters_.solver;
     return {{solver.tolerance, solver.maximum_iterations, solver.relaxation},
             choice_.contact,
-            is_unstable(discretization),
-            admissible_of(discretization)};
+            is_unstable(discretization)};
   }
 
   const Parameters &parameters_;
@@ -361,7 +366,7 @@ std::unique_ptr<ContactMethod<dim>> make_dual_method(const Parameters &parameter
 }
 
 template <int dim>
-std::optional<Vector> solve_on_other_patches(const ContactState<dim> &contact,
+std::optional<Vector> solve_on_other_patches(const ContactSolution<dim> &contact,
                                              const CouplingPair &patches, const Vector &F,
                                              const Vector &start) {
   double seconds = 0.;
@@ -374,7 +379,8 @@ std::optional<Vector> solve_on_other_patches(const ContactState<dim> &contact,
     motions.K.vmult(K_q, contact.q);
     motions.b -= K_q;
   }
-  const QPResult result = solve_dual_problem(C, F, motions, start, {}).qp;
+  const QPResult result =
+    solve_dual_problem(C, F, AdmissibleSet::nonpositive(F.size()), motions, start, {}).qp;
   return result.converged ? std::optional<Vector>(result.P) : std::nullopt;
 }
 

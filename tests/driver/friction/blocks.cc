@@ -62,7 +62,7 @@ void test_references(Checks &checks) {
     const OneLevel level(expected.text, expected.level);
     const LevelSolution<2> found = level.solve();
     const LevelRecord &record = found.record;
-    const double E = 0.5 * std::pow(energy_norm(level.space(), level.scene, found.U), 2);
+    const double E = 0.5 * std::pow(energy_norm(level.space(), level.scene, found.contact.U), 2);
     const auto digits = [&](const std::string &name, const double value, const double exact) {
       checks.near(name, value, exact, 2e-10 * std::abs(exact));
     };
@@ -82,14 +82,14 @@ void test_displacements(Checks &checks) {
   const auto at = [&](const std::string &text, const unsigned int n, const dealii::Point<2> &x,
                       const dealii::Point<2> &u) {
     const OneLevel level(text, n);
-    checks.near("displacement of a corner", displacement_at(level, level.solve().U, x), u,
+    checks.near("displacement of a corner", displacement_at(level, level.solve().contact.U, x), u,
                 1e-10 * u.norm());
   };
   at(ssnv128, 5, {0., 0.}, {7.1465280843e-04, 1.5349198875e-05});
   at(hild, 5, {1., 1.}, {9.4919279254e-03, -3.3038809462e-02});
   at(long_block, 4, {2., 1.}, {9.2614425537e-02, -8.3802337906e-02});
   const OneLevel level(hild, 5);
-  const Pressure P_t = level.solve().P_t;
+  const Pressure P_t = level.solve().contact.P.tangential()[0];
   checks.near("first and last P_t of Hild's block", {P_t[0], P_t[P_t.size() - 1]},
               {0.00378063, -0.01908483}, 1e-8);
 }
@@ -102,7 +102,7 @@ void test_published(Checks &checks) {
     {0., 2.86}, {1.25, 2.72}, {5., 2.28}, {7.5, 1.98}, {11.25, 1.54}};
   for (const auto &[x, u_x] : published)
     checks.near("SSNV128: published displacements",
-                4000. * displacement_at(level, found.U, {x / 40., 0.})[0] / u_x, 1., 3e-3);
+                4000. * displacement_at(level, found.contact.U, {x / 40., 0.})[0] / u_x, 1., 3e-3);
   checks.near("SSNV128: open, slip and stick",
               {1. - found.record.friction->slip_length - found.record.friction->stick_length,
                found.record.friction->slip_length, found.record.friction->stick_length},
@@ -117,9 +117,11 @@ void test_solvers(Checks &checks) {
     for (const Entries &solver :
          {Entries{"Solver/Contact solver=psor"}, Entries{"Solver/Linear solver=amesos_klu"}}) {
       const LevelSolution<2> found = OneLevel(text, 4, solver).solve();
-      checks.that("converged", found.report.converged);
-      checks.near("P_n", distance(found.P, exact.P), 0., 1e-8 * exact.P.linfty_norm());
-      checks.near("P_t", distance(found.P_t, exact.P_t), 0., 1e-8 * exact.P.linfty_norm());
+      checks.that("converged", found.contact.report.converged);
+      checks.near("P_n", distance(found.contact.P.normal(), exact.contact.P.normal()), 0.,
+                  1e-8 * exact.contact.P.normal().linfty_norm());
+      checks.near("P_t", distance(found.contact.P.tangential()[0], exact.contact.P.tangential()[0]),
+                  0., 1e-8 * exact.contact.P.normal().linfty_norm());
     }
   }
 }
@@ -156,9 +158,11 @@ void test_patch(Checks &checks) {
       const LevelSolution<2> found = level.solve();
       const Displacement exact =
         interpolate_at_nodes(level.space(), *level.scene.exact_displacement);
-      checks.near("patch test: u", distance(found.U, exact), 0., 1e-13);
-      for (unsigned int k = 0; k < found.P.size(); ++k)
-        checks.near("patch test: P_n, P_t", {found.P[k], found.P_t[k]}, {-0.375, 0.05}, 1e-12);
+      checks.near("patch test: u", distance(found.contact.U, exact), 0., 1e-13);
+      for (unsigned int k = 0; k < found.contact.P.normal().size(); ++k)
+        checks.near("patch test: P_n, P_t",
+                    {found.contact.P.normal()[k], found.contact.P.tangential()[0][k]},
+                    {-0.375, 0.05}, 1e-12);
     }
 }
 
@@ -263,7 +267,7 @@ void test_three_solutions(Checks &checks) {
     "Boundary/Clamped = top\nBoundary/Contact = bottom\nContact/Friction = coulomb\n"
     "Contact/Friction coefficient = 2.5\nLoad/Body force = 0; -0.01\nOutput/Compliance = true\n",
     4);
-  const auto C = level.solve().dual->C;
+  const auto C = level.solve().contact.dual->C;
   const dealii::Vector<double> lengths = level.multipliers().integrals();
   const unsigned int m = lengths.size();
   const auto problem = [&](const double f, const dealii::Vector<double> &P) {
@@ -327,7 +331,8 @@ void test_glued(Checks &checks) {
     checks.about("glued, s = " + s);
     const LevelSolution<2> found = glued(s);
     const Certificate &certificate = found.record.certificate;
-    checks.near("P_t", distance(found.P_t, one.P_t), 0., 1e-12);
+    checks.near("P_t", distance(found.contact.P.tangential()[0], one.contact.P.tangential()[0]), 0.,
+                1e-12);
     checks.near("dissipation", found.record.friction->dissipation, 0., 0.);
     checks.between("balance of dissipation", *certificate.dissipation_balance, 0., 1e-11);
     checks.between("bipotential gap", certificate.complementarity, 0., 1e-11);
@@ -356,7 +361,8 @@ void test_loads_in_balance(Checks &checks) {
          {"", "\nContact/Friction = coulomb\nContact/Friction coefficient = 0.3",
           "\nContact/Friction = tresca\nContact/Friction bound = 0.01"})
       checks.near("a plate that has not arrived",
-                  OneLevel(plate + travel + friction, 3).solve().P.linfty_norm(), 0., 1e-14);
+                  OneLevel(plate + travel + friction, 3).solve().contact.P.normal().linfty_norm(),
+                  0., 1e-14);
 }
 
 /** With f = 0 friction changes nothing. */
@@ -364,7 +370,7 @@ void test_no_friction(Checks &checks) {
   const LevelSolution<2>
     smooth = OneLevel(hild, 4, {"Contact/Friction coefficient=0"}).solve(),
     none = OneLevel(hild, 4, {"Contact/Friction=none", "Contact/Friction coefficient="}).solve();
-  checks.near("f = 0", distance(smooth.P, none.P), 0., 1e-13);
+  checks.near("f = 0", distance(smooth.contact.P.normal(), none.contact.P.normal()), 0., 1e-13);
 }
 } // namespace
 

@@ -23,7 +23,7 @@ std::pair<LevelRecord, dealii::Vector<double>> mindlin(const bool unloaded,
     G[m + k] += slip[k];
   LevelSolution<2> solution = level.solve();
   add_errors<2>(level.parameters, level.scene, level.discretization, nullptr, solution);
-  dealii::Vector<double> W = level.discretization.D.transpose_product(solution.U), after(m);
+  dealii::Vector<double> W = level.discretization.D.transpose_product(solution.contact.U), after(m);
   W -= G;
   for (unsigned int k = 0; k < m; ++k)
     after[k] = W[m + k] + (slip.size() > 0 ? slip[k] : 0.);
@@ -44,14 +44,7 @@ void test_unloading(Checks &checks) {
 }
 
 CaseSolver make_solver(const OneLevel &level, const LevelSolution<2> &solution, const bool steps) {
-  const auto gap = [&level](const Scene<2> &scene) {
-    return level.discretization.assemble_gap_of(scene);
-  };
-  DualSolverOptions options;
-  options.K = level.discretization.K;
-  return CaseSolver({level.space(), level.scene, level.multipliers(), level.discretization.D,
-                     level.discretization.condensed_D, *solution.inverse, solution.modes,
-                     level.discretization.n_points, gap, options, steps});
+  return CaseSolver(level.discretization, level.scene, solution.contact, {}, steps);
 }
 
 /** A block that a moving foundation drags to and fro. */

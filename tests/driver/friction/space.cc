@@ -22,8 +22,8 @@ struct SpaceLevel {
     , discretization(parameters, scene, level, MPI_COMM_WORLD)
     , found(solve_level<3>({parameters, scene, choose_solvers(parameters, scene, 0, 1)},
                            discretization, ContactStart(), [](const std::string &) {}))
-    , m(found.P.size())
-    , W(discretization.D.transpose_product(found.U)) {
+    , m(found.contact.P.normal().size())
+    , W(discretization.D.transpose_product(found.contact.U)) {
     W -= discretization.G;
   }
   SpaceLevel(const SpaceLevel &) = delete;
@@ -33,7 +33,7 @@ struct SpaceLevel {
     return dealii::Tensor<1, 2>({v[m + k], v[2 * m + k]});
   }
   double bound(const unsigned int k) const {
-    return discretization.K.at(found.multipliers())[m + k].upper;
+    return discretization.K.at(found.contact.P.values())[m + k].upper;
   }
 
   Parameters parameters;
@@ -57,7 +57,7 @@ void check_residuals(Checks &checks, const LevelRecord &record) {
 /** Slip is opposite to the traction, which reaches its bound there; nothing exceeds it. @return the
  * number of patches that slip. */
 unsigned int check_law(Checks &checks, const SpaceLevel &level) {
-  const dealii::Vector<double> P = level.found.multipliers();
+  const dealii::Vector<double> P = level.found.contact.P.values();
   unsigned int n_slip = 0;
   const double slipped = 1e-8 * level.W.linfty_norm();
   for (unsigned int k = 0; k < level.m; ++k) {
@@ -94,9 +94,9 @@ void test_patch(Checks &checks) {
          std::string("Contact/Foundation shift=") + shift, "Discretization/Patch ratio=" + ratio});
       const Displacement exact =
         interpolate_at_nodes(level.discretization.space, *level.scene.exact_displacement);
-      checks.near("patch test: u", distance(level.found.U, exact), 0., 1e-12);
+      checks.near("patch test: u", distance(level.found.contact.U, exact), 0., 1e-12);
       checks.near("patch test: T", level.found.record.friction->tangential_force, q, 1e-12);
-      const dealii::Vector<double> P = level.found.multipliers();
+      const dealii::Vector<double> P = level.found.contact.P.values();
       for (unsigned int k = 0; k < level.m; ++k)
         checks.near("patch test: |P_n|, |P_t|", {P[k], level.tangential(P, k).norm()}, {-0.375, q},
                     1e-12);
@@ -158,7 +158,7 @@ void test_torsion(Checks &checks) {
   const unsigned int n_slip = check_law(checks, level);
   checks.that("some patches slip, others stick", n_slip > 0 && n_slip < level.m);
   // Symmetry: a quarter of a turn about (1/2, 1/2) maps the patches on one another.
-  const dealii::Vector<double> P = level.found.multipliers();
+  const dealii::Vector<double> P = level.found.contact.P.values();
   const auto &multipliers = level.discretization.multipliers;
   const auto &surface = multipliers.surface();
   const auto centre = [&](const unsigned int k) {
@@ -204,8 +204,8 @@ void test_methods(Checks &checks) {
     all.push_back("Solver/Contact solver=psor");
     const SpaceLevel swept(torsion, 3, all);
     checks.near("projected SOR finds the same",
-                distance(newton.found.multipliers(), swept.found.multipliers()), 0.,
-                1e-8 * newton.found.P.linfty_norm());
+                distance(newton.found.contact.P.values(), swept.found.contact.P.values()), 0.,
+                1e-8 * newton.found.contact.P.normal().linfty_norm());
   }
 }
 

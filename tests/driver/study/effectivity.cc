@@ -58,13 +58,14 @@ void finer_reference(Checks &checks) {
   const std::vector<std::string> options = {"Output/Inf-sup constant=false",
                                             "Discretization/Coarsest level=2"};
   const OneLevel fine(block, 7, options);
-  const Displacement U = fine.solve().U;
+  const Displacement U = fine.solve().contact.U;
   for (const char *partition : {"4", "8"}) {
     const OneLevel coarse(block + entry("Discretization", "Patches", partition), 5, options);
     const LevelSolution<2> solution = coarse.solve();
     Displacement difference = fine.space().zero();
     difference.zero_out_ghost_values();
-    dealii::VectorTools::interpolate_to_different_mesh(coarse.space().dofs(), solution.U.entries(),
+    dealii::VectorTools::interpolate_to_different_mesh(coarse.space().dofs(),
+                                                       solution.contact.U.entries(),
                                                        fine.space().dofs(), difference.entries());
     difference -= U;
     const double error = energy_norm(fine.space(), fine.scene, difference);

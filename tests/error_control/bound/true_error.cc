@@ -84,7 +84,7 @@ void check(Checks &checks, Tables &tables, const Case &given) {
     checks.that("all bounds, guaranteed unless sides are curved", complete);
     if (!complete)
       continue;
-    const auto errors = energy_errors(level, level.solution.U);
+    const auto errors = energy_errors(level, level.solution.contact.U);
     const std::optional<double> bounds[] = {bound.absolute, bound.post_absolute};
     for (unsigned int i = 0; i < 2; ++i)
       if (bounds[i] && errors[i] > 1e-12) {

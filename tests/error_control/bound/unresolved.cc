@@ -27,7 +27,7 @@ struct Reference {
   Reference(const std::string &text, const unsigned int number)
     : level(text, number)
     , space(level.discretization.mesh, level.scene)
-    , U(level.solve().U)
+    , U(level.solve().contact.U)
     , energy(square(U)) {}
   double square(const Displacement &V) const {
     const DualVector forces = space.dual(internal_forces(space, level.scene, V).forces);
@@ -51,7 +51,7 @@ void check(Checks &checks, std::ofstream &table, const Unresolved::Given &given,
   const Bounded level(text_of(given) + given.discretization, number);
   Displacement on_fine(fine.U);
   dealii::VectorTools::interpolate_to_different_mesh(
-    level.space().dofs(), level.solution.U.entries(), fine.space.dofs(), on_fine.entries());
+    level.space().dofs(), level.solution.contact.U.entries(), fine.space.dofs(), on_fine.entries());
   Displacement difference(fine.U);
   difference -= on_fine;
   const double error = std::sqrt(fine.square(difference)), energy = fine.square(on_fine);

@@ -26,7 +26,7 @@ Pressure pressure(const MultiplierSpace<2> &space,
 void check(Checks &checks, const std::string &name, const MultiplierSpace<2> &space,
            const Pressure &P, const std::vector<ZoneBracket> &expected) {
   std::vector<double> found, wanted;
-  for (const ZoneBracket &bracket : zone_brackets(space, pressing_states(P)))
+  for (const ZoneBracket &bracket : zone_brackets(space, Multiplier(P).states()))
     found.insert(found.end(), {double(bracket.side), bracket.from, bracket.to});
   for (const ZoneBracket &bracket : expected)
     wanted.insert(wanted.end(), {double(bracket.side), bracket.from, bracket.to});
@@ -62,11 +62,11 @@ void two_sides(Checks &checks) {
   check(checks, "gaps", space, gaps,
         {{2, 0.25 - a, 0.5 - a}, {2, 0.5 + a, 0.75 - a}, {2, 0.75 + a, 1. - a}});
   // Slip, a node that sticks, and open: one bracket; slip both ways: another.
-  std::vector<int> states(space.n_multipliers(), 1);
+  std::vector<NodeState> states(space.n_multipliers(), {true, State::lower});
   const unsigned int first = space.first_of(4);
-  states[first + 2] = 2;
-  std::fill(states.begin() + first + 3, states.begin() + first + 6, 0);
-  std::fill(states.begin() + first + 6, states.end(), 3);
+  states[first + 2] = {true, State::inside};
+  std::fill(states.begin() + first + 3, states.begin() + first + 6, NodeState());
+  std::fill(states.begin() + first + 6, states.end(), NodeState{true, State::upper});
   checks.that("three states", [&]() {
     const std::vector<ZoneBracket> found = zone_brackets(space, states);
     return found.size() == 2 && std::abs(found[0].from - 0.25 + a) < 1e-13 &&

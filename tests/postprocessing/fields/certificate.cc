@@ -16,25 +16,16 @@ struct Solved : public SolvedLevel {
   using SolvedLevel::SolvedLevel;
 
   Certificate judge(const Displacement &displacement, const Pressure &pressure,
-                    const LinearSystem<2> &linear_system, const dealii::Vector<double> &G) const {
-    ContactState<2> contact;
-    contact.U = displacement;
-    contact.P = pressure;
-    contact.diagonal_P = C->diagonal_times(pressure);
+                    const LinearSystem<2> &linear_system) const {
+    ContactSolution<2> found = contact(displacement, pressure);
     // Lives as long as the caller's.
-    contact.system = {std::shared_ptr<void>(), &linear_system};
-    contact.dual.emplace();
-    contact.dual->free = free;
-    contact.dual->F = free.F;
-    contact.dual->C_P = C->apply(pressure);
-    contact.dual->C = C;
-    const NodalForces forces =
-      nodal_forces(space(), scene, linear_system.loads, discretization.D, displacement, pressure);
-    return certify(space(), scene, multipliers(),
-                   {contact, discretization.D, G, forces, discretization.K});
+    found.system = {std::shared_ptr<void>(), &linear_system};
+    return certify(
+      discretization, scene, found,
+      nodal_forces(space(), scene, linear_system.loads, discretization.D, displacement, pressure));
   }
   Certificate judge(const Displacement &displacement, const Pressure &pressure) const {
-    return judge(displacement, pressure, system, discretization.G);
+    return judge(displacement, pressure, system);
   }
 };
 
@@ -128,38 +119,36 @@ void wrong_pressures(Checks &checks, const Solved &solved) {
 
 void wrong_loads(Checks &checks, const Solved &solved) {
   LinearSystem<2> system = assemble_linear_system(solved.space(), solved.scene, 3);
-  const auto &G = solved.discretization.G;
   system.applied.force[0] += 1e-4;
-  Certificate c = solved.judge(solved.U, solved.P, system, G);
+  Certificate c = solved.judge(solved.U, solved.P, system);
   checks.that("wrong resultant: force balance", c.force_balance > 1e-5);
   system.applied.force[0] -= 1e-4;
   system.applied.moment[0] += 1e-4;
-  c = solved.judge(solved.U, solved.P, system, G);
+  c = solved.judge(solved.U, solved.P, system);
   checks.near("wrong moment: force balance", c.force_balance, 0., 1e-12);
   checks.that("wrong moment: moment balance", c.moment_balance > 1e-5);
   system.applied.moment[0] -= 1e-4;
   system.loads *= 1.001;
-  c = solved.judge(solved.U, solved.P, system, G);
+  c = solved.judge(solved.U, solved.P, system);
   checks.that("wrong load vector: stationarity", c.stationarity > 1e-6);
 }
 
 /** P and W = D^T U - G by hand, at rest: U = 0, G = (0, 0, 1, ...). */
-void degenerate(Checks &checks, const Solved &solved) {
+void degenerate(Checks &checks, Solved &solved) {
   const Displacement U = solved.space().displacement(solved.space().make_vector());
   Pressure P(solved.P.size());
-  dealii::Vector<double> G(P.size());
+  dealii::Vector<double> &G = solved.discretization.G;
   G = 1.;
   G[0] = G[1] = G[2] = 0.;
   P[0] = -1.;
-  checks.that("two patches touch without pressure",
-              solved.judge(U, P, solved.system, G).degenerate_patches == 2);
+  checks.that("two patches touch without pressure", solved.judge(U, P).degenerate_patches == 2);
   P[0] = 0.;
   checks.that("three patches touch where nothing presses",
-              solved.judge(U, P, solved.system, G).degenerate_patches == 3);
+              solved.judge(U, P).degenerate_patches == 3);
   G[1] = G[2] = 1e-4;
   P[0] = -1e-17;
   checks.that("rounding is not a pressure, a small gap is an opening",
-              solved.judge(U, P, solved.system, G).degenerate_patches == 1);
+              solved.judge(U, P).degenerate_patches == 1);
 }
 
 /** A body at rest on its foundation: F = 0, so that C is not computed. */
@@ -179,7 +168,7 @@ int main(int argc, char **argv) {
   return run_tests(argc, argv, {[](Checks &checks) {
                      correct_answers(checks);
                      energies(checks);
-                     const Solved pressed(block, 3);
+                     Solved pressed(block, 3);
                      wrong_displacements(checks, pressed);
                      wrong_pressures(checks, pressed);
                      const Solved with_loads(loaded, 3);

@@ -21,23 +21,7 @@ std::string with_ratio(const std::string &text, const unsigned int ratio) {
 }
 
 PressureCorrection correct(const SolvedLevel &given, const Pressure &P) {
-  const Discretization<2> &level = given.discretization;
-  return correct_pressure<2>(
-    {level.space,
-     given.scene,
-     level.multipliers,
-     given.free.U,
-     P,
-     {},
-     level.K,
-     level.condensed_D,
-     *given.inverse,
-     level.n_points,
-     [&](const Coupling &, const Coupling &condensed_D, const Vector &F, const Vector &start) {
-       double seconds = 0.;
-       return std::optional<Vector>(
-         solve_dual_problem(make_compliance(*given.inverse, condensed_D, seconds), F, start, {}).P);
-     }});
+  return correct_pressure(given.discretization, given.scene, given.contact(given.U, P));
 }
 
 /** b.v for a function of V^h that is zero on the supports. */

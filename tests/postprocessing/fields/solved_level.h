@@ -3,6 +3,7 @@
 
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>
+#include <signorini/solvers/methods/contact_method.h>
 
 #include <memory>
 
@@ -13,17 +14,36 @@ struct SolvedLevel : public OneLevel {
   SolvedLevel(const std::string &text, const unsigned int number)
     : OneLevel(text, number)
     , system(assemble_linear_system(space(), scene, discretization.n_points))
-    , inverse(factorise(system.matrix, system.unit, Signorini::LinearSolver::automatic))
+    , inverse(Signorini::factorise(system.matrix, system.unit, Signorini::LinearSolver::automatic))
     , free(solve_free_state(*inverse, space(), system.f, discretization.D, discretization.G))
     , C(make_compliance(*inverse, discretization.condensed_D, seconds))
-    , P(solve_dual_problem(C, free.F, {}, {}).P)
+    , P(solve_dual_problem(C, free.F, discretization.K, {}, {}).P)
     , U(recover(P)) {}
   Signorini::Displacement recover(const Signorini::Pressure &pressure) const {
     return recover_displacement(*inverse, space(), discretization.condensed_D, pressure, system.f);
   }
 
+  /** Returns contact as a method hands it on, with another U and P. The level must outlive it. */
+  Signorini::ContactSolution<2> contact(const Signorini::Displacement &displacement,
+                                        const Signorini::Pressure &pressure) const {
+    Signorini::ContactSolution<2> contact;
+    contact.U = displacement;
+    contact.P = pressure;
+    contact.W = discretization.gap_residual(displacement);
+    contact.diagonal_P = C->diagonal_times(pressure);
+    contact.inverse = inverse;
+    // Lives as long as the level.
+    contact.system = {std::shared_ptr<void>(), &system};
+    contact.dual.emplace();
+    contact.dual->free = free;
+    contact.dual->F = free.F;
+    contact.dual->C_P = C->apply(pressure);
+    contact.dual->C = C;
+    return contact;
+  }
+
   Signorini::LinearSystem<2> system;
-  std::unique_ptr<Signorini::StiffnessInverse> inverse;
+  std::shared_ptr<const Signorini::StiffnessInverse> inverse;
   Signorini::FreeState free;
   double seconds = 0.;
   std::shared_ptr<const Signorini::ComplianceOperator> C;

@@ -99,12 +99,12 @@ void bound(Checks &checks) {
                         "Contact/Gap=(x-0.4)^2/4", "Load/Body force=sin(5*x); 0",
                         "Discretization/Target error=1e-9"});
   const LevelSolution<2> solution = level.solve();
-  const std::string body = body_vtu(level, solution.U, solution.bound_fields);
+  const std::string body = body_vtu(level, solution.contact.U, solution.bound_fields);
   std::ostringstream line;
-  write_contact_vtu<2>(
-    line,
-    trace_contact(level.space(), level.multipliers(), level.scene.boundary, solution.U, solution.P),
-    solution.bound_fields.contact);
+  write_contact_vtu<2>(line,
+                       trace_contact(level.space(), level.multipliers(), level.scene.boundary,
+                                     solution.contact.U, solution.contact.P),
+                       solution.bound_fields.contact);
   const PointField mesh = read_vtu_field(body, "bound_mesh"),
                    oscillation = read_vtu_field(body, "bound_oscillation"),
                    lift = read_vtu_field(body, "bound_lift"),
@@ -125,8 +125,9 @@ void bound(Checks &checks) {
               largest_oscillation > 0. && solution.record.bound->contact.value_or(0.) > 0.);
   checks.near("the side is a field", read_vtu_field(line.str(), "side").at(0)[0],
               level.scene.geometry.find_side("bottom"), 0.);
-  checks.that("bound: none, no fields",
-              read_vtu_field(body_vtu(level, solution.U, BoundFields()), "bound_mesh").empty());
+  checks.that(
+    "bound: none, no fields",
+    read_vtu_field(body_vtu(level, solution.contact.U, BoundFields()), "bound_mesh").empty());
 }
 
 } // namespace

@@ -57,6 +57,13 @@ DualSolverOptions options_for(const ContactSolver method) {
   return options;
 }
 
+MotionResult solve_on(const Beam &beam, const FreeMotions &motions,
+                      const DualSolverOptions &options) {
+  const Vector gaps = gaps_of(beam);
+  return solve_dual_problem(compliance_of(beam), gaps, AdmissibleSet::nonpositive(gaps.size()),
+                            motions, Vector(), options);
+}
+
 double distance(const Vector &found, const Numbers &expected) {
   double largest = std::abs(static_cast<double>(found.size()) - expected.size());
   for (unsigned int i = 0; i < found.size() && i < expected.size(); ++i)
@@ -71,8 +78,7 @@ void compare(Checks &checks, const std::string &name, const Beam &beam, const Fr
     const bool sweeps = method == ContactSolver::psor;
     const std::string full = name + (sweeps ? ", psor" : ", active set");
     const double tolerance = sweeps ? 1e-8 : 1e-11;
-    const MotionResult found = solve_dual_problem(compliance_of(beam), gaps_of(beam), motions,
-                                                  Vector(), options_for(method));
+    const MotionResult found = solve_on(beam, motions, options_for(method));
     checks.near(full + ": P", distance(found.qp.P, P), 0., tolerance);
     if (!q.empty())
       checks.near(full + ": q", distance(found.q, q), 0., tolerance);
@@ -86,8 +92,7 @@ void compare(Checks &checks, const std::string &name, const Beam &beam, const Nu
 }
 
 MotionResult solve(const Beam &beam, const FreeMotions &motions) {
-  return solve_dual_problem(compliance_of(beam), gaps_of(beam), motions, Vector(),
-                            DualSolverOptions());
+  return solve_on(beam, motions, DualSolverOptions());
 }
 
 void balanced_beams(Checks &checks) {
@@ -224,8 +229,9 @@ void empty_problems(Checks &checks) {
   for (unsigned int i = 0; i < 5; ++i)
     for (unsigned int j = 0; j < 5; ++j)
       C(i, j) = std::exp(-0.3 * std::abs(double(i) - double(j)));
-  const MotionResult stopped = solve_dual_problem(
-    std::make_shared<const DenseCompliance>(C), gaps_of(uneven), motions_of(uneven), Vector(), few);
+  const MotionResult stopped =
+    solve_dual_problem(std::make_shared<const DenseCompliance>(C), gaps_of(uneven),
+                       AdmissibleSet::nonpositive(5), motions_of(uneven), Vector(), few);
   checks.that("sweeps run out", !stopped.qp.converged);
 }
 } // namespace

@@ -27,7 +27,8 @@ unsigned int compare(Checks &checks, const std::string &name, const Matrix &C, c
   const QPResult whole = by_active_set(qp, Vector());
   // solve_dual_problem() sees that columns are expensive.
   const auto columns = std::make_shared<const ColumnsOnDemand>(C);
-  const QPResult found = solve_dual_problem(columns, F, start, DualSolverOptions());
+  const QPResult found =
+    solve_dual_problem(columns, F, AdmissibleSet::nonpositive(F.size()), start, {});
   Vector difference = found.P;
   difference -= whole.P;
   checks.near(name + ": P", difference.linfty_norm(), 0., 1e-10 * whole.P.linfty_norm());
@@ -55,8 +56,8 @@ void choice(Checks &checks, const Matrix &C, const Vector &F) {
   DualSolverOptions psor;
   psor.method = ContactSolver::psor;
   const auto by = [](const Matrix &matrix, const Vector &load, const DualSolverOptions &options) {
-    return solve_dual_problem(std::make_shared<const DenseCompliance>(matrix), load, Vector(),
-                              options);
+    return solve_dual_problem(std::make_shared<const DenseCompliance>(matrix), load,
+                              AdmissibleSet::nonpositive(load.size()), Vector(), options);
   };
   const QPResult sets = by(C, F, DualSolverOptions()), sweeps = by(C, F, psor);
   Vector difference = sets.P;

@@ -26,8 +26,8 @@ solve(const MotionProblem &problem,
   Signorini::DualSolverOptions options;
   options.method = method;
   return Signorini::solve_dual_problem(
-    std::make_shared<const Signorini::DenseCompliance>(problem.C), problem.F, problem.motions,
-    start, options);
+    std::make_shared<const Signorini::DenseCompliance>(problem.C), problem.F,
+    Signorini::AdmissibleSet::nonpositive(problem.F.size()), problem.motions, start, options);
 }
 
 /** max |a_i - b_i|. */

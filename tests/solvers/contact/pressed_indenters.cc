@@ -44,7 +44,8 @@ void indenters(Checks &checks) {
         for (unsigned int j = 0; j < 2; ++j)
           F[i] -= problem.motions.B(i, j) * found.q[j];
       const auto C = std::make_shared<const DenseCompliance>(problem.C);
-      const QPResult held = solve_dual_problem(C, F, Vector(), DualSolverOptions());
+      const QPResult held =
+        solve_dual_problem(C, F, AdmissibleSet::nonpositive(F.size()), Vector(), {});
       checks.that("indenter: converged", found.qp.converged);
       checks.near("indenter: the held one has the same P", difference(held.P, found.qp.P), 0.,
                   1e-9 * held.P.linfty_norm());
@@ -52,7 +53,8 @@ void indenters(Checks &checks) {
       checks.between("indenter: linear solves", found.qp.iterations, 1., 2. * held.iterations + 6.);
       const auto columns = std::make_shared<const ColumnsOnDemand>(problem.C);
       const MotionResult few =
-        solve_dual_problem(columns, problem.F, problem.motions, Vector(), DualSolverOptions());
+        solve_dual_problem(columns, problem.F, AdmissibleSet::nonpositive(problem.F.size()),
+                           problem.motions, Vector(), {});
       checks.near("indenter: columns on demand", difference(few.qp.P, found.qp.P), 0.,
                   1e-9 * held.P.linfty_norm());
       unsigned int pressing = 0;
@@ -83,7 +85,8 @@ void singular_compliance(Checks &checks) {
   options.may_be_singular = true;
   const auto by = [&](const MotionProblem &problem) {
     return solve_dual_problem(std::make_shared<const DenseCompliance>(problem.C), problem.F,
-                              problem.motions, Vector(), options);
+                              AdmissibleSet::nonpositive(problem.F.size()), problem.motions,
+                              Vector(), options);
   };
   const MotionResult found = by(twice), expected = by(single);
   Vector sums(m);

@@ -25,7 +25,7 @@ void test_column(Checks &checks) {
                            "Contact/Gap = 0.25\n";
   const OneLevel level(text, 3);
   const LevelSolution<2> solution = level.solve();
-  for (const double p : solution.P)
+  for (const double p : solution.contact.P.normal())
     checks.near("column: p = -w", p, -3., 1e-10);
   // Nodal values of a problem in one dimension with a quadratic solution are exact.
   const double compliance = 3. * 1.2 * 0.6 / (7. * 0.8);
@@ -33,7 +33,7 @@ void test_column(Checks &checks) {
     return dealii::Tensor<1, 2>({0., compliance * (0.5 * x[1] * x[1] - x[1]) - 0.25});
   });
   // All of g is a mean over patches: the lowest node is where the mean says.
-  checks.near("column: u", distance(solution.U, exact), 0., 1e-10);
+  checks.near("column: u", distance(solution.contact.U, exact), 0., 1e-10);
   checks.near("column: motion balance", solution.record.certificate.motion_balance, 0., 1e-10);
 }
 

@@ -49,6 +49,9 @@ struct Discretization {
   /** Returns G for the gap of another scene with the same contact sides. */
   dealii::Vector<double> assemble_gap_of(const Scene<dim> &scene) const;
 
+  /** Returns W = Dᵀ U - G. Collective. */
+  dealii::Vector<double> gap_residual(const Displacement &U) const;
+
 private:
   /** Returns ∫ g ψ_k for functions g of the contact sides. */
   dealii::Vector<double> moments_of(const Scene<dim> &scene,

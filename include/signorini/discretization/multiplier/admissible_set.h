@@ -15,6 +15,10 @@ struct Interval {
   double upper = 0.;
 };
 
+/** How a multiplier lies in its interval or disc: at an end, where it is open or slips, or inside,
+ * where it presses or sticks. A patch with nodes in several states is mixed. */
+enum class State : char { lower, inside, upper, mixed };
+
 /**
  * The closed convex set K of multipliers among which the dual problem seeks P: a product over
  * blocks of unknowns. Contact without friction has K = {P ≤ 0}. With friction P is (P_n, P_t), one
@@ -34,7 +38,8 @@ public:
   AdmissibleSet() = default;
   /** Makes the set with one interval per unknown; all blocks are of size one. */
   explicit AdmissibleSet(std::vector<Interval> intervals)
-    : intervals_(std::move(intervals)) {}
+    : intervals_(std::move(intervals))
+    , n_normal_(intervals_.size()) {}
   /** Returns {P ≤ 0} for n unknowns. */
   static AdmissibleSet nonpositive(const unsigned int n) {
     return AdmissibleSet(std::vector<Interval>(n));
@@ -54,14 +59,26 @@ public:
     return K;
   }
 
+  /** Returns the number of P_n, the first unknowns. */
+  unsigned int n_normal() const {
+    return n_normal_;
+  }
+  bool has_friction() const {
+    return n_normal_ < n_blocks();
+  }
+  /** Returns whether this is {P ≤ 0}. */
+  bool is_nonpositive() const {
+    return std::all_of(intervals_.begin(), intervals_.end(),
+                       [](const Interval &i) { return std::isinf(i.lower) && i.upper == 0.; });
+  }
   /** Returns whether the set moves with P. */
   bool moves() const {
     return !f_.empty();
   }
   /** Returns the set K(P), which does not move. @param P its first part P_n suffices. */
   AdmissibleSet at(const Vector &P) const {
-    AdmissibleSet K(intervals_);
-    K.n_discs_ = n_discs_;
+    AdmissibleSet K(*this);
+    K.f_.clear();
     for (unsigned int k = 0; k < f_.size(); ++k) {
       Interval &interval = K.intervals_[f_.size() + k];
       interval.upper += f_[k] * std::max(0., -P[k]);
@@ -128,6 +145,10 @@ public:
       is_disc(i) ? 4. * std::numeric_limits<double>::epsilon() * intervals_[i].upper : 0.;
     return intervals_[i].lower < p && p < intervals_[i].upper - margin;
   }
+  /** Returns the state of a value p of block i. */
+  State state(const unsigned int i, const double p) const {
+    return is_inside(i, p) ? State::inside : p >= intervals_[i].upper ? State::upper : State::lower;
+  }
   /** Returns whether P_t of block i is as large as its bound, so that the patch slips: up to the
    * tolerance of the solvers, because P_t of projected SOR follows P_n of the sweep before. */
   bool slips(const unsigned int i, const Vector &P) const {
@@ -175,6 +196,7 @@ public:
 private:
   /** One interval per block. */
   std::vector<Interval> intervals_;
+  unsigned int n_normal_ = 0;
   /** The number of pairs among the blocks, which are the last ones. */
   unsigned int n_discs_ = 0;
   /** Coulomb's coefficient of every patch; empty where no interval moves. */

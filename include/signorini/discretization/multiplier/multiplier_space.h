@@ -27,6 +27,12 @@ public:
   using dealii::Vector<double>::operator=;
 };
 
+/** Returns the value below which a pressure presses, -1e-12 max|P|: smaller values are zeros up to
+ * the tolerance of a solver. */
+inline double pressing_threshold(const Pressure &P) {
+  return P.size() == 0 ? 0. : -1e-12 * P.linfty_norm();
+}
+
 /**
  * The space Q^H of functions that are polynomials on every patch; on most meshes constants.
  *
@@ -82,8 +88,8 @@ public:
 
   /** Returns ψ_k at the point @p s of the side, on the patch to which the unknown belongs. */
   double shape_value(unsigned int unknown, const Point<dim - 1> &s) const;
-  /** Returns p_H at a point of a patch; of P_t = (P_t1, P_t2) a component. */
-  double value(const Pressure &P, unsigned int patch, const Point<dim - 1> &s,
+  /** Returns p_H at a point of a patch; of (P_n, P_t) another component than the first. */
+  double value(const Vector &P, unsigned int patch, const Point<dim - 1> &s,
                unsigned int component = 0) const;
 
   /** Returns ∫ ψ_k for all k (length^{dim-1}). */

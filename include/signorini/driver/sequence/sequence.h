@@ -53,9 +53,9 @@ std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context) {
   return make_nested_sequence(context);
 }
 
-/** A callback that gets the number of a load case, from one on, its scene, U, P and P_t. */
-using CaseFields = std::function<void(unsigned int, const Scene<2> &, const Displacement &,
-                                      const Pressure &, const Pressure &)>;
+/** A callback that gets the number of a load case, from one on, its scene, U and P. */
+using CaseFields =
+  std::function<void(unsigned int, const Scene<2> &, const Displacement &, const Multiplier &)>;
 
 /**
  * Solves the load cases of the scene on a level that is solved, and adds the summary to the record.

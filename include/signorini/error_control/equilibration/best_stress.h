@@ -142,7 +142,7 @@ private:
   /** The edges by face of the contact surface. */
   std::vector<unsigned int> contact_edges_;
   /** With friction, by edge: how its patches slip, and the coefficients of Bernstein of s_E. */
-  std::map<unsigned int, SlipState> slips_;
+  std::map<unsigned int, State> slips_;
   std::map<unsigned int, std::vector<double>> friction_bounds_;
   /** The edges on which s_E is far below s. */
   std::set<unsigned int> unresolved_friction_;

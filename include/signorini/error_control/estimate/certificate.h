@@ -59,25 +59,14 @@ struct Certificate {
   static Columns<Certificate> columns();
 };
 
-/** The object of a certificate: contact as a method has found it, and the equations that it solves.
- */
-template <int dim>
-struct SolvedContact {
-  const ContactState<dim> &contact;
-  const Coupling &D;
-  const dealii::Vector<double> &G;
-  /** The nodal forces of U and P, see nodal_forces(). */
-  const NodalForces &forces;
-  const AdmissibleSet &K;
-};
-
 /**
  * Computes the certificate from the cells' integrals, without the assembled and factorised A.
  * Collective.
+ * @param scene with its plates moved. @param forces of U and P, see nodal_forces().
  */
 template <int dim>
-Certificate certify(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                    const MultiplierSpace<dim> &multipliers, const SolvedContact<dim> &solved);
+Certificate certify(const Discretization<dim> &discretization, const Scene<dim> &scene,
+                    const ContactSolution<dim> &contact, const NodalForces &forces);
 
 /**
  * Returns the locking number K/μ (h/l)² with the largest ratio of bulk to shear modulus K =

@@ -5,9 +5,8 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
-#include <signorini/solvers/stiffness/stiffness_inverse.h>
+#include <signorini/solvers/methods/contact_method.h>
 
-#include <functional>
 #include <optional>
 
 namespace Signorini {
@@ -18,33 +17,6 @@ struct PressureCorrection {
   Displacement z;
   /** The energy norm |||z_h||| (root of force x length^{dim-1}). */
   double energy_norm = 0.;
-};
-
-/** Returns P of the dual problem with C = Dᵀ A⁻¹ D, for a D, its condensed form, F and a start;
- * nothing where the solver fails. */
-using DualProblem = std::function<std::optional<dealii::Vector<double>>(
-  const Coupling &D, const Coupling &condensed_D, const dealii::Vector<double> &F,
-  const dealii::Vector<double> &start)>;
-
-/** The data that a correction is computed from. Everything must outlive the call. */
-template <int dim>
-struct PressureData {
-  const DisplacementSpace<dim> &space;
-  const Scene<dim> &scene;
-  const MultiplierSpace<dim> &multipliers;
-  /** The complete nodal values U_0 = A⁻¹ f. */
-  const Displacement &U_free;
-  const Pressure &P;
-  /** P_t; empty without friction. */
-  const Pressure &P_t;
-  const AdmissibleSet &K;
-  const Coupling &condensed_D;
-  const StiffnessInverse &inverse;
-  /** The number of Gauss points per direction for the gap, as in the dual problem. */
-  unsigned int n_points;
-  /** The solver of the dual problem on finer patches, where patches are longer than two faces. If
-   * it is empty, and with friction, the pressure of the given patches is recovered. */
-  DualProblem solve_dual;
 };
 
 /** Returns b_j = ∫_{Γ_c} p v_n for v = φ_j, condensed, as a coupling with a single column.
@@ -58,8 +30,9 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
  * best approximation of u in V^h. p is the RecoveredPressure of p_H with the means of p_H, see
  * recovered_load(). Where patches are longer than two faces, V^h resolves more of the pressure than
  * p_H does. Then p is recovered from the solution on patches of two faces per direction, which
- * costs one more dual problem with the same A. That solution does not penetrate between the means
- * of the given patches, either.
+ * costs one more dual problem with the same A (not after V-cycles, where each column of C would be
+ * a linear solve, and not with friction). That solution does not penetrate between the means of the
+ * given patches, either.
  *
  * With friction b contains q v_t, where q is recovered like p and cut off at the bound of friction.
  *
@@ -68,7 +41,8 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
  * difference. Collective.
  */
 template <int dim>
-PressureCorrection correct_pressure(const PressureData<dim> &data);
+PressureCorrection correct_pressure(const Discretization<dim> &discretization,
+                                    const Scene<dim> &scene, const ContactSolution<dim> &contact);
 
 /** The parts of an error that neither π^{2h} nor a recovered pressure shows (energy norms). */
 struct OtherErrors {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/error_control/hp/next_plan.h>
 #include <signorini/problem/scene/scene.h>
+#include <signorini/solvers/methods/contact_method.h>
 
 #include <optional>
 #include <vector>
@@ -57,19 +56,6 @@ struct StepField {
  * Where curved cells are split, the maps of both cells are assumed to agree. */
 double energy_distance(const StepField &u, const StepField &v, const Scene<2> &scene);
 
-/** Contact as it was found on one mesh of a graded sequence. */
-struct SolvedStep {
-  const DisplacementSpace<2> &space;
-  const MultiplierSpace<2> &multipliers;
-  const AdmissibleSet &K;
-  const Displacement &U;
-  const Pressure &P;
-  /** Empty without friction. */
-  const Pressure &P_t;
-  /** The error that the contact solver leaves, (force length)^{1/2}. */
-  double algebraic_error = 0.;
-};
-
 /** Examines the steps of a graded sequence one after the other. */
 class StepExamination {
 public:
@@ -85,8 +71,8 @@ public:
    * @param planned the factor by which the mesh was planned to reduce the error.
    * @throws InputError where g has no value.
    */
-  StepFindings examine(const SolvedStep &step, const std::optional<StepField> &before,
-                       double planned);
+  StepFindings examine(const Discretization<2> &discretization, const ContactSolution<2> &contact,
+                       const std::optional<StepField> &before, double planned);
 
   /** Returns whether the estimates do not fall any more, see ErrorHistory. */
   bool stagnates() const {

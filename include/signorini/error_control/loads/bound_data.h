@@ -3,8 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/discretization/multiplier/admissible_set.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/multiplier/multiplier.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
 namespace Signorini {
@@ -14,17 +13,14 @@ struct BoundData {
   const Scene<2> &scene;
   const MultiplierSpace<2> &multipliers;
   const Displacement &U;
-  const Pressure &P;
-  /** P_t; empty without friction. */
-  const Pressure &P_t;
-  const AdmissibleSet &K;
+  const Multiplier &P;
   const StiffnessInverse &inverse;
   const Coupling &condensed_D;
   /** The energy J(u_h) = a(u_h, u_h)/2 - f(u_h) (force x length per thickness). */
   double energy;
 
   bool has_friction() const {
-    return P_t.size() > 0;
+    return P.has_friction();
   }
 };
 } // namespace Signorini

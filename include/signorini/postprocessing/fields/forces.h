@@ -6,8 +6,7 @@
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/elasticity/linear_system.h>
 #include <signorini/discretization/mesh/contact_surface.h>
-#include <signorini/discretization/multiplier/admissible_set.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/multiplier/multiplier.h>
 
 #include <algorithm>
 #include <array>
@@ -46,24 +45,6 @@ struct PressedInterval {
  */
 std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipliers,
                                                const Pressure &P);
-
-/** Returns the value below which a pressure presses, -1e-12 max|P|: smaller values are zeros up to
- * the tolerance of a solver. */
-double pressing_threshold(const Pressure &P);
-
-/** Returns for each multiplier 1 where it presses, below pressing_threshold(P), else 0. */
-std::vector<int> pressing_states(const Pressure &P);
-
-/** Returns for each patch whether all of its multipliers press. */
-std::vector<bool> pressing_patches(const MultiplierSpace<2> &multipliers, const Pressure &P);
-
-/** How the multipliers P_t of a patch lie in their intervals: all inside, so that it sticks, or
- * without friction; all at the lower ends, all at the upper ends, or otherwise. */
-enum class SlipState { none, lower, upper, mixed };
-
-/** Returns the states of all patches. */
-std::vector<SlipState> slip_states(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
-                                   const Pressure &P, const Pressure &P_t);
 
 /** A summary of the contact pressure. */
 struct ContactSummary {
@@ -137,8 +118,7 @@ Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Pat
 struct SideNode {
   /** The arc length (length). */
   double s;
-  /** What the body does there; where it presses or not, 1 or 0. */
-  int state;
+  NodeState state;
 };
 
 /** The nodes of one side in the order of arc length. */
@@ -152,7 +132,7 @@ struct SideNodes {
 
 /** Returns the nodes of all multipliers, side after side, with the given states. */
 std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
-                                     const std::vector<int> &states);
+                                     const std::vector<NodeState> &states);
 
 /** Returns the runs of two or more neighbouring nodes each of which differs from the next: a zone
  * ends between the first and the last of each. Around a closed side, the positions go on beyond its
@@ -192,18 +172,17 @@ struct NodalForces {
 
 /**
  * Computes the forces. Collective.
- * @param loads LinearSystem::loads.
+ * @param loads LinearSystem::loads. @param P all multipliers, as D has columns.
  */
 template <int dim>
 NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                          const DistributedVector &loads, const Coupling &D, const Displacement &U,
-                         const Pressure &P);
+                         const dealii::Vector<double> &P);
 
-/** Returns ∫ p_H n and ∫ p_H x × n over a piece of Γ_c; with friction p_H n + q_H t in the place of
- * p_H n. @param P_t is empty without friction. */
+/** Returns the force and the moment of p_H n + q_H on a piece of Γ_c. */
 template <int dim>
-Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers, const Pressure &P,
-                                 const Piece<dim> &piece, const Pressure &P_t = {});
+Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
+                                 const Multiplier &multiplier, const Piece<dim> &piece);
 
 /** Returns u_{h,n} - g at the points of a rule on a piece, positive where the body penetrates, or
  * the slip u_{h,t} - g_t. @throws InputError where g has no value. */

@@ -5,11 +5,8 @@
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/quantities/friction.h>
 #include <signorini/problem/scene/scene.h>
-#include <signorini/solvers/contact/compliance.h>
-#include <signorini/solvers/kinematics/free_motions.h>
-#include <signorini/solvers/kinematics/motion_modes.h>
+#include <signorini/solvers/methods/contact_method.h>
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,24 +39,6 @@ struct CaseResult {
   bool converged = false;
 };
 
-/** A solved level that cases are computed on; all members must outlive the solver. */
-struct CaseData {
-  const DisplacementSpace<2> &space;
-  const Scene<2> &scene;
-  const MultiplierSpace<2> &multipliers;
-  const Coupling &D;
-  const Coupling &condensed_D;
-  const StiffnessInverse &inverse;
-  const MotionModes<2> &modes;
-  /** The number of Gauss points per direction for loads. */
-  unsigned int n_points;
-  /** Returns G_k = ∫ g ψ_k for the gap of a scene. */
-  std::function<dealii::Vector<double>(const Scene<2> &)> gap;
-  DualSolverOptions options;
-  /** Whether each case goes on from the slip of the one before. */
-  bool are_steps = false;
-};
-
 /**
  * Solves load cases with one factorisation. The displacement without contact is linear in the
  * loads: U_0 = Σ_i a_i U_i with one U_i for forces, weight and travel each. So a case needs
@@ -75,8 +54,13 @@ struct CaseData {
  */
 class CaseSolver {
 public:
-  /** Solves once for each kind of load that the scene has. Collective. */
-  explicit CaseSolver(CaseData data);
+  /**
+   * Solves once for each kind of load that the scene has. Collective.
+   * @param scene, discretization, contact the solved level; they must outlive the object.
+   * @param are_steps whether each case goes on from the slip of the one before.
+   */
+  CaseSolver(const Discretization<2> &discretization, const Scene<2> &scene,
+             const ContactSolution<2> &contact, DualSolverOptions options, bool are_steps = false);
   CaseSolver(const CaseSolver &) = delete;
   CaseSolver &operator=(const CaseSolver &) = delete;
 
@@ -84,12 +68,8 @@ public:
   CaseResult solve(const LoadCase &load_case);
 
   /** Returns P of the last case. */
-  const Pressure &pressure() const {
+  const Multiplier &multiplier() const {
     return P_;
-  }
-  /** Returns P_t of the last case; empty without friction. */
-  const Pressure &friction() const {
-    return P_t_;
   }
   /** Returns U of the last case by one more solve. Collective. */
   Displacement displacement() const;
@@ -111,7 +91,7 @@ private:
   /** Returns G. */
   dealii::Vector<double> gap_of(const LoadCase &load_case) const;
   /** Summarises friction, and remembers the slip of a step. */
-  FrictionSummary finish_step(const dealii::Vector<double> &P, const dealii::Vector<double> &F);
+  FrictionSummary finish_step(const dealii::Vector<double> &F);
   /** Returns whether the loads of a case drive a motion that contact does not resist. */
   bool slides(const LoadCase &load_case) const;
   /**
@@ -120,14 +100,18 @@ private:
    */
   CaseResult solve_dual(const LoadCase &load_case);
 
-  CaseData data_;
+  const Discretization<2> &discretization_;
+  const Scene<2> &scene_;
+  const ContactSolution<2> &contact_;
+  DualSolverOptions options_;
+  bool are_steps_;
   double seconds_ = 0.;
   std::shared_ptr<const ComplianceOperator> C_;
   FullMatrix<double> B_;
   dealii::Vector<double> G_;
   std::vector<LoadResponse> responses_;
   LoadCase last_;
-  Pressure P_, P_t_;
+  Multiplier P_;
   dealii::Vector<double> q_;
   /** The slip and the dissipation since the beginning; zero where cases are no steps. */
   dealii::Vector<double> slip_;

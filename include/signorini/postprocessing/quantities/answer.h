@@ -51,5 +51,5 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
 template <int dim>
 Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                       const MultiplierSpace<dim> &multipliers, const NodalForces &forces,
-                      const Displacement &U, const Pressure &P, const Pressure &P_t = {});
+                      const Displacement &U, const Multiplier &multiplier);
 } // namespace Signorini

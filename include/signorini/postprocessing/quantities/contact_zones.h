@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/multiplier/multiplier.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 
 #include <vector>
@@ -15,9 +15,9 @@ struct ZoneBracket {
 };
 
 /** Returns all brackets, side after side; those that share a node are one.
- * @param states of all multipliers, as pressing_states(). */
+ * @param states of all nodes. */
 std::vector<ZoneBracket> zone_brackets(const MultiplierSpace<2> &multipliers,
-                                       const std::vector<int> &states);
+                                       const std::vector<NodeState> &states);
 
 /** One end of a contact zone. */
 struct ZoneEnd {

@@ -2,37 +2,13 @@
 #pragma once
 
 #include <signorini/base/columns.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/multiplier/multiplier.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
 #include <optional>
 #include <vector>
 
 namespace Signorini {
-/** What the body does at the node of a multiplier, on most meshes on a patch. The numbers are those
- * of contact-LL.csv. */
-enum class FrictionState { open = 0, stick = 1, slip = 2 };
-
-/** Returns the state at every node: it is open where nothing presses, and sticks where P_t is
- * inside of its interval or disc. @param P the vector (P_n, P_t). */
-std::vector<FrictionState> friction_states(const AdmissibleSet &K, const dealii::Vector<double> &P);
-
-/** Returns numbers that differ between nodes in different zones: whether they press, and whether
- * P_t is at the lower or the upper end of its interval, or inside. @param P_t is empty without
- * friction. */
-std::vector<int> zone_states(const AdmissibleSet &K, const Pressure &P, const Pressure &P_t);
-
-/** Returns for every patch whether it sticks at all nodes; no patch does without friction. */
-std::vector<bool> sticking_patches(const MultiplierSpace<2> &multipliers, const AdmissibleSet &K,
-                                   const Pressure &P, const Pressure &P_t);
-
-/** Returns the shares of P_t in its bounds. */
-Pressure friction_shares(const AdmissibleSet &K, const Pressure &P, const Pressure &P_t);
-
-/** Returns the same shares of the bounds that belong to another P, so that an active set method
- * begins with the states that the shares come from. */
-Pressure friction_of_shares(const AdmissibleSet &K, const Pressure &P, const Pressure &shares);
-
 /** Friction on one level (force per thickness, work per thickness, lengths; in space force, work,
  * areas). */
 struct FrictionSummary {
@@ -59,9 +35,8 @@ struct FrictionSummary {
   static Columns<FrictionSummary> columns();
 };
 
-/** Summarises friction. @param P the vector (P_n, P_t). @param W the vector Dᵀ U - G. */
+/** Summarises friction. @param W the vector Dᵀ U - G. */
 template <int dim>
-FrictionSummary summarise_friction(const MultiplierSpace<dim> &multipliers, const AdmissibleSet &K,
-                                   const dealii::Vector<double> &P,
+FrictionSummary summarise_friction(const MultiplierSpace<dim> &space, const Multiplier &multiplier,
                                    const dealii::Vector<double> &W);
 } // namespace Signorini

@@ -35,8 +35,7 @@ SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
  * straight side. */
 template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,
-                        const std::vector<unsigned int> &sides, const Pressure &P,
-                        const Pressure &P_t = {});
+                        const std::vector<unsigned int> &sides, const Multiplier &multiplier);
 
 /**
  * Returns the reaction of every clamped, prescribed and roller side: the sum of

@@ -3,8 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
-#include <signorini/postprocessing/quantities/friction.h>
+#include <signorini/discretization/multiplier/multiplier.h>
 
 #include <optional>
 #include <ostream>
@@ -15,11 +14,12 @@ namespace Signorini {
 /** What friction does at one point. */
 struct FrictionPoint {
   /** The tangential traction q_H, and the largest one that is allowed; in space |q_H|. */
-  double q_H, s_H;
+  double q_H = 0., s_H = 0.;
   /** The slip u_t - g_t (length); in space its norm. */
-  double slip;
-  FrictionState state;
-  std::optional<double> q_exact;
+  double slip = 0.;
+  /** 0: open, 1: it sticks, 2: it slips. */
+  int state = 0;
+  std::optional<double> q_exact = {};
   /** The same as vectors in space; empty in the plane. */
   Tensor<1, 3> traction = {}, slip_vector = {};
 };
@@ -31,11 +31,11 @@ struct ContactPoint {
   /** The coordinates on the side; in 2-D the arc length. */
   Point<dim - 1> s;
   Point<dim> x;
-  double p_H;
-  double p_recovered;
+  double p_H = 0.;
+  double p_recovered = 0.;
   Tensor<1, dim> u;
-  double u_n;
-  double g;
+  double u_n = 0.;
+  double g = 0.;
   std::optional<double> p_exact;
   std::optional<FrictionPoint> friction;
 };
@@ -62,13 +62,12 @@ template <int dim>
 using TracedContact = std::vector<ContactPiece<dim>>;
 
 /** Returns the contact boundary for tables and files. @param boundary the gap and the exact
- * pressure of every side. @param K, P_t with friction; else empty. */
+ * pressure of every side. */
 template <int dim>
 TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                                  const MultiplierSpace<dim> &multipliers,
                                  const std::vector<BoundaryCondition<dim>> &boundary,
-                                 const Displacement &U, const Pressure &P,
-                                 const AdmissibleSet &K = {}, const Pressure &P_t = {});
+                                 const Displacement &U, const Multiplier &P);
 
 /** Writes contact-LL.csv. */
 template <int dim>

@@ -35,8 +35,7 @@ public:
   /** Writes solution-case-NNNNNN.vtu and contact-case-NNNNNN.csv of a load case.
    * @param scene the scene of the case. */
   void write_case_fields(const Discretization<2> &discretization, const Scene<2> &scene,
-                         const Displacement &U, const Pressure &P, const Pressure &P_t,
-                         unsigned int number);
+                         const Displacement &U, const Multiplier &P, unsigned int number);
   /** Writes cases.csv. */
   void write_cases(const std::vector<CaseResult> &cases);
 

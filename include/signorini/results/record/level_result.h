@@ -7,9 +7,10 @@
 #include <memory>
 
 namespace Signorini {
-/** The solution of one level: contact as it was found, and its record. */
+/** The solution of one level with its record. */
 template <int dim>
-struct LevelSolution : ContactState<dim> {
+struct LevelSolution {
+  ContactSolution<dim> contact;
   LevelRecord record;
   /** The parts of the bound; empty if record.bound is empty. */
   BoundFields bound_fields;
@@ -27,7 +28,7 @@ struct LevelResult {
   bool is_last = false;
 
   PatchPressure<dim> pressure() const {
-    return {discretization->surface.patches(), solution.P};
+    return {discretization->surface.patches(), solution.contact.P.normal()};
   }
 };
 } // namespace Signorini

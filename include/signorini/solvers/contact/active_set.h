@@ -7,20 +7,14 @@
 #include <vector>
 
 namespace Signorini {
-/** The state of an unknown: at the lower end of its interval, inside, or at the upper end. */
-enum class State : char { lower, inside, upper };
+/** The states of all unknowns. */
 using States = std::vector<State>;
 
-/** Returns the state of an unknown p in the interval i of a set that does not move. */
-inline State state_of(const AdmissibleSet &K, const unsigned int i, const double p) {
-  return K.is_inside(i, p) ? State::inside : p >= K[i].upper ? State::upper : State::lower;
-}
-
-/** Returns the states of all unknowns. */
+/** Returns the states of P in a set that does not move. */
 inline States states_of(const AdmissibleSet &K, const dealii::Vector<double> &P) {
   States states(K.size());
   for (unsigned int i = 0; i < K.size(); ++i)
-    states[i] = state_of(K, i, P[i]);
+    states[i] = K.state(i, P[i]);
   return states;
 }
 

@@ -174,11 +174,10 @@ struct MotionResistance {
 struct IterationOptions {
   /** The tolerance of the KKT residual, for projected SOR also of the increment. */
   double tolerance = 1e-10;
-  /** The maximal number of sweeps, or linear solves. */
+  /** The maximal number of sweeps or linear solves. */
   unsigned int maximum_iterations = 100000;
   /** The factor ω of projected SOR, 0 < ω < 2. */
   double relaxation = 1.1;
-};
 };
 
 /** The result of a solver of the dual problem. */
@@ -187,8 +186,7 @@ struct QPResult {
   /** The free motions of Balances. Where pressing patches leave a motion free (tipping about an
    * edge), one of several solutions. */
   dealii::Vector<double> z;
-  /** The number of sweeps of projected SOR, linear solves of an active set method, or products of
-   * MPRGP. */
+  /** The number of sweeps of projected SOR, or linear solves of an active set method. */
   unsigned int iterations = 0;
   double kkt_residual = 0.;
   bool converged = false;

@@ -15,8 +15,6 @@ struct DualSolverOptions : public IterationOptions {
   ContactSolver method = ContactSolver::active_set;
   /** Whether C may be singular: then QPResult::unique is determined. */
   bool may_be_singular = false;
-  /** The set of admissible P; without unknowns: P ≤ 0. */
-  AdmissibleSet K = {};
 };
 
 /**
@@ -28,8 +26,9 @@ struct DualSolverOptions : public IterationOptions {
  * @param start a pressure to start from; empty: none.
  */
 QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
-                            const dealii::Vector<double> &F, const dealii::Vector<double> &start,
-                            const DualSolverOptions &options, const Balances &balances = {});
+                            const dealii::Vector<double> &F, const AdmissibleSet &K,
+                            const dealii::Vector<double> &start, const DualSolverOptions &options,
+                            const Balances &balances = {});
 
 /** A solver of the dual problem that gets a start, which may be empty. */
 using QPSolver =

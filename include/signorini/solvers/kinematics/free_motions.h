@@ -23,8 +23,6 @@ struct FreeMotions {
   /** The sums of the absolute values of the terms of b_j; b_j has a rounding error relative to
    * them. Empty: |b_j|. */
   dealii::Vector<double> b_magnitude = {};
-  /** The admissible P; without unknowns: P ≤ 0. */
-  AdmissibleSet admissible = {};
 };
 
 /**
@@ -37,11 +35,11 @@ struct ReducedMotions {
 
   /**
    * Reduces the motions.
-   * @param m the number of patches.
+   * @param admissible the set of P.
    * @param stiffness a typical stiffness of the contact, the sum over all patches of |B_i|²/C_ii
    * with columns of B of norm one. K is zero where it is below 1e-12 of it.
    */
-  ReducedMotions(const FreeMotions &motions, unsigned int m, double stiffness);
+  ReducedMotions(const FreeMotions &motions, const AdmissibleSet &admissible, double stiffness);
 
   /** The balances of the n ≤ k reduced motions; without a pressure if a motion escapes. */
   Balances balances;
@@ -95,7 +93,9 @@ struct MotionResult {
 /**
  * Solves the dual problem with free motions: P and q with
  *
- *     W = C P + B q - F ≤ 0,   P ≤ 0,   P.W = 0,   K q - Bᵀ P = b.
+ *     W = C P + B q - F,  P in K,  Wᵀ(Q - P) ≥ 0 for all Q in K,   R q - Bᵀ P = b
+ *
+ * with the resistance R = FreeMotions::K.
  *
  * Existence is decided first (ReducedMotions::escape); then the reduced motions are the multipliers
  * of Balances.
@@ -103,8 +103,8 @@ struct MotionResult {
  * @param start a pressure to start from; empty: none.
  */
 MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
-                                const dealii::Vector<double> &F, const FreeMotions &motions,
-                                const dealii::Vector<double> &start,
+                                const dealii::Vector<double> &F, const AdmissibleSet &K,
+                                const FreeMotions &motions, const dealii::Vector<double> &start,
                                 const DualSolverOptions &options);
 
 /** Returns the regularity of a solution with Coulomb's friction, see examine_regularity(). */

@@ -66,6 +66,8 @@ struct MotionModes {
   /** Returns the motions of the plates with q, without the given part. */
   std::vector<PlateMotion> plate_motions(const std::vector<Plate> &plates,
                                          const dealii::Vector<double> &q) const;
+  /** Returns the work of the forces on plates, which loads do not contain. */
+  double work_of_plates(const std::vector<Plate> &plates, const dealii::Vector<double> &q) const;
 };
 
 /** Computes the modes: one solve for each mode that strains the body. Collective. */

@@ -4,6 +4,7 @@
 #include <signorini/base/columns.h>
 #include <signorini/discretization/elasticity/linear_system.h>
 #include <signorini/discretization/level/discretization.h>
+#include <signorini/discretization/multiplier/multiplier.h>
 #include <signorini/problem/parameters/options.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_problem.h>
@@ -54,13 +55,8 @@ struct LinearSolves {
 
 /** The start of a method. Each part may be missing. */
 struct ContactStart {
-  /** Stores the start. @param P a pressure on the patches of the level; empty: none. */
-  explicit ContactStart(Pressure P = {})
-    : P(std::move(P)) {}
-
-  Pressure P;
-  /** The tangential tractions of the same patches; empty without friction. */
-  Pressure P_t;
+  /** (P_n, P_t) on the patches of the level; empty: none. */
+  dealii::Vector<double> P;
   /** Nodal values of a displacement; empty: none. Only V-cycles use it. */
   Displacement U;
   /** The scale t of the level before, see ContactIterationOptions; zero: none. */
@@ -89,13 +85,15 @@ struct CycleData {
   double energy_of_residual = 0.;
 };
 
-/** Contact on one level as a method has found it. Exactly one of dual and cycles is set. */
+/** Contact on one level, made by a method once for all who read it. Exactly one of dual and cycles
+ * is set. */
 template <int dim>
-struct ContactState {
+struct ContactSolution {
   Displacement U;
-  Pressure P;
-  /** The tangential tractions of the patches; empty without friction. */
-  Pressure P_t;
+  Multiplier P;
+  /** The gap residual Dᵀ U - G: W_n ≤ 0 is the mean opening of a patch times its measure, and W_t
+   * its slip (length^dim). */
+  dealii::Vector<double> W;
   /** The coordinates q of the free motions; empty if there are none. */
   dealii::Vector<double> q;
   /** The products C_kk P_k, how far each multiplier opens its own patch; empty if nothing touches.
@@ -116,16 +114,6 @@ struct ContactState {
   MotionModes<dim> modes;
   std::optional<DualData> dual;
   std::optional<CycleData> cycles;
-
-  /** Returns (P, P_t), the vector that D, G and C belong to. */
-  dealii::Vector<double> multipliers() const {
-    return join(P, P_t);
-  }
-  /** Divides that vector; @p m is the number of patches' pressures. */
-  void set_multipliers(const dealii::Vector<double> &all, const unsigned int m) {
-    P = Pressure(dealii::Vector<double>(all.begin(), all.begin() + m));
-    P_t = Pressure(dealii::Vector<double>(all.begin() + m, all.end()));
-  }
 };
 
 /** A callback that gets the name of the current stage, for the user to watch. */
@@ -169,8 +157,8 @@ public:
 
   /** Finds contact. Collective. @throws InputError if contact cannot hold the body.
    * @throws ComputationError if a solver fails. */
-  virtual ContactState<dim> solve(const Discretization<dim> &discretization,
-                                  const ContactStart &start, const Progress &progress) const = 0;
+  virtual ContactSolution<dim> solve(const Discretization<dim> &discretization,
+                                     const ContactStart &start, const Progress &progress) const = 0;
 };
 
 /**
@@ -193,7 +181,7 @@ struct CouplingPair {
  * @p start; motions begin at contact.q. Needs contact.dual. @return nothing if the solver fails.
  */
 template <int dim>
-std::optional<dealii::Vector<double>> solve_on_other_patches(const ContactState<dim> &contact,
+std::optional<dealii::Vector<double>> solve_on_other_patches(const ContactSolution<dim> &contact,
                                                              const CouplingPair &patches,
                                                              const dealii::Vector<double> &F,
                                                              const dealii::Vector<double> &start);
