@@ -84,27 +84,35 @@ public:
     progress("errors");
     add_errors<2>(parameters, context_.scene, discretization, nullptr, solution);
     last_ = {next_, solution.contact.U, solution.contact.P};
-    // Where the contact solver did not converge, there is no solution to plan a mesh from.
-    result.is_last = !record.dual.converged || examination_.stagnates();
-    bool is_finished = false;
-    if (context_.judge.reaches_target(record) && !result.is_last) {
-      finish_level(problem, discretization, true, progress, solution);
-      result.is_last = context_.judge.reaches_target(record) &&
-                       (is_guaranteed(record) || examination_.is_checked(findings));
-      if (bound_of(record))
-        findings.error = std::max(findings.error, record.bound->absolute.value_or(0.));
-      is_finished = true;
-    }
-    result.is_last = result.is_last ||
-                     is_out_of_reach(findings.error, bound_of(record).has_value()) ||
-                     !plan_next(findings);
-    if (!is_finished)
-      finish_level(problem, discretization, result.is_last, progress, solution);
+    result.is_last = finish(problem, discretization, progress, findings, solution);
     ++n_steps_;
     return result;
   }
 
 private:
+  /** Adds the bound where the estimate reaches the target or the sequence ends. @return whether
+   * this step is the last. */
+  bool finish(const LevelProblem<2> &problem, const Discretization<2> &discretization,
+              const Progress &progress, StepFindings &findings, LevelSolution<2> &solution) {
+    const LevelRecord &record = solution.record;
+    const Judge &judge = context_.judge;
+    // Where the contact solver did not converge, there is no solution to plan a mesh from.
+    const bool fails = !record.dual.converged || examination_.stagnates();
+    const bool may_suffice = !fails && judge.reaches_target(record);
+    if (may_suffice)
+      finish_level(problem, discretization, true, progress, solution);
+    const bool suffices = may_suffice && judge.reaches_target(record) &&
+                          (is_guaranteed(record) || examination_.is_checked(findings));
+    const bool has_bound = bound_of(record).has_value();
+    if (has_bound)
+      findings.error = std::max(findings.error, record.bound->absolute.value_or(0.));
+    const bool is_last =
+      fails || suffices || is_out_of_reach(findings.error, has_bound) || !plan_next(findings);
+    if (!may_suffice)
+      finish_level(problem, discretization, is_last, progress, solution);
+    return is_last;
+  }
+
   std::shared_ptr<const Discretization<2>> make_discretization() const {
     return std::make_shared<const Discretization<2>>(context_.parameters, scene_, plan_);
   }

@@ -101,7 +101,7 @@ Displacement relaxed_displacement(const BoundData &data, const Coupling &E, cons
   constexpr unsigned int max_steps = 80;
   constexpr double tolerance = 0.03;
   unsigned int n_steps = 5;
-  const StiffnessOperator &A = dynamic_cast<const MultigridInverse &>(data.inverse).stiffness();
+  const StiffnessOperator &A = *data.inverse.cycles();
   Vector w(f.size()), g(f.size());
   double last_J = std::numeric_limits<double>::infinity();
   for (unsigned int n_sets = 0; n_sets < max_sets; ++n_sets) {
@@ -186,8 +186,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
     Vector F =
       nodes.E.transpose_product(solve_homogeneous(data.inverse, data.space, pressure_forces));
     F -= required;
-    double seconds = 0.;
-    Vector minus_Q = solve_dual_problem(make_compliance(data.inverse, nodes.E, seconds), F,
+    Vector minus_Q = solve_dual_problem(make_compliance(data.inverse, nodes.E), F,
                                         AdmissibleSet(intervals), start, {})
                        .P;
     minus_Q *= -1.;
@@ -206,19 +205,20 @@ Displacement pushed_displacement(const BoundData &data, const Coupling &E, const
   if (!data.inverse.has_factors())
     return relaxed_displacement(data, E, targets, Vector(data.space.dofs().n_dofs()),
                                 std::vector<bool>(targets.size(), true), 1);
-  double seconds = 0.;
-  const auto known = make_compliance(data.inverse, E, seconds);
-  const SolvedCompliance solved(data.inverse, E, {});
+  const auto pushed_by = [&](const Vector &Q_E) {
+    DistributedVector forces = data.space.make_vector();
+    E.add_product(Q_E, forces);
+    return solve_homogeneous(data.inverse, data.space, forces);
+  };
+  const auto known = make_compliance(data.inverse, E);
   LinearOperator<Vector> C;
   C.vmult = [&](Vector &y, const Vector &x) {
-    y = known->is_explicit() ? known->apply(x) : solved.apply(x);
+    y = known->is_explicit() ? known->apply(x) : E.transpose_product(pushed_by(x));
   };
   // Any Q would do: what is lacking is imposed.
   IterationNumberControl control(1000, 1e-4 * targets.l2_norm());
   SolverCG<Vector>(control).solve(C, Q, targets, PreconditionIdentity());
-  DistributedVector forces = data.space.make_vector();
-  E.add_product(Q, forces);
-  return solve_homogeneous(data.inverse, data.space, forces);
+  return pushed_by(Q);
 }
 } // namespace
 

@@ -163,18 +163,25 @@ void take_limit(const std::function<double(double)> &f, const double t, const do
     value = limit;
 }
 
-/** Halves intervals where f is far from a parabola, and marks those where it stays so. */
-void refine(const std::function<double(double)> &f, const double allowed, unsigned int n_scanned,
-            std::vector<SampledInterval> &intervals) {
+/** Halves intervals where f is far from a parabola, and marks those where it stays so. Where f
+ * comes close to zero and the parabola is raised by more than that, halves follow up to rounding: a
+ * body that merely touches does not move. */
+void refine(const std::function<double(double)> &f, const double allowed, const double rounding,
+            unsigned int n_scanned, std::vector<SampledInterval> &intervals) {
+  constexpr unsigned int n_passes = 6, n_touching_passes = 20;
   const auto is_rough = [allowed](const SampledInterval &interval) {
     return interval.max_excess(true) > allowed;
   };
-  for (unsigned int pass = 0; pass < 6; ++pass) {
+  const auto only_touches = [rounding](const SampledInterval &interval) {
+    const double largest = *std::max_element(interval.f.begin(), interval.f.end());
+    return interval.lift(largest) > std::max(std::abs(largest), rounding);
+  };
+  for (unsigned int pass = 0; pass < n_touching_passes; ++pass) {
     // The halves have the points of the whole, and not less than four each.
     n_scanned = n_scanned == 0 ? 0 : std::max(4U, n_scanned / 2);
     std::vector<SampledInterval> finer;
     for (const SampledInterval &whole : intervals)
-      if (is_rough(whole)) {
+      if ((pass < n_passes && is_rough(whole)) || only_touches(whole)) {
         const double middle = 0.5 * (whole.start + whole.end);
         finer.push_back(sample(f, whole.start, middle, n_scanned));
         finer.push_back(sample(f, middle, whole.end, n_scanned));
@@ -246,7 +253,7 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
       parts.push_back({breaks[k], breaks[k + 1], chord(breaks[k]), chord(breaks[k + 1]), 0.});
     upper.function = EdgeFunction(std::move(parts));
   } else {
-    refine(f, std::max(0.01 * range, rounding), n_scanned, intervals);
+    refine(f, std::max(0.01 * range, rounding), rounding, n_scanned, intervals);
     upper.function = raised(intervals, pinned);
   }
   upper.largest = first;

@@ -32,7 +32,7 @@ CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &
   , contact_(contact)
   , options_(std::move(options))
   , are_steps_(are_steps)
-  , C_(make_compliance(*contact_.inverse, discretization_.condensed_D, seconds_))
+  , C_(make_compliance(*contact_.inverse, discretization_.condensed_D))
   , B_(contact_.modes.couple(discretization_.D))
   , G_(discretization_.assemble_gap_of(scene_))
   , slip_(discretization_.multipliers.n_multipliers()) {

@@ -291,10 +291,9 @@ double measure_inf_sup(const DisplacementSpace<dim> &space, const MultiplierSpac
                        const Coupling &condensed_D, const LinearSolver linear_solver) {
   const TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
   const auto inverse = factorise(A_1, 1., linear_solver, contact_unknowns(condensed_D));
-  double seconds = 0.;
   const unsigned int m = multipliers.n_multipliers();
   LAPACKFullMatrix<double> DA_1D(m), S(m);
-  DA_1D = make_compliance(*inverse, condensed_D, seconds)->dense();
+  DA_1D = make_compliance(*inverse, condensed_D)->dense();
   S = dual_gram_matrix(multipliers);
   std::vector<dealii::Vector<double>> no_eigenvectors;
   DA_1D.compute_generalized_eigenvalues_symmetric(S, no_eigenvectors);

@@ -68,24 +68,6 @@ void ColumnCompliance::require(const Indices &numbers) const {
   n_known_ += static_cast<unsigned int>(missing.size());
 }
 
-// C by one solve per product.
-
-SolvedCompliance::SolvedCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D,
-                                   Vector diagonal)
-  : inverse_(inverse)
-  , D_(condensed_D)
-  , diagonal_(std::move(diagonal)) {}
-
-SolvedCompliance::Vector SolvedCompliance::apply(const Vector &P) const {
-  if (P.size() == 0 || P.all_zero())
-    return Vector(P.size());
-  DistributedVector b = inverse_.make_vector(), x = inverse_.make_vector();
-  D_.add_product(P, b);
-  b.compress(VectorOperation::add);
-  inverse_.solve(x, b);
-  return D_.transpose_product(x);
-}
-
 // C = Dᵀ A⁻¹ D: read from the factors, or by columns.
 
 namespace {
@@ -117,9 +99,7 @@ std::vector<types::global_dof_index> contact_unknowns(const Coupling &condensed_
 
 std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse &inverse,
                                                           const Coupling &condensed_D,
-                                                          double &seconds,
                                                           const ColumnProgress &progress) {
-  const StageTimer timer(seconds);
   if (auto factor = inverse.trailing_factor(contact_unknowns(condensed_D)))
     return std::make_shared<const DenseCompliance>(compliance_from(*factor, condensed_D));
   return std::make_shared<const ColumnCompliance>(inverse, condensed_D, progress);

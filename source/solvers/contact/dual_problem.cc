@@ -31,30 +31,6 @@ Indices all_indices(const unsigned int n) {
   return numbers;
 }
 
-Vector ComplianceOperator::diagonal_times(const Vector &P) const {
-  Vector product(P);
-  product.scale(diagonal());
-  return product;
-}
-
-Matrix ComplianceOperator::columns(const Indices &numbers) const {
-  Matrix columns(size(), numbers.size());
-  for (unsigned int j = 0; j < numbers.size(); ++j) {
-    Vector unit(size());
-    unit[numbers[j]] = 1.;
-    const Vector column = apply(unit);
-    for (unsigned int i = 0; i < size(); ++i)
-      columns(i, j) = column[i];
-  }
-  return columns;
-}
-
-const Matrix &ComplianceOperator::dense() const {
-  if (C_.m() != size())
-    C_ = columns(all_indices(size()));
-  return C_;
-}
-
 DenseCompliance::DenseCompliance(Matrix C) {
   AssertDimension(C.m(), C.n());
   C_ = std::move(C);

@@ -81,27 +81,6 @@ Vector BoundaryModel::diagonal() const {
   return values;
 }
 
-BoundaryModel::Matrix BoundaryModel::columns(const Indices &numbers) const {
-  Matrix values(size(), numbers.size());
-  for (unsigned int i = 0; i < size(); ++i)
-    for (unsigned int j = 0; j < numbers.size(); ++j)
-      values(i, j) = entry(i, numbers[j]);
-  return values;
-}
-
-const BoundaryModel::Matrix &BoundaryModel::dense() const {
-  if (dense_.m() != size()) {
-    Indices all(size());
-    std::iota(all.begin(), all.end(), 0U);
-    dense_ = columns(all);
-  }
-  return dense_;
-}
-
-bool BoundaryModel::is_explicit() const {
-  return true;
-}
-
 // The choice of Ĉ for a surface.
 
 namespace {

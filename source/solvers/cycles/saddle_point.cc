@@ -64,10 +64,11 @@ void measure_contact(const ContactSystem &system, ContactIterationResult &result
   const dealii::Vector<double> W = system.opening(result.U);
   const dealii::Vector<double> diagonal = system.model.diagonal();
   const dealii::Vector<double> C_P = system.model.apply(result.P);
-  double sum = 0., size_of_P = 0., size_of_F = 0., work = 0., terms = 0., energy = 0.;
+  double size_of_P = 0., size_of_F = 0., work = 0., terms = 0., energy = 0.;
+  dealii::Vector<double> step(W);
   for (unsigned int k = 0; k < W.size(); ++k) {
     const double P = result.P[k], C_kk = result.scale * diagonal[k];
-    sum += std::pow(P - std::min(0., P - W[k] / C_kk), 2);
+    step[k] /= C_kk;
     size_of_P += P * P;
     size_of_F += std::pow((result.scale * C_P[k] - W[k]) / C_kk, 2);
     work += P * W[k];
@@ -75,7 +76,9 @@ void measure_contact(const ContactSystem &system, ContactIterationResult &result
     energy += result.scale * P * C_P[k];
   }
   const double scale = std::max(size_of_P, size_of_F);
-  result.kkt_residual = std::sqrt(relative_or_absolute(sum, scale));
+  const AdmissibleSet K = AdmissibleSet::nonpositive(W.size());
+  const dealii::Vector<double> rest = K.residual(result.P, step);
+  result.kkt_residual = std::sqrt(relative_or_absolute(rest.norm_sqr(), scale));
   result.complementarity = relative_or_absolute(std::abs(work), energy);
   result.rounding_of_complementarity =
     relative_or_absolute(std::numeric_limits<double>::epsilon() * terms, energy);
@@ -115,6 +118,16 @@ Indices indices_of(const std::vector<bool> &active) {
   return set;
 }
 
+/** Returns the set that follows a set in the primal-dual active set method: {P < 0} within it and
+ * {W > 0} outside. @param joins whether {W > 0} joins from inside, too: the first set of a P. */
+std::vector<bool> predicted_set(const std::vector<bool> &set, const Vector &P, const Vector &W,
+                                const bool joins = false) {
+  std::vector<bool> next(set.size());
+  for (unsigned int i = 0; i < next.size(); ++i)
+    next[i] = (set[i] && P[i] < 0.) || ((joins || !set[i]) && W[i] > 0.);
+  return next;
+}
+
 /** Returns d with (W + Ĉ d)_S = 0 and d = -P elsewhere. */
 Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &P,
                      const Indices &S) {
@@ -136,20 +149,15 @@ Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &
 
 Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const Vector &P) {
   constexpr unsigned int max_steps = 30;
-  const unsigned int m = P.size();
-  std::vector<bool> active(m);
-  for (unsigned int i = 0; i < m; ++i)
-    active[i] = P[i] < 0. || W[i] > 0.;
+  std::vector<bool> active = predicted_set(std::vector<bool>(P.size(), true), P, W, true);
   for (unsigned int k = 0;; ++k) {
     const Vector d = change_on_set(model, W, P, indices_of(active));
     Vector Q(P), V = model.apply(d);
     Q += d;
     V += W;
-    std::vector<bool> next(m);
-    for (unsigned int i = 0; i < m; ++i)
-      next[i] = active[i] ? Q[i] < 0. : V[i] > 0.;
+    const std::vector<bool> next = predicted_set(active, Q, V);
     if (next == active || k == max_steps) {
-      for (unsigned int i = 0; i < m; ++i)
+      for (unsigned int i = 0; i < Q.size(); ++i)
         Q[i] = active[i] ? std::min(Q[i], 0.) : 0.;
       return Q;
     }
@@ -237,21 +245,15 @@ void solve_on(const ContactSystem &system, const Indices &set, const double redu
 void solve_by_minres(const ContactSystem &system, const ContactIterationOptions &options,
                      ContactIterationResult &result) {
   constexpr double reduction = 1e-3;
-  Vector W = system.opening(result.U);
-  std::vector<bool> active(W.size());
-  for (unsigned int i = 0; i < W.size(); ++i)
-    active[i] = result.P[i] < 0. || W[i] > 0.;
+  std::vector<bool> active = predicted_set(std::vector<bool>(result.P.size(), true), result.P,
+                                           system.opening(result.U), true);
   while (result.cycles < options.maximum_cycles) {
     solve_on(system, indices_of(active), reduction, options.maximum_cycles - result.cycles, result);
     // A set without a residual needs no cycle.
     ++result.cycles;
-    W = system.opening(result.U);
-    std::vector<bool> next(W.size());
-    for (unsigned int i = 0; i < W.size(); ++i) {
-      next[i] = active[i] ? result.P[i] < 0. : W[i] > 0.;
-      result.P[i] = std::min(result.P[i], 0.);
-    }
-    active = next;
+    active = predicted_set(active, result.P, system.opening(result.U));
+    for (double &p : result.P)
+      p = std::min(p, 0.);
     measure(system, options, result);
     if (result.converged)
       return;

@@ -78,7 +78,7 @@ public:
                        "there: psor, active set.");
     progress("V-cycles");
     const StageTimer timer(state.times.qp);
-    iterate(discretization, inverse->stiffness(), start, state);
+    iterate(discretization, *inverse->cycles(), start, state);
     return state;
   }
 

@@ -256,8 +256,8 @@ private:
   void form_compliance(const Discretization<dim> &discretization, const Progress &progress,
                        ContactSolution<dim> &state) const {
     const Coupling &D = discretization.condensed_D;
-    state.dual->C = make_compliance(*state.inverse, D, state.times.compliance,
-                                    column_progress(progress, D.n_columns()));
+    const StageTimer timer(state.times.compliance);
+    state.dual->C = make_compliance(*state.inverse, D, column_progress(progress, D.n_columns()));
   }
 
   /** Computes P, and q where motions are free. */
@@ -369,8 +369,7 @@ template <int dim>
 std::optional<Vector> solve_on_other_patches(const ContactSolution<dim> &contact,
                                              const CouplingPair &patches, const Vector &F,
                                              const Vector &start) {
-  double seconds = 0.;
-  const auto C = make_compliance(*contact.inverse, patches.condensed_D, seconds);
+  const auto C = make_compliance(*contact.inverse, patches.condensed_D);
   FreeMotions motions;
   if (contact.modes.size() > 0) {
     motions = contact.dual->motions;

@@ -16,7 +16,7 @@ struct SolvedLevel : public OneLevel {
     , system(assemble_linear_system(space(), scene, discretization.n_points))
     , inverse(Signorini::factorise(system.matrix, system.unit, Signorini::LinearSolver::automatic))
     , free(solve_free_state(*inverse, space(), system.f, discretization.D, discretization.G))
-    , C(make_compliance(*inverse, discretization.condensed_D, seconds))
+    , C(make_compliance(*inverse, discretization.condensed_D))
     , P(solve_dual_problem(C, free.F, discretization.K, {}, {}).P)
     , U(recover(P)) {}
   Signorini::Displacement recover(const Signorini::Pressure &pressure) const {
@@ -45,7 +45,6 @@ struct SolvedLevel : public OneLevel {
   Signorini::LinearSystem<2> system;
   std::shared_ptr<const Signorini::StiffnessInverse> inverse;
   Signorini::FreeState free;
-  double seconds = 0.;
   std::shared_ptr<const Signorini::ComplianceOperator> C;
   Signorini::Pressure P;
   Signorini::Displacement U;

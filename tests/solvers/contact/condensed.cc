@@ -30,10 +30,9 @@ double asymmetry(const dealii::FullMatrix<double> &C) {
 void compare(Checks &checks, const std::string &name, const OneLevel &level,
              const dealii::TrilinosWrappers::SparseMatrix &A, const double unit) {
   checks.about(name);
-  double seconds = 0.;
   const auto compliance = [&](const StiffnessInverse &inverse) {
     return dealii::FullMatrix<double>(
-      make_compliance(inverse, level.discretization.condensed_D, seconds)->dense());
+      make_compliance(inverse, level.discretization.condensed_D)->dense());
   };
   const auto &D = level.discretization.condensed_D;
   const auto condensed = factorise(A, unit, LinearSolver::condensed, contact_unknowns(D));
@@ -69,8 +68,7 @@ void columns_on_demand(Checks &checks) {
   const auto &D = level.discretization.condensed_D;
   const auto condensed =
     factorise(system.matrix, system.unit, LinearSolver::condensed, contact_unknowns(D));
-  double seconds = 0.;
-  const auto known = make_compliance(*condensed, D, seconds);
+  const auto known = make_compliance(*condensed, D);
   const dealii::FullMatrix<double> &C = known->dense();
   const unsigned int m = C.m();
   const double size = C.linfty_norm();

@@ -87,8 +87,7 @@ void in_space(Checks &checks) {
     const auto inverse = factorise(system.matrix, system.unit, LinearSolver::condensed,
                                    contact_unknowns(box.condensed_D));
     const FreeState free = solve_free_state(*inverse, box.space, system.f, box.D, box.G);
-    double seconds = 0.;
-    const auto C = make_compliance(*inverse, box.condensed_D, seconds);
+    const auto C = make_compliance(*inverse, box.condensed_D);
     const QPResult exact =
       solve_dual_problem(C, free.F, AdmissibleSet::nonpositive(free.F.size()), {}, {});
     const ContactIterationResult result = iterated.solve();

@@ -19,8 +19,15 @@ dealii::FullMatrix<double> compliance_of(const DisplacementSpace<dim> &space,
   const LinearSystem<dim> system = assemble_linear_system(space, scene, 2);
   const auto inverse =
     factorise(system.matrix, system.unit, LinearSolver::condensed, contact_unknowns(condensed_D));
-  double seconds = 0.;
-  return make_compliance(*inverse, condensed_D, seconds)->dense();
+  return make_compliance(*inverse, condensed_D)->dense();
+}
+
+dealii::FullMatrix<double> dense(const BoundaryModel &model) {
+  dealii::FullMatrix<double> C(model.size(), model.size());
+  for (unsigned int i = 0; i < C.m(); ++i)
+    for (unsigned int j = 0; j < C.n(); ++j)
+      C(i, j) = model.entry(i, j);
+  return C;
 }
 
 enum class Model { chosen, kernel };
@@ -30,7 +37,7 @@ Spectrum measure(const std::string &text, const unsigned int level, const Model 
   const auto C = compliance_of(problem.space(), problem.scene, problem.discretization.condensed_D);
   const auto C_hat = model == Model::kernel ? make_kernel_model(problem.multipliers())
                                             : make_boundary_model(problem.multipliers());
-  return spectrum(C_hat->dense(), C);
+  return spectrum(dense(*C_hat), C);
 }
 
 Spectrum measure(const Scene<3> &scene, const unsigned int level, const Model model) {
@@ -38,7 +45,7 @@ Spectrum measure(const Scene<3> &scene, const unsigned int level, const Model mo
   const auto C = compliance_of(box.space, scene, box.condensed_D);
   const auto C_hat = model == Model::kernel ? make_kernel_model(box.multipliers)
                                             : make_boundary_model(box.multipliers);
-  return spectrum(C_hat->dense(), C);
+  return spectrum(dense(*C_hat), C);
 }
 
 /** Conditions on three levels: below a limit, and the last step's growth, which is that of a

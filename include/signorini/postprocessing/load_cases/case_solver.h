@@ -105,7 +105,6 @@ private:
   const ContactSolution<2> &contact_;
   DualSolverOptions options_;
   bool are_steps_;
-  double seconds_ = 0.;
   std::shared_ptr<const ComplianceOperator> C_;
   FullMatrix<double> B_;
   dealii::Vector<double> G_;

@@ -25,12 +25,9 @@ std::vector<types::global_dof_index> contact_unknowns(const Coupling &condensed_
  * Where the factors hold A⁻¹ for the contact unknowns (StiffnessInverse::trailing_factor), C is
  * read from them without a solve. Otherwise C is a ColumnCompliance. The inverse and D must outlive
  * the result. This function and all functions of the result are collective.
- *
- * @param seconds the wall seconds of all work on C are added to it, also later.
  */
 std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse &inverse,
                                                           const Coupling &condensed_D,
-                                                          double &seconds,
                                                           const ColumnProgress &progress = {});
 
 /** The compliance C = Dᵀ A⁻¹ D by columns C_k = Dᵀ A⁻¹ D_k. Each column costs one solve; it
@@ -54,31 +51,6 @@ private:
   ColumnProgress progress_;
   mutable std::vector<bool> known_;
   mutable unsigned int n_known_ = 0;
-};
-
-/** The compliance C = Dᵀ A⁻¹ D by products, one solve each, for methods that need few products
- * and no entries. */
-class SolvedCompliance final : public ComplianceOperator {
-public:
-  /**
-   * Stores the arguments, which must all outlive the object.
-   * @param diagonal takes the place of C_kk, which would cost as many solves as there are patches;
-   * it only scales the residual.
-   */
-  SolvedCompliance(const StiffnessInverse &inverse, const Coupling &condensed_D, Vector diagonal);
-
-  unsigned int size() const override {
-    return D_.n_columns();
-  }
-  Vector apply(const Vector &P) const override;
-  Vector diagonal() const override {
-    return diagonal_;
-  }
-
-private:
-  const StiffnessInverse &inverse_;
-  const Coupling &D_;
-  Vector diagonal_;
 };
 
 /** The displacement of the body without contact pressure, and the opening that it leaves. */

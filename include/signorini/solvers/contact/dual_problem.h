@@ -33,19 +33,13 @@ public:
   /** Returns C_kk for all k. */
   virtual Vector diagonal() const = 0;
   /** Returns C_kk P_k for all k: how far each multiplier opens its own patch. */
-  virtual Vector diagonal_times(const Vector &P) const;
-  /** Returns the columns with the given numbers, m x n; here by one product each. */
-  virtual Matrix columns(const Indices &numbers) const;
+  virtual Vector diagonal_times(const Vector &P) const = 0;
+  /** Returns the columns with the given numbers, m x n. */
+  virtual Matrix columns(const Indices &numbers) const = 0;
   /** Returns the whole matrix C. */
-  virtual const Matrix &dense() const;
+  virtual const Matrix &dense() const = 0;
   /** Returns whether all entries are stored, so that no function above costs a linear solve. */
-  virtual bool is_explicit() const {
-    return false;
-  }
-
-protected:
-  /** The entries, as far as they are known. */
-  mutable Matrix C_;
+  virtual bool is_explicit() const = 0;
 };
 
 /** The compliance C as a stored matrix. Derived classes may compute its columns at their first use.
@@ -69,6 +63,9 @@ public:
 protected:
   /** Makes the given columns and rows of C known. */
   virtual void require(const Indices & /*numbers*/) const {}
+
+  /** The entries, as far as they are known. */
+  mutable Matrix C_;
 };
 
 /** Returns the numbers 0, ..., n - 1. */

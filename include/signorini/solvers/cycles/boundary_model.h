@@ -18,8 +18,18 @@ namespace Signorini {
  * It depends on the surface of the body, not on its inside: the supports of the body change c and
  * t, not the order of the modes.
  */
-class BoundaryModel : public ComplianceOperator {
+class BoundaryModel {
 public:
+  using Vector = ComplianceOperator::Vector;
+  using Matrix = ComplianceOperator::Matrix;
+  using Indices = ComplianceOperator::Indices;
+
+  virtual ~BoundaryModel() = default;
+
+  /** Returns m. */
+  virtual unsigned int size() const = 0;
+  /** Returns Ĉ P. */
+  virtual Vector apply(const Vector &P) const = 0;
   /** Returns Ĉ_ij. */
   virtual double entry(unsigned int i, unsigned int j) const = 0;
   /** Returns Ĉ⁻¹ P, or an approximation of it. */
@@ -29,11 +39,8 @@ public:
    * gradients, with (Ĉ⁻¹)_SS as preconditioner, to 1e-10 of the right-hand side. */
   Vector solve(const Indices &set, const Vector &rhs) const;
 
-  Vector diagonal() const override;
-  Matrix columns(const Indices &numbers) const override;
-  /** Returns the dense matrix, which is made at its first use. */
-  const Matrix &dense() const override;
-  bool is_explicit() const override;
+  /** Returns Ĉ_kk for all k. */
+  Vector diagonal() const;
 
 protected:
   /**
@@ -48,7 +55,6 @@ private:
 
   unsigned int max_factorised_size_;
   // Cached results. They change no result of the functions.
-  mutable Matrix dense_;
   mutable Indices factorised_set_;
   mutable LAPACKFullMatrix<double> factor_;
 };

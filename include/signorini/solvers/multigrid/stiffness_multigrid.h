@@ -108,12 +108,8 @@ public:
   MultigridInverse(std::shared_ptr<const StiffnessOperator> A, const Vector &diagonal,
                    double goal = solve_tolerance);
 
-  bool has_factors() const override {
-    return false;
-  }
-
-  const StiffnessOperator &stiffness() const {
-    return *A_;
+  const StiffnessOperator *cycles() const override {
+    return A_.get();
   }
   /** Returns the largest number of V-cycles that a solve took so far. */
   unsigned int max_cycles_of_a_solve() const {

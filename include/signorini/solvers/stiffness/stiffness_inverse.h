@@ -92,10 +92,13 @@ public:
     return {};
   }
 
-  /** Returns whether a solve costs no more than its triangles; otherwise it iterates, and callers
-   * should need few solves. */
-  virtual bool has_factors() const {
-    return true;
+  /** Returns the operator with which solves iterate, of which callers should need few; null where a
+   * solve costs no more than the triangles of factors. */
+  virtual const StiffnessOperator *cycles() const {
+    return nullptr;
+  }
+  bool has_factors() const {
+    return cycles() == nullptr;
   }
 
   /** Returns a vector of zeros with the distribution of the rows of A. */
