@@ -1049,7 +1049,7 @@ PairMatrix pair_matrix(const unsigned int d) {
 
 // S. The first loop adds ||phi||_0^2 and the pairs of each cell with itself.
 LAPACKFullMatrix<double> gram_matrix(const unsigned int n_cells) {
-  FullMatrix<double> S(n_cells + 1, n_cells + 1);
+  LAPACKFullMatrix<double> S(n_cells + 1, n_cells + 1);
   for (unsigned int c = 0; c < n_cells; ++c)
     for (unsigned int i = 0; i < 2; ++i)
       for (unsigned int j = 0; j < 2; ++j)
@@ -1063,11 +1063,9 @@ LAPACKFullMatrix<double> gram_matrix(const unsigned int n_cells) {
           S(nodes[i], nodes[j]) += pair[i][j];
     }
   }
-  LAPACKFullMatrix<double> factor(n_cells + 1, n_cells + 1);
-  factor = S;
-  factor.set_property(LAPACKSupport::symmetric);
-  factor.compute_cholesky_factorization();
-  return factor;
+  S.set_property(LAPACKSupport::symmetric);
+  S.compute_cholesky_factorization();
+  return S;
 }
 
 // |||q|||_N for several functions q. They must be polynomials of degree three at most on every cell
@@ -1101,7 +1099,7 @@ LAPACKFullMatrix<double> dual_gram_matrix(const unsigned int n_patches) {
   constexpr unsigned int n_parts = 8;
   const unsigned int n_cells = n_parts * n_patches;
   const LAPACKFullMatrix<double> S = gram_matrix(n_cells);
-  FullMatrix<double> product(n_patches, n_patches);
+  LAPACKFullMatrix<double> gram(n_patches, n_patches);
   for (unsigned int tau = 0; tau < n_patches; ++tau) {
     Vector<double> x(n_cells + 1);
     for (unsigned int c = n_parts * tau; c < n_parts * (tau + 1); ++c)
@@ -1109,10 +1107,8 @@ LAPACKFullMatrix<double> dual_gram_matrix(const unsigned int n_patches) {
         x[c + i] += 0.5 / n_cells;
     S.solve(x);
     for (unsigned int c = 0; c < n_cells; ++c)
-      product(c / n_parts, tau) += 0.5 * (x[c] + x[c + 1]) / n_cells;
+      gram(c / n_parts, tau) += 0.5 * (x[c] + x[c + 1]) / n_cells;
   }
-  LAPACKFullMatrix<double> gram(n_patches, n_patches);
-  gram = product;
   return gram;
 }
 } // namespace
