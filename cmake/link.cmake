@@ -8,7 +8,7 @@
 #
 # SIGNORINI_FIRST_LIBRARIES: deal.II loads 200 libraries, and most of them look up their own symbols when the program
 # starts, in all libraries one after the other. Libraries that are named first are found first: those with most symbols
-# stand here, in this order (doc/performance.md, "The start of the process").
+# stand here, in this order (doc/design.md, "The start of the process").
 
 option(SIGNORINI_SHORT_LINK "Link only the libraries that this program names; the presets do" OFF)
 

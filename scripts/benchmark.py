@@ -2,7 +2,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Times the program on one core with one BLAS thread: nested meshes by scenes x contact solvers x linear solvers x levels,
 and what a relative error costs with every strategy. Medians of several runs go to CSV files, and matplotlib draws them.
-Installs what is missing and builds unless --program is given."""
+Installs what is missing and builds unless --program is given.
+Scenes: two_ends has smooth contact with two ends; no_contact is the same body with a gap so large that nothing touches; a1
+and b1 are of the catalogue. Times to an error: b1 is the worst of eight ends of contact, b1_kinks the first of them, given
+as Kinks at x; block compares energies. Files: runs.csv (every run), benchmark.csv (medians by scene, solvers and level;
+t_solution sums up the stages without errors and output, t_nested the same over all levels so far), memory.csv (every level
+in a process of its own), target_runs.csv and targets.csv (time to an error), targets_worst.csv and targets.txt (the largest
+value of every column over the ends of contact; the cheapest run below every target), summary.txt, environment.txt and
+benchmark_*.png: error against t_nested, time per unknown by stage, bytes per unknown, error against processor time."""
 import argparse
 import csv
 import glob

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Hertz' line contact by force, in several units, and on a mesh file. The differences from Hertz
-// are those of the model: the formulas of doc/benchmarks.md to first order in p0/E, and second
+// are those of the model: the formulas of doc/formulas.md to first order in p0/E, and second
 // order in a/R behind them.
 
 #include <deal.II/base/numbers.h>

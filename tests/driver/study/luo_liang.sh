@@ -11,12 +11,16 @@ scene=$(realpath "$4")
 
 # errors_of: the rows of the table of errors in the text on standard input, which may be a comment.
 errors_of() { sed 's,^// *,,' | awk '$1 == "level" && $2 == "u_h1" { inside = 1; next } inside && !/^ *[0-9]/ { exit } inside { $1 = $1; print }'; }
+# betas_of: the rows of the table of inf-sup constants.
+betas_of() { sed 's,^// *,,' | awk '/^ *1\/[0-9]+ +0/ { $1 = $1; print }'; }
 
 "$luo_liang" >stdout 2>stderr
 check "runs without parameters" [ $? -eq 0 ]
 check "  and leaves no files" [ "$(ls)" = "$(printf 'stderr\nstdout')" ]
 check "  five levels of errors" [ "$(errors_of <stdout | wc -l)" -eq 5 ]
 check "  which are those of its last comment" diff <(errors_of <"$source") <(errors_of <stdout)
+check "  and so are the inf-sup constants" diff <(betas_of <"$source") <(betas_of <stdout)
+check "  on five levels" [ "$(betas_of <stdout | wc -l)" -eq 5 ]
 
 printf 'set Finest level = 5\nset Digits = 15\nset Write VTU = true\n' >digits.prm
 "$luo_liang" digits.prm >table 2>stderr
