@@ -199,23 +199,26 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
 template <int dim>
 PressureCorrection correct_pressure(const PressureData<dim> &data) {
   const ContactSurface<dim> &surface = data.multipliers.surface();
-  const ContactSurface<dim> finer(data.space.mesh(), data.scene, Partition{recovery_ratio, 0});
   if (surface.has_unstable_patch())
     return {};
-  const MultiplierSpace<dim> finer_multipliers(finer);
-  std::optional<dealii::Vector<double>> P;
-  if (data.solve_dual && data.P_t.size() == 0 && finer.patches().size() > surface.patches().size())
-    P = solve_on(finer_multipliers, data);
   if (data.P_t.size() > 0) {
     Coupling::Column load = pressure_load(data.space, data.multipliers, data.P);
     add_friction_load(data, load);
     return correct_by<dim>(condense(Coupling({load}), data.space.constraints()), data);
   }
-  if (presses_nowhere(data.P) && (!P || presses_nowhere(*P)))
-    return {};
-  return correct_by<dim>(P ? recovered_load(data.space, finer_multipliers, Pressure(*P))
-                           : recovered_load(data.space, data.multipliers, data.P),
-                         data);
+  if (data.solve_dual) {
+    const ContactSurface<dim> finer(data.space.mesh(), data.scene, Partition{recovery_ratio, 0});
+    if (finer.patches().size() > surface.patches().size()) {
+      const MultiplierSpace<dim> multipliers(finer);
+      if (const std::optional<dealii::Vector<double>> P = solve_on(multipliers, data))
+        return presses_nowhere(data.P) && presses_nowhere(*P)
+                 ? PressureCorrection()
+                 : correct_by<dim>(recovered_load(data.space, multipliers, Pressure(*P)), data);
+    }
+  }
+  return presses_nowhere(data.P)
+           ? PressureCorrection()
+           : correct_by<dim>(recovered_load(data.space, data.multipliers, data.P), data);
 }
 
 INSTANTIATE_FUNCTION(recovered_load);
