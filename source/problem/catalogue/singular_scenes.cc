@@ -95,9 +95,9 @@ CatalogueEntry<2> cattaneo_mindlin(const bool unloaded) {
   struct Part {
     std::string weight, radius;
   };
-  const std::vector<Part> parts =
-    unloaded ? std::vector<Part>{{"-1", "rho"}, {"2", "0.85*rho"}, {"-1", "0.6*rho"}}
-             : std::vector<Part>{{"1", "rho"}, {"-1", "0.6*rho"}};
+  std::vector<Part> parts = {{"1", "rho"}, {"-1", "0.6*rho"}};
+  if (unloaded)
+    parts = {{"-1", "rho"}, {"2", "0.85*rho"}, {"-1", "0.6*rho"}};
   std::vector<std::string> kinks;
   for (const Part &part : parts)
     kinks.push_back("x = m-" + part.radius + "; x = m+" + part.radius);
