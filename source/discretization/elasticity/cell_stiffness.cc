@@ -49,7 +49,7 @@ CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Sce
   , material_(*scene.material)
   , strain_operator_(space.strain_operator())
   , constant_(material_.is_constant())
-  , kinks_(constant_ ? Kinks<dim>() : scene.law_kinks)
+  , kinks_(scene.law_kinks)
   , affine_values_(mesh_.unit_mapping(), space, kinks_, 2, stiffness_flags)
   , values_(mesh_.unit_mapping(), space, kinks_, 4, stiffness_flags) {}
 

@@ -8,7 +8,7 @@
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/errors/errors.h>
 #include <signorini/postprocessing/fields/forces.h>
-#include <signorini/postprocessing/norms/spectral_norm.h>
+#include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/solvers/methods/contact_method.h>
 
 #include <algorithm>
@@ -32,13 +32,16 @@ void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &soluti
     contact.system = nullptr;
 }
 
-/** Returns whether the constant of Lemma 1 is computed on a level of this size; on graded meshes
- * only if the user sets it. The constant needs a factorisation of its own, which in 3-D costs more
- * than the rest of the level from some thousand unknowns on. */
+/** Returns whether the constant of Lemma 1 is computed on a level of this size. Unless the user
+ * sets it, it belongs to the errors against an exact solution on nested meshes: it needs a
+ * factorisation of its own, a third of a level, and in 3-D more than the rest of the level from
+ * some thousand unknowns on. */
 template <int dim>
-bool wants_inf_sup(const Parameters &parameters, const ContactSolution<dim> &contact) {
+bool wants_inf_sup(const Parameters &parameters, const Scene<dim> &scene,
+                   const ContactSolution<dim> &contact) {
   const Choice choice = parameters.output.inf_sup_constant;
   return choice == Choice::yes || (choice == Choice::automatic && contact.inverse->has_factors() &&
+                                   scene.exact_displacement != nullptr &&
                                    parameters.discretization.strategy == Strategy::nested &&
                                    contact.U.size() <= (dim == 2 ? 100000U : 5000U));
 }
@@ -176,7 +179,7 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   const StageTimer timer(record.times.postprocess);
   if (contact.P.has_friction())
     record.friction = summarise_friction(discretization.multipliers, contact.P, contact.W);
-  else if (wants_inf_sup<dim>(parameters, contact)) {
+  else if (wants_inf_sup<dim>(parameters, solution.scene, contact)) {
     progress("inf-sup constant");
     record.inf_sup = measure_inf_sup(discretization.space, discretization.multipliers,
                                      discretization.condensed_D, parameters.solver.linear_solver);

@@ -229,13 +229,12 @@ std::vector<double> LiftField::cuts(const CellIterator &cell, const unsigned int
     else
       for (const EdgeFunction::Part &part : remainders_[face][component].parts())
         cuts.push_back(part.end);
-  if (!data_.scene.material->is_constant())
-    for (const unsigned int edge : {0, 1}) {
-      // Edges 2 and 3 run along x, edges 0 and 1 along y.
-      const auto line = cell->face(2 * (1 - d) + edge);
-      const auto crossings = data_.scene.law_kinks.cut(line->vertex(0), line->vertex(1));
-      cuts.insert(cuts.end(), crossings.begin(), crossings.end());
-    }
+  for (const unsigned int edge : {0, 1}) {
+    // Edges 2 and 3 run along x, edges 0 and 1 along y.
+    const auto line = cell->face(2 * (1 - d) + edge);
+    const auto crossings = data_.scene.law_kinks.cut(line->vertex(0), line->vertex(1));
+    cuts.insert(cuts.end(), crossings.begin(), crossings.end());
+  }
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end(),
                          [](const double a, const double b) { return b - a < 1e-13; }),
@@ -282,7 +281,7 @@ dealii::Vector<double> LiftField::cell_energies() const {
     // Boxes of the law are hardly smaller.
     constexpr double smallest = 1. / 512.;
     const double n = cell->diameter() / (smallest * data_.scene.geometry.diameter());
-    return !constant && needs_cuts<2>(data_.scene.law_kinks, cell)
+    return needs_cuts<2>(data_.scene.law_kinks, cell)
              ? static_cast<unsigned int>(std::clamp(n, 1., 24.))
              : 1;
   };

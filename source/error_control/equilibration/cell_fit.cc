@@ -23,7 +23,7 @@ CellShape at_unit_size(const CellShape &shape, const double size) {
 CellFitter::CellFitter(const BoundData &data)
   : data_(data)
   , is_constant_(data.scene.material->is_constant())
-  , kinks_(is_constant_ ? Kinks<2>() : data.scene.law_kinks) {}
+  , kinks_(data.scene.law_kinks) {}
 
 std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &shape,
                                                               const double size,

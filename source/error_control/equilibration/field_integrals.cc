@@ -5,7 +5,7 @@
 #include <signorini/error_control/equilibration/field_integrals.h>
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/loads/law.h>
-#include <signorini/error_control/loads/law_sampling.h>
+#include <signorini/error_control/loads/triangle_parts.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 #include <signorini/problem/scene/functions.h>
 
@@ -58,7 +58,7 @@ public:
   void add(const DoFHandler<2>::active_cell_iterator &cell, Chunk &chunk) {
     values_.reinit(cell);
     double distance = 0.;
-    if (is_constant_ || !needs_cuts<2>(data_.scene.law_kinks, cell))
+    if (!needs_cuts<2>(data_.scene.law_kinks, cell))
       distance = add_energies(cell, values_, values_.get_JxW_values(), false, chunk);
     else
       visit_parts(cell, data_.scene.law_kinks,
@@ -253,8 +253,10 @@ dealii::Vector<double> add_lift(const BoundData &data, const PrescribedLift &lif
     const CellShape shape(corners_of(cell));
     std::vector<Point<2>> points;
     std::vector<double> weights;
-    for (const auto &parts :
-         triangle_parts(shape, data.scene.law_kinks.with_lines(lift.lines(number, shape.corners))))
+    // The load is integrated, too.
+    const Kinks<2> kinks = data.scene.law_kinks.with_lines(data.scene.kinks.lines())
+                             .with_lines(lift.lines(number, shape.corners));
+    for (const auto &parts : triangle_parts(shape, kinks))
       for (const TrianglePart &part : parts)
         add_points(rule, part.corners, shape, points, weights);
     FEValues<2> values(StaticMappingQ1<2>::mapping, data.space.element(cell), Quadrature<2>(points),

@@ -3,7 +3,7 @@
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/stress_mesh.h>
-#include <signorini/error_control/loads/law_sampling.h>
+#include <signorini/error_control/loads/law.h>
 #include <signorini/postprocessing/fields/forces.h>
 
 #include <algorithm>

@@ -7,8 +7,9 @@
 #include <signorini/postprocessing/errors/dual_norm_errors.h>
 #include <signorini/postprocessing/errors/errors.h>
 #include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/norms/cosine_norm.h>
+#include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/postprocessing/norms/slobodeckij_norm.h>
-#include <signorini/postprocessing/norms/spectral_norm.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -85,18 +86,18 @@ double extrapolate(const std::array<double, 2> &norms) {
   return norms[1] + (norms[1] - norms[0]) / 3.;
 }
 
-SpectralNorm::Modes coefficients_on(const Scene<2> &scene, const unsigned int number) {
+CosineNorm<2>::Modes coefficients_on(const Scene<2> &scene, const unsigned int number) {
   const Side<2> &side = scene.geometry.sides[number];
   const Function<2> &exact = *scene.boundary[number].exact_pressure;
   const SampledFunction p = sample(cut_side(side, scene.kinks, 4096), 8,
                                    [&](const double s) { return exact.value(side.point(s)); });
-  return spectral_norm_on(side).coefficients(p.arc_lengths, p.weighted_values);
+  return CosineNorm<2>(side).coefficients(p.arc_lengths, p.weighted_values);
 }
 
 FullMatrix<double> coefficients_on(const Scene<3> &scene, const unsigned int number) {
   const Side<3> &side = scene.geometry.sides[number];
   // Two points for the half of a period of the highest mode.
-  const QIterated<1> rule(QGauss<1>(8), RectangleNorm::n_modes / 4);
+  const QIterated<1> rule(QGauss<1>(8), CosineNorm<3>::n_modes / 4);
   const std::array<double, 2> lengths = side.lengths();
   std::array<std::vector<double>, 2> positions;
   for (unsigned int d = 0; d < 2; ++d)
@@ -112,30 +113,22 @@ FullMatrix<double> coefficients_on(const Scene<3> &scene, const unsigned int num
     for (unsigned int b = 0; b < rule.size(); ++b)
       weighted(a, b) = values[b] * lengths[0] * rule.weight(a) * lengths[1] * rule.weight(b);
   }
-  return RectangleNorm(lengths).coefficients(positions, weighted);
+  return CosineNorm<3>(lengths).coefficients(positions, weighted);
 }
 
-/** Returns the errors on a side: @p p are the coefficients of the exact pressure, @p
- * all_differences the differences between its means and P. */
-DualNormErrors errors_on(const Scene<2> &scene, const SpectralNorm::Modes &p, const PatchGrid &grid,
-                         const Pressure &P, const dealii::Vector<double> &all_differences) {
+/** Adds the paper's norm on a side with few patches. @param differences those between the means of
+ * the exact pressure and P. */
+void add_slobodeckij(const Scene<2> &scene, const PatchGrid &grid, const Pressure &P,
+                     const dealii::Vector<double> &differences, DualNormErrors &errors) {
   const unsigned int m = grid.n(0);
   const Side<2> &side = scene.geometry.sides[grid.side];
   const std::vector<double> &ends = grid.ends[0];
-  dealii::Vector<double> P_side(m), difference(m);
-  P.extract_subvector_to(grid.patches.begin(), grid.patches.end(), P_side.begin());
-  all_differences.extract_subvector_to(grid.patches.begin(), grid.patches.end(),
-                                       difference.begin());
-  const SpectralNorm norm = spectral_norm_on(side);
-  DualNormErrors errors;
-  errors.spectral = norm.distance(p, ends, P_side);
-  errors.superclose_spectral = norm.distance(SpectralNorm::Modes(p.size()), ends, difference);
   if (m > max_slobodeckij_patches || !side.is_flat())
-    return errors;
-
+    return;
   const Function<2> &exact = *scene.boundary[grid.side].exact_pressure;
   const auto on_patch = [&](const dealii::Vector<double> &values, const double s) {
-    return values[std::lower_bound(ends.begin() + 1, ends.end() - 1, s) - ends.begin() - 1];
+    return values[grid.patches[std::lower_bound(ends.begin() + 1, ends.end() - 1, s) -
+                               ends.begin() - 1]];
   };
   std::array<double, 2> norms, superclose_norms;
   for (unsigned int g = 0; g < 2; ++g) {
@@ -144,26 +137,15 @@ DualNormErrors errors_on(const Scene<2> &scene, const SpectralNorm::Modes &p, co
     std::vector<double> cuts = cut_side(side, scene.kinks, uniform.n_cells());
     cuts.insert(cuts.end(), ends.begin() + 1, ends.end());
     std::sort(cuts.begin(), cuts.end());
-    const SampledFunction error = sample(
-      cuts, 6, [&](const double s) { return exact.value(side.point(s)) - on_patch(P_side, s); });
+    const SampledFunction error =
+      sample(cuts, 6, [&](const double s) { return exact.value(side.point(s)) - on_patch(P, s); });
     const SampledFunction superclose =
-      sample(cuts, 2, [&](const double s) { return on_patch(difference, s); });
+      sample(cuts, 2, [&](const double s) { return on_patch(differences, s); });
     norms[g] = uniform.dual_norm(error.arc_lengths, error.weighted_values);
     superclose_norms[g] = uniform.dual_norm(superclose.arc_lengths, superclose.weighted_values);
   }
   errors.slobodeckij = extrapolate(norms);
   errors.superclose_slobodeckij = extrapolate(superclose_norms);
-  return errors;
-}
-
-DualNormErrors errors_on(const Scene<3> & /*scene*/, const FullMatrix<double> &p,
-                         const PatchGrid &grid, const Pressure &P,
-                         const dealii::Vector<double> &all_differences) {
-  const RectangleNorm norm = rectangle_norm_on(grid);
-  return {norm.distance(p, values_on(grid, P)),
-          {},
-          norm.distance(FullMatrix<double>(), values_on(grid, all_differences)),
-          {}};
 }
 } // namespace
 
@@ -190,8 +172,12 @@ DualNormErrors ExactPressure<dim>::errors(const MultiplierSpace<dim> &space,
   differences -= P;
   DualNormErrors sum = {0., 0., 0., 0.};
   for (const PatchGrid &grid : patch_grids(space.surface().patches())) {
-    const DualNormErrors side =
-      errors_on(scene_, coefficients_.at(grid.side), grid, P, differences);
+    const CosineNorm<dim> norm(scene_.geometry.sides[grid.side]);
+    DualNormErrors side;
+    side.spectral = norm.distance(coefficients_.at(grid.side), grid, P);
+    side.superclose_spectral = norm.distance(typename CosineNorm<dim>::Modes(), grid, differences);
+    if constexpr (dim == 2)
+      add_slobodeckij(scene_, grid, P, differences, side);
     sum.spectral = std::hypot(sum.spectral, side.spectral);
     sum.superclose_spectral = std::hypot(sum.superclose_spectral, side.superclose_spectral);
     sum.slobodeckij = hypot(sum.slobodeckij, side.slobodeckij);
@@ -283,7 +269,7 @@ double interpolation_trace(const DisplacementSpace<2> &space, const Scene<2> &sc
   }
   double norm = 0.;
   for (const auto &[number, samples] : sides) {
-    const SpectralNorm side_norm = spectral_norm_on(scene.geometry.sides[number]);
+    const CosineNorm<2> side_norm(scene.geometry.sides[number]);
     const auto w = side_norm.coefficients(samples.arc_lengths, samples.weighted_values);
     norm = std::hypot(norm, side_norm.primal_norm(w, samples.faces.size()));
   }

@@ -1,78 +1,196 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The list of scenes known by name; D3 and V3, the scenes in 3-D.
+// Scenes by name: how a scene is made of its description. D3 and V3, the scenes in 3-D.
 
+#include <signorini/base/instantiate.h>
+#include <signorini/base/text.h>
 #include <signorini/problem/catalogue/catalogue.h>
+#include <signorini/problem/scene/functions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 #include "catalogue_scenes.h"
-#include "manufactured.h"
 
 namespace Signorini {
 namespace {
-/** The centre of the disc and its radius, which coincide with lines of no mesh. */
-const double xc = 0.5707106781186547, yc = 0.4422649730810374, radius_of_d3 = 1. / numbers::E;
-
-/** Returns W = (1 - r²/s²)_+ with the distance r from the axis of the disc. */
-Jet<3> bump(const Jet<3> &x, const Jet<3> &y) {
-  const Jet<3> dx = x - xc, dy = y - yc;
-  return positive_part(1. - (dx * dx + dy * dy) / (radius_of_d3 * radius_of_d3));
+/** Returns the unit square with two sides in the place of the left one. */
+Geometry<2> make_divided_square() {
+  Geometry<2> geometry = make_rectangle({0., 0.}, {1., 1.}, {1, 1});
+  std::vector<Side<2>> &sides = geometry.sides;
+  const std::size_t left = geometry.find_side("left");
+  const Point<2> division(0., 0.75), normal(-1., 0.);
+  sides.emplace_back("upper left", Curve(division, sides[left].end(), normal));
+  sides[left] = Side<2>("left", Curve(sides[left].start(), division, normal));
+  geometry.number_after_refinement = [sides](Triangulation<2> &triangulation) {
+    number_boundary(sides, triangulation);
+  };
+  return geometry;
 }
 
-/** Returns a = -0.05 (1 + x (1-x) + y (1-y)). */
-Jet<3> foundation(const Jet<3> &x, const Jet<3> &y) {
-  return -0.05 * (1. + x * (1. - x) + y * (1. - y));
+template <int dim>
+Geometry<dim> make_body(const std::string &name) {
+  if constexpr (dim == 2)
+    return name == "the ring 1 < r < 2"                ? make_ring(1., 2.)
+           : name == "the half disc r < 1, y < 0"      ? make_half_disc(1.)
+           : name == "the block -1 < x < 1, 0 < y < 1" ? make_rectangle({-1., 0.}, {1., 1.}, {2, 1})
+           : name == "the unit square, left side up to y = 3/4"
+             ? make_divided_square()
+             : make_rectangle({0., 0.}, {1., 1.}, {1, 1});
+  else
+    return make_box({0., 0., 0.}, {1., 1., 1.}, {1, 1, 1});
 }
 
-/**
- * Returns smooth contact on a disc of the lower side of the unit cube, clamped at z = 1:
- *
- *     u = (-a_x B, -a_y B, a A + b B),   A = (1-z)² (1+2z),   B = z (1-z)²,   b = -0.3 W³.
- *
- * On z = 0: u = (0, 0, a) and sigma_3. = (0, 0, (lambda + 2 mu) b), so that p = (lambda + 2 mu) b
- * and u_n = -a, which is the gap where p < 0.
- */
-Scene<3> contact_on_disc(const std::string &modulus, const VectorField<3> &log_gradient) {
-  const auto material = isotropic<3>(modulus, "0.3");
-  Scene<3> scene = contact_scene<3>(
-    make_box({0., 0., 0.}, {1., 1., 1.}, {1, 1, 1}), material, "top", "bottom",
-    [](const Point<3> &x) {
-      const double beyond = std::max(0., std::hypot(x[0] - xc, x[1] - yc) - radius_of_d3);
-      return -foundation(x[0], x[1]).value + 0.5 * beyond * beyond;
-    },
-    [material](const Point<3> &x) {
-      return -0.3 * material->hooke(x)[2][2][2][2] * cube(bump(x[0], x[1])).value;
-    });
-  set_exact_solution<3>(
-    scene,
-    [](const std::array<Jet<3>, 3> &at) {
-      const Jet<3> &x = at[0], &y = at[1], &z = at[2];
-      const Jet<3> a_x = -0.05 * (1. - 2. * x), a_y = -0.05 * (1. - 2. * y);
-      const Jet<3> A = (1. - z) * (1. - z) * (1. + 2. * z), B = z * (1. - z) * (1. - z);
-      const Jet<3> b = -0.3 * cube(bump(x, y));
-      return std::array<Jet<3>, 3>{-a_x * B, -a_y * B, foundation(x, y) * A + b * B};
-    },
-    log_gradient);
+/** The texts of a description, and the functions that they stand for. */
+template <int dim>
+class Description {
+public:
+  explicit Description(const std::string &description) {
+    constexpr std::size_t width = 10;
+    std::istringstream lines(description);
+    std::string word;
+    for (std::string line; std::getline(lines, line);) {
+      const std::string first = trim(line.substr(0, width));
+      word = first.empty() ? word : first;
+      std::string &text = texts_[word];
+      text += (text.empty() ? "" : first.empty() ? " " : "; ") + line.substr(width);
+    }
+    for (const auto &[name, text] : pairs("With", '='))
+      definitions_[name.substr(0, name.find('('))] = text;
+    const std::vector<std::string> u = split_list(texts_["Exact u"], ';');
+    for (std::size_t i = 0; i < u.size(); ++i)
+      definitions_["u" + std::to_string(i + 1)] = u[i];
+    definitions_["p"] = texts_["Exact p"];
+    definitions_["q"] = texts_["Exact q"];
+  }
+
+  /** Returns the text behind a word, or that behind another one. */
+  std::string text(const std::string &word, const std::string &other = "") const {
+    const auto found = texts_.find(word);
+    return found != texts_.end() ? found->second : other.empty() ? "" : text(other);
+  }
+  /** Returns the entries "left = right; ..." behind a word. */
+  std::vector<std::pair<std::string, std::string>> pairs(const std::string &word,
+                                                         const char separator) const {
+    std::vector<std::pair<std::string, std::string>> result;
+    for (const std::string &part : split_list(text(word), ';')) {
+      const std::size_t place = std::min(part.find(separator), part.size());
+      result.emplace_back(trim(part.substr(0, place)), trim(part.substr(place + 1)));
+    }
+    return result;
+  }
+  Expression<dim> expression(const std::string &text) const {
+    return {text, definitions_};
+  }
+  /** Returns the function of a text; nothing for "none" or an empty one. */
+  FunctionPointer<dim> function(const std::string &text) const {
+    std::vector<Expression<dim>> components;
+    if (text == "none")
+      return nullptr;
+    for (const std::string &part : split_list(text, ';'))
+      components.push_back(expression(part));
+    return components.empty() ? nullptr
+                              : std::make_shared<ExpressionFunction<dim>>(
+                                  components, std::vector<Expression<dim>>());
+  }
+
+private:
+  std::map<std::string, std::string> texts_;
+  Definitions definitions_;
+};
+
+template <int dim>
+std::shared_ptr<const Material<dim>> make_material(const Description<dim> &description) {
+  std::vector<Expression<dim>> moduli;
+  for (const auto &[name, text] : description.pairs("Material", '='))
+    moduli.push_back(description.expression(text));
+  if constexpr (dim == 2)
+    if (moduli.size() == 5) {
+      const double degrees = moduli.back()({});
+      moduli.pop_back();
+      return make_orthotropic(moduli, degrees);
+    }
+  return make_isotropic<dim>(moduli.at(0), moduli.at(1), PlaneState::strain);
+}
+
+/** Sets the data of a side with a role. */
+template <int dim>
+void set_condition(const Description<dim> &description, const Scene<dim> &scene,
+                   const Side<dim> &side, BoundaryCondition<dim> &condition) {
+  if (condition.role == Role::displacement)
+    condition.data = description.function(description.text("Moves"));
+  if (condition.role == Role::traction) {
+    const Tensor<1, dim> normal = side.normal(side.coordinates(scene.geometry.lower));
+    condition.data = std::make_shared<FieldFunction<dim>>(
+      [u = scene.exact_displacement, material = scene.material, normal](const Point<dim> &x) {
+        Tensor<2, dim> gradient;
+        for (unsigned int i = 0; i < dim; ++i)
+          gradient[i] = u->gradient(x, i);
+        return material->hooke(x) * symmetrize(gradient) * normal;
+      });
+  }
+  if (condition.role != Role::contact)
+    return;
+  condition.data = description.function(description.text(side.name() + " gap", "Gap"));
+  condition.exact_pressure = description.function(description.text(side.name() + " p", "Exact p"));
+  for (const auto &[law, bound] : description.pairs("Friction", ':')) {
+    condition.friction = description.function(bound);
+    const std::string moves = description.text("Moves");
+    condition.shift = description.function(moves.empty() ? "0" : moves);
+    condition.exact_friction = description.function(description.text("Exact q"));
+  }
+}
+
+/** Returns the lines x = ..., y = ... and those through the origin at the angles t = ... */
+Kinks<2> make_kinks(const Description<2> &description) {
+  std::vector<KinkLine<2>> lines;
+  for (const auto &[name, text] : description.pairs("Kinks", '=')) {
+    const double value = description.expression(text)({});
+    lines.push_back(name == "t" ? KinkLine<2>{Point<2>(-std::sin(value), std::cos(value)), 0.}
+                                : KinkLine<2>{Point<2>::unit_vector(name == "x" ? 0 : 1), value});
+  }
+  return Kinks<2>(lines);
+}
+} // namespace
+
+template <int dim>
+Scene<dim> CatalogueEntry<dim>::make() const {
+  const Description<dim> parts(description);
+  Scene<dim> scene;
+  scene.name = name;
+  scene.title = title;
+  scene.description = description;
+  scene.geometry = make_body<dim>(parts.text("Body"));
+  scene.material = make_material(parts);
+  scene.exact_displacement = parts.function(parts.text("Exact u"));
+  scene.body_force = parts.function(parts.text("Load"));
+  for (const auto &[law, bound] : parts.pairs("Friction", ':'))
+    scene.friction = law == "tresca" ? Friction::tresca : Friction::coulomb;
+  scene.boundary.resize(scene.geometry.sides.size());
+  for (const auto &[role, sides] : parts.pairs("Boundary", ':'))
+    for (const std::string &side : split_words(sides)) {
+      const std::size_t number = scene.geometry.find_side(side);
+      scene.boundary[number].role = role == "clamped"    ? Role::clamped
+                                    : role == "contact"  ? Role::contact
+                                    : role == "traction" ? Role::traction
+                                                         : Role::displacement;
+      set_condition(parts, scene, scene.geometry.sides[number], scene.boundary[number]);
+    }
+  if constexpr (dim == 2)
+    scene.kinks = make_kinks(parts);
   return scene;
 }
 
-const std::string cube_on_disc =
-  "Boundary  clamped at z = 1, contact at z = 0, traction sigma(u) n on the upright sides\n"
-  "Load      body force -div sigma(u)\n"
-  "Gap       -a + (r-s)_+^2/2, a = -0.05 (1 + x (1-x) + y (1-y)), s = 1/e,\n"
-  "          r the distance from (0.5707106781186547, 0.4422649730810374)\n"
-  "Exact u   (-a_x B, -a_y B, a A + b B), A = (1-z)^2 (1+2z), B = z (1-z)^2,\n"
-  "          b = -0.3 (1 - r^2/s^2)_+^3\n";
-} // namespace
+template struct CatalogueEntry<2>;
+template struct CatalogueEntry<3>;
 
 template <>
 const std::vector<CatalogueEntry<2>> &catalogue() {
   static const std::vector<CatalogueEntry<2>> sorted = []() {
-    std::vector<CatalogueEntry<2>> entries = square_scenes();
-    for (const auto &more : {westergaard_scenes(), round_scenes(), friction_scenes()})
+    std::vector<CatalogueEntry<2>> entries = smooth_scenes();
+    for (const auto &more : {singular_scenes(), round_scenes()})
       entries.insert(entries.end(), more.begin(), more.end());
     std::sort(entries.begin(), entries.end(),
               [](const auto &a, const auto &b) { return a.name < b.name; });
@@ -83,21 +201,26 @@ const std::vector<CatalogueEntry<2>> &catalogue() {
 
 template <>
 const std::vector<CatalogueEntry<3>> &catalogue() {
+  // The centre of the disc and its radius coincide with lines of no mesh.
+  static const std::string on_disc =
+    "Body      the unit cube\n"
+    "Boundary  clamped: top; contact: bottom; traction: left, right, front, back\n"
+    "Load      -dx(s11) - dy(s12) - dz(s13); -dx(s12) - dy(s22) - dz(s23);\n"
+    "          -dx(s13) - dy(s23) - dz(s33)\n"
+    "Gap       0.5*max(0, sqrt(dd)-s)^2 - g\n"
+    "Exact u   -dx(g)*B; -dy(g)*B; g*(1-z)^2*(1+2*z) + w*B\n"
+    "Exact p   (lambda+2*mu)*w\n"
+    "With      g = -0.05*(1 + x*(1-x) + y*(1-y)); w = -0.3*max(1-dd/s^2, 0)^3; B = z*(1-z)^2;\n"
+    "          dd = (x-0.5707106781186547)^2 + (y-0.4422649730810374)^2; s = exp(-1);\n"
+    "          lambda = m*0.3/0.52; mu = m/2.6; trace = lambda*(dx(u1) + dy(u2) + dz(u3));\n"
+    "          s11 = trace + 2*mu*dx(u1); s22 = trace + 2*mu*dy(u2);\n"
+    "          s33 = trace + 2*mu*dz(u3); s12 = mu*(dy(u1) + dx(u2));\n"
+    "          s13 = mu*(dz(u1) + dx(u3)); s23 = mu*(dz(u2) + dy(u3))\n"
+    "Material  E = m; nu = 0.3\n";
   static const std::vector<CatalogueEntry<3>> entries = {
-    {"D3", "in 3-D: smooth contact on a disc, exact solution known",
-     "Body      the unit cube\n"
-     "Material  E = 1, nu = 0.3\n" +
-       cube_on_disc + "Exact p   (lambda + 2 mu) b\n",
-     []() { return contact_on_disc("1", {}); }},
+    {"D3", "in 3-D: smooth contact on a disc, exact solution known", on_disc + "With      m = 1\n"},
     {"V3", "in 3-D: the contact of D3 with a material that varies in space",
-     "Body      the unit cube\n"
-     "Material  E = 1 + x/2 + y z, nu = 0.3\n" +
-       cube_on_disc + "Exact p   (lambda + 2 mu) b with lambda and mu at the point\n",
-     []() {
-       return contact_on_disc("1 + x/2 + y*z", [](const Point<3> &x) {
-         return Tensor<1, 3>({0.5, x[2], x[1]}) / (1. + 0.5 * x[0] + x[1] * x[2]);
-       });
-     }}};
+     on_disc + "With      m = 1 + x/2 + y*z\n"}};
   return entries;
 }
 

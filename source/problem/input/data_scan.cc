@@ -34,9 +34,10 @@ double mean_size(const Expression<2> &formula, const std::vector<Point<2>> &poin
   return sum / points.size();
 }
 
-/** Appends the components of a function that is given by formulas. */
+/** Appends the components of a function that the parameter file gives by formulas. */
 void append(const FunctionPointer<2> &function, std::vector<Expression<2>> &formulas) {
-  if (const auto given = std::dynamic_pointer_cast<const ExpressionFunction<2>>(function))
+  const auto given = std::dynamic_pointer_cast<const ExpressionFunction<2>>(function);
+  if (given != nullptr && given->is_data())
     formulas.insert(formulas.end(), given->components().begin(), given->components().end());
 }
 
@@ -136,10 +137,7 @@ void Scan::add_lines(const FormulaTree<2> &formula, const FormulaBox<2> &box) {
   const double size = scene_.geometry.diameter();
   for (const KinkLine<2> &line : formula.lines_in(box, all)) {
     const bool is_known = std::any_of(lines_.begin(), lines_.end(), [&](const auto &known) {
-      const double sign = known.normal * line.normal < 0. ? -1. : 1.;
-      return (known.normal - sign * line.normal).norm() < 1e-9 &&
-             std::abs(known.signed_distance(box.centre()) -
-                      sign * line.signed_distance(box.centre())) < 1e-9 * size;
+      return line.coincides(known, box.centre(), 1e-9 * size);
     });
     if (!is_known && lines_.size() < max_lines)
       lines_.push_back(line);
@@ -250,7 +248,8 @@ void scan_data(Scene<2> &scene) {
   for (unsigned int side = 0; side < scene.boundary.size(); ++side)
     scan.scan_side(side, breaks);
   const std::vector<KinkLine<2>> lines = scan.kinks();
-  scene.law_kinks = Kinks<2>(lines, {}, std::move(of_law));
+  if (!scene.material->is_constant())
+    scene.law_kinks = Kinks<2>(lines, {}, std::move(of_law));
   scene.kinks = Kinks<2>(lines, std::move(breaks), std::move(of_force));
 }
 } // namespace Signorini

@@ -10,7 +10,6 @@
 #include <cctype>
 #include <cmath>
 #include <map>
-#include <regex>
 
 #include "input.h"
 
@@ -22,30 +21,6 @@ constexpr std::size_t max_obstacles = 1000;
 /** The largest gap in diameters of the body. */
 constexpr double max_gap = 10.;
 
-/** A word that begins a part of an obstacle, and the text up to the next one. */
-struct Part {
-  std::string word;
-  std::string text;
-};
-
-/** Splits "circle 0,1 radius 2" into {circle: 0,1} {radius: 2}. Text before the first word counts
- * as an unknown word. */
-std::vector<Part> split_at_words(const std::string &text) {
-  static const std::regex words("\\b(plane|circle|parabola|normal|radius|curvature|inside)\\b");
-  std::vector<Part> parts(1);
-  bool is_word = false;
-  for (std::sregex_token_iterator piece(text.begin(), text.end(), words, {-1, 0}), end;
-       piece != end; ++piece, is_word = !is_word)
-    if (is_word)
-      parts.push_back({*piece, ""});
-    else
-      parts.back().text = *piece;
-  parts[0].word = trim(parts[0].text);
-  if (parts[0].word.empty())
-    parts.erase(parts.begin());
-  return parts;
-}
-
 /** Reads the obstacles of one entry. */
 class ObstacleReader {
 public:
@@ -55,26 +30,22 @@ public:
     , geometry_(geometry) {}
 
   Obstacle read(const std::string &text) const {
-    const std::vector<Part> parts = split_at_words(text);
-    std::vector<std::string> words;
-    for (const Part &part : parts)
-      words.push_back(part.word);
-    const std::string kind = join(words, " ");
-    if (kind == "plane normal")
-      return Obstacle::plane(point(parts[0]), normal(parts[1]));
-    if (kind == "parabola normal curvature")
-      return Obstacle::parabola(point(parts[0]), normal(parts[1]), numbers(parts[2], 1)[0]);
-    if (kind == "circle radius")
-      return Obstacle::circle(point(parts[0]), radius(parts[1]), Body::outside);
-    if (kind == "circle radius inside" && trim(parts[2].text).empty())
-      return Obstacle::circle(point(parts[0]), radius(parts[1]), Body::inside);
+    const auto [parts, form] = Phrase(text, "plane|circle|parabola|normal|radius|curvature|inside");
+    if (form == "plane normal")
+      return Obstacle::plane(point(parts[1]), normal(parts[2]));
+    if (form == "parabola normal curvature")
+      return Obstacle::parabola(point(parts[1]), normal(parts[2]), numbers(parts[3], 1)[0]);
+    if (form == "circle radius")
+      return Obstacle::circle(point(parts[1]), radius(parts[2]), Body::outside);
+    if (form == "circle radius inside" && parts[3].text.empty())
+      return Obstacle::circle(point(parts[1]), radius(parts[2]), Body::inside);
     refuse(quote(text),
            "plane x,y normal nx,ny; circle x,y radius r; circle x,y radius r inside; parabola x,y "
            "normal nx,ny curvature k");
   }
 
   /** Reads "x, y". */
-  Tensor<1, 2> vector(const Part &part) const {
+  Tensor<1, 2> vector(const Phrase::Part &part) const {
     const std::vector<double> xy = numbers(part, 2);
     return Tensor<1, 2>({xy[0], xy[1]});
   }
@@ -85,7 +56,7 @@ private:
   }
 
   /** Reads numbers separated by commas, each a formula of the constants. */
-  std::vector<double> numbers(const Part &part, const std::size_t n) const {
+  std::vector<double> numbers(const Phrase::Part &part, const std::size_t n) const {
     std::vector<double> numbers;
     const std::vector<std::string> texts = split_list(part.text, ',');
     bool is_understood = texts.size() == n;
@@ -95,27 +66,26 @@ private:
       is_understood = formula.is_constant() && std::abs(numbers.back()) <= max_magnitude;
     }
     if (!is_understood)
-      refuse(quote(trim(part.text)) + (part.word.empty() ? "" : " after '" + part.word + "'"),
+      refuse(quote(part.text) + (part.word.empty() ? "" : " after '" + part.word + "'"),
              std::string(n == 1 ? "one number" : "two numbers separated by a comma") +
                " (formulas of the constants) up to " + number_text(max_magnitude));
     return numbers;
   }
 
-  Point<2> point(const Part &part) const {
+  Point<2> point(const Phrase::Part &part) const {
     const Point<2> x(vector(part));
     check_length(x.distance(geometry_.inner_point()), "a distance", part);
     return x;
   }
 
-  Tensor<1, 2> normal(const Part &part) const {
+  Tensor<1, 2> normal(const Phrase::Part &part) const {
     const Tensor<1, 2> n = vector(part);
     if (!(n.norm() >= min_magnitude))
-      refuse("the normal " + quote(trim(part.text)),
-             "a vector of any length but zero, towards the body");
+      refuse("the normal " + quote(part.text), "a vector of any length but zero, towards the body");
     return n;
   }
 
-  double radius(const Part &part) const {
+  double radius(const Phrase::Part &part) const {
     const double r = numbers(part, 1)[0];
     if (!(r >= min_magnitude))
       refuse("the radius " + number_text(r), "numbers from " + number_text(min_magnitude));
@@ -124,10 +94,10 @@ private:
   }
 
   /** Refuses large and far circles, whose gaps |x - c| - r lose digits. */
-  void check_length(const double length, const std::string &what, const Part &part) const {
+  void check_length(const double length, const std::string &what, const Phrase::Part &part) const {
     const double diameter = geometry_.diameter();
     if (!(length <= max_distance * diameter))
-      refuse(quote(trim(part.text)) + " after '" + part.word + "', " + what + " of " +
+      refuse(quote(part.text) + " after '" + part.word + "', " + what + " of " +
                number_text(length) + " for a body of the size " + number_text(diameter),
              "at most " + number_text(max_distance) +
                " times its size; take a plane or a parabola that begins near the body");
@@ -210,7 +180,7 @@ void read_foundation(const ContactParameters &given, const Constants &constants,
     return;
   }
   scene.foundation_position = ObstacleReader(given.foundation_position, constants, scene.geometry)
-                                .vector({"", given.foundation_position});
+                                .vector({"", trim(given.foundation_position)});
   for (const auto &[side, obstacles] : read_obstacles(given.foundation, constants, scene, moves)) {
     BoundaryCondition<2> &condition = scene.boundary[side];
     condition.foundation =

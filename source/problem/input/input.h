@@ -15,6 +15,23 @@ namespace Signorini {
 /** The names of sides, and the texts that belong to them. */
 using SideTexts = std::vector<std::pair<std::string, std::string>>;
 
+/**
+ * A text taken apart at the words that it may contain: "circle 0,1 radius 2" has the form "circle
+ * radius" and the parts "0,1" and "2" of these words. The first part is what stands before them,
+ * "..." in the form; "0,1 fillet 2" has the form "... fillet".
+ */
+struct Phrase {
+  struct Part {
+    std::string word, text;
+  };
+
+  /** @param words separated by '|'. */
+  Phrase(const std::string &text, const std::string &words);
+
+  std::vector<Part> parts;
+  std::string form;
+};
+
 /** Returns the side of this name, or the sides name.1, name.2, ... that a name of a mesh file has
  * become; empty if there is none. */
 std::vector<std::string> sides_called(const std::string &name,

@@ -154,25 +154,23 @@ void check_number(const std::size_t n, const std::string &where) {
 
 /** Reads "arc cx,cy ccw". */
 PolygonArc read_arc(const std::string &text, const Entry &entry) {
-  const std::string rest = trim(text.substr(3));
-  const std::size_t blank = rest.find_last_of(" \t");
-  const std::string direction = blank == std::string::npos ? "" : rest.substr(blank + 1);
-  if (direction != "cw" && direction != "ccw")
+  const auto [parts, form] = Phrase(text, "arc|cw|ccw");
+  if ((form != "arc cw" && form != "arc ccw") || !parts[2].text.empty())
     throw error_at(entry, "found ", quote(text),
                    ", allowed: 'arc cx,cy ccw' (counter-clockwise) or 'arc cx,cy cw'.");
-  return {read_point<2>(rest.substr(0, blank), entry), direction == "ccw"};
+  return {read_point<2>(parts[1].text, entry), form == "arc ccw"};
 }
 
 /** Reads "x,y" or "x,y fillet r". */
 PolygonVertex read_vertex(const std::string &text, const std::size_t number, const Entry &entry) {
-  const std::size_t word = text.find("fillet");
-  PolygonVertex vertex = {read_point<2>(text.substr(0, word), entry),
+  const auto [parts, form] = Phrase(text, "fillet");
+  PolygonVertex vertex = {read_point<2>(parts[0].text, entry),
                           0.,
                           "vertex " + std::to_string(number),
                           "side" + std::to_string(number),
                           {}};
-  if (word != std::string::npos &&
-      (!read_number(trim(text.substr(word + 6)), vertex.fillet) || !(vertex.fillet > 0.)))
+  if (form != "..." &&
+      (form != "... fillet" || !read_number(parts[1].text, vertex.fillet) || !(vertex.fillet > 0.)))
     throw error_at(entry, "found ", quote(text),
                    ", allowed: 'x,y fillet r' with a positive radius r.");
   return vertex;

@@ -11,11 +11,27 @@
 #include <cctype>
 #include <cmath>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "input.h"
 
 namespace Signorini {
+Phrase::Phrase(const std::string &text, const std::string &words)
+  : parts(1) {
+  const std::regex any("\\b(" + words + ")\\b");
+  bool is_word = false;
+  for (std::sregex_token_iterator piece(text.begin(), text.end(), any, {-1, 0}), end; piece != end;
+       ++piece, is_word = !is_word)
+    if (is_word)
+      parts.push_back({*piece, ""});
+    else
+      parts.back().text = trim(*piece);
+  form = parts[0].text.empty() ? "" : "...";
+  for (std::size_t i = 1; i < parts.size(); ++i)
+    form += (form.empty() ? "" : " ") + parts[i].word;
+}
+
 // Expressions may contain a ':' of their own (c ? a : b).
 bool begins_with_a_name(const std::string &text) {
   const auto colon = text.find(':');
@@ -79,15 +95,12 @@ namespace {
 /** Reads "dx, dy", perhaps with the word "turning" behind it. */
 Plate read_plate(const std::string &name, const std::string &text, const Entry &entry,
                  const Geometry<2> &geometry) {
-  const std::string word = "turning";
+  const Phrase phrase(text, "turning");
   Plate plate;
-  std::string numbers = text;
-  const auto place = text.find(word);
-  plate.turns = place != std::string::npos && trim(text.substr(place)) == word;
-  if (plate.turns)
-    numbers = trim(text.substr(0, place));
+  plate.turns = phrase.form == "... turning" && phrase.parts[1].text.empty();
   std::vector<double> d;
-  if (!read_numbers(numbers, d) || d.size() != 2 || !(std::hypot(d[0], d[1]) > 0.))
+  if (!read_numbers(plate.turns ? phrase.parts[0].text : text, d) || d.size() != 2 ||
+      !(std::hypot(d[0], d[1]) > 0.))
     throw error_at(entry, "found ", quote(text), " for the side '", name,
                    "', allowed: a direction dx, dy, perhaps followed by the word turning.");
   plate.side = geometry.find_side(name);

@@ -244,9 +244,10 @@ void Declarations::declare_solver(SolverParameters &solver) {
 
 void Declarations::declare_output(OutputParameters &output) {
   add("Output/VTU", output.vtu, "Levels for which solution-LL.vtu and contact-LL.vtu are written.");
-  add("Output/Inf-sup constant", output.inf_sup_constant,
-      "Whether the constant beta of Lemma 1 is measured (automatic: on nested meshes of up to 1e5 "
-      "unknowns, in 3-D 5000; it needs its own factorisation).");
+  add(
+    "Output/Inf-sup constant", output.inf_sup_constant,
+    "Whether the constant beta of Lemma 1 is measured (automatic: where the exact displacement is "
+    "known, on nested meshes of up to 1e5 unknowns, in 3-D 5000; it needs its own factorisation).");
   add("Output/Compliance", output.compliance,
       "Write the dual problem and its solution as Matrix Market files: C, F, P, and A, D, f, G "
       "behind them.");

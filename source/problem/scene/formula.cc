@@ -40,6 +40,15 @@ Interval choose(const Interval &, const Interval &b, const Interval &c) {
   return hull(b, c);
 }
 
+/** A product in which zero times infinity is zero. */
+double times(const double a, const double b) {
+  const bool is_zero = (a == 0.) | (b == 0.);
+  return is_zero ? 0. : a * b;
+}
+Interval times(const Interval &a, const Interval &b) {
+  return is_zero(a) || is_zero(b) ? 0. : zero_in(a) || zero_in(b) ? hull(a * b, 0.) : a * b;
+}
+
 /** Makes an operation of a function that takes numbers and intervals. */
 template <typename Rule>
 Operation rule(const char *name, const Rule &function, const char *in_a = nullptr,
@@ -106,6 +115,8 @@ const std::vector<Operation> &operations() {
       "-", [](auto a, auto b, auto) { return a - b; }, "1", "-1", 4),
     rule(
       "*", [](auto a, auto b, auto) { return a * b; }, "b", "a", 5),
+    rule(
+      "times", [](auto a, auto b, auto) { return times(a, b); }, "b", "a"),
     rule(
       "/", [](auto a, auto b, auto) { return a / b; }, "1/b", "-f/b", 5),
     rule(
@@ -189,10 +200,7 @@ bool is_among(const std::vector<KinkLine<dim>> &lines, const KinkLine<dim> &line
               const FormulaBox<dim> &box) {
   const double rounding = 1e-9 * box.upper.distance(box.lower) + 1e-12 * box.upper.norm();
   return std::any_of(lines.begin(), lines.end(), [&](const KinkLine<dim> &other) {
-    const double sign = line.normal * other.normal < 0. ? -1. : 1.,
-                 distance =
-                   line.signed_distance(box.centre()) - sign * other.signed_distance(box.centre());
-    return (line.normal - sign * other.normal).norm() < 1e-9 && std::abs(distance) < rounding;
+    return line.coincides(other, box.centre(), rounding);
   });
 }
 
@@ -392,9 +400,10 @@ bool visit_branches(const BoxRun<dim> &run, const Visitor &visit, const unsigned
 using namespace FormulaParts;
 
 template <int dim>
-FormulaTree<dim>::FormulaTree(const std::string &text, const Constants &constants) {
+FormulaTree<dim>::FormulaTree(const std::string &text, const Constants &constants,
+                              const Definitions &definitions) {
   const auto formula = std::make_shared<Formula>();
-  const Reader reader(text, constants, dim, *formula);
+  const Reader reader(text, constants, definitions, dim, *formula);
   formula_ = formula;
 }
 
@@ -404,28 +413,44 @@ bool FormulaTree<dim>::is_constant() const {
   return root.is_fixed && root.operation == nullptr;
 }
 
+namespace {
+/** Evaluates the first parts at many points, some of them at a time. @param visit takes the number
+ * of the first point, how many they are, and their values. */
+template <int dim, typename Visitor>
+void evaluate(const Formula &formula, const Point<dim> *const points, const std::size_t n,
+              const Index n_parts, const Visitor &visit) {
+  for (std::size_t start = 0, size; start < n; start += size) {
+    size = std::min<std::size_t>(n - start, 32);
+    visit(start, size, PointRun(formula, points + start, size, n_parts));
+  }
+}
+} // namespace
+
 template <int dim>
 double FormulaTree<dim>::value(const Point<dim> &x) const {
-  return PointRun(*formula_, &x, 1, formula_->n_values)[formula_->root];
+  double value;
+  values(&x, 1, &value);
+  return value;
 }
 
 template <int dim>
 void FormulaTree<dim>::values(const Point<dim> *const points, const std::size_t n,
                               double *const values) const {
-  for (std::size_t start = 0, size; start < n; start += size) {
-    size = std::min<std::size_t>(n - start, 32);
-    const PointRun run(*formula_, points + start, size, formula_->n_values);
-    std::copy_n(run.data() + formula_->root * size, size, values + start);
-  }
+  evaluate(*formula_, points, n, formula_->n_values,
+           [&](const std::size_t start, const std::size_t size, const PointRun &run) {
+             std::copy_n(run.data() + formula_->root * size, size, values + start);
+           });
 }
 
 template <int dim>
-Tensor<1, dim> FormulaTree<dim>::gradient(const Point<dim> &x) const {
-  const PointRun run(*formula_, &x, 1, formula_->nodes.size());
-  Tensor<1, dim> gradient;
-  for (int d = 0; d < dim; ++d)
-    gradient[d] = run[formula_->slopes[formula_->root][d]];
-  return gradient;
+void FormulaTree<dim>::gradients(const Point<dim> *const points, const std::size_t n,
+                                 Tensor<1, dim> *const gradients) const {
+  evaluate(*formula_, points, n, formula_->nodes.size(),
+           [&](const std::size_t start, const std::size_t size, const PointRun &run) {
+             for (std::size_t q = 0; q < size; ++q)
+               for (int d = 0; d < dim; ++d)
+                 gradients[start + q][d] = run[formula_->slopes[formula_->root][d] * size + q];
+           });
 }
 
 template <int dim>

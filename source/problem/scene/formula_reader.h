@@ -15,26 +15,25 @@ namespace FormulaParts {
 /** Reads a formula with the precedence of muParser: ?:, ||, &&, comparisons, + -, * /, signs, ^. */
 class Reader {
 public:
-  Reader(const std::string &text, const Constants &constants, const unsigned int dim,
-         Formula &formula)
+  Reader(const std::string &text, const Constants &constants, const Definitions &definitions,
+         const unsigned int dim, Formula &formula)
     : constants_(constants)
+    , definitions_(definitions)
     , formula_(formula)
     , nodes_(formula.nodes) {
     constants_.insert({{"pi", std::acos(-1.)}, {"_pi", std::acos(-1.)}, {"_e", std::exp(1.)}});
     number(0.);
-    std::map<std::string, Index> names;
     for (Index d = 0; d < dim; ++d)
-      names[std::string(1, "xyz"[d])] = d;
-    formula.root = read(text.c_str(), names);
+      known_names_[std::string(1, "xyz"[d])] = d;
+    formula.root = read(text.c_str(), known_names_);
     formula.n_values = nodes_.size();
-    formula.slopes.assign(nodes_.size(), {{zero, zero, zero}});
     for (Index i = 0; i < formula.n_values; ++i)
       for (Index d = 0; d < 3; ++d)
-        formula.slopes[i][d] = i == d ? number(1.) : differentiate(i, d);
+        slope(i, d);
   }
 
 private:
-  static constexpr Index zero = 3;
+  static constexpr Index zero = 3, unknown = -1;
 
   bool take(const char *const token) {
     at_ += std::strspn(at_, " \t\n\r");
@@ -68,6 +67,11 @@ private:
         const double value = operation.value(nodes_[a].value, nodes_[b].value, nodes_[c].value);
         if (operation.kind == choice && nodes_[a].is_fixed)
           return nodes_[a].value != 0. ? b : c;
+        if (*operation.name == '^' && b == number(1.))
+          return a;
+        for (const auto &[factor, other] : {std::pair(a, b), {b, a}})
+          if ((name == "*" || name == "times") && factor == number(1.))
+            return other;
         if (nodes_[a].is_fixed && nodes_[b].is_fixed && nodes_[c].is_fixed && !std::isnan(value))
           return number(value);
         return node(&operation, {{a, b, c}}, 0.);
@@ -76,24 +80,29 @@ private:
     return zero;
   }
 
-  /** Returns the derivative of a part, with those of earlier parts. */
+  /** Returns the derivative of a part, which is made at the first call. */
+  Index slope(const Index i, const Index d) {
+    if (formula_.slopes.size() < nodes_.size())
+      formula_.slopes.resize(nodes_.size(), {{unknown, unknown, unknown}});
+    if (formula_.slopes[i][d] != unknown)
+      return formula_.slopes[i][d];
+    const Index derivative = i == d ? number(1.) : differentiate(i, d);
+    return formula_.slopes[i][d] = derivative;
+  }
   Index differentiate(const Index i, const Index d) {
     if (nodes_[i].operation == nullptr)
       return zero;
     const Operation &operation = *nodes_[i].operation;
     const auto [a, b, c] = nodes_[i].arguments;
-    const Index in_a = formula_.slopes[a][d], in_b = formula_.slopes[b][d],
-                in_c = formula_.slopes[c][d];
+    const Index in_a = operation.in_a == nullptr ? zero : slope(a, d), in_b = slope(b, d),
+                in_c = slope(c, d);
     Index sum = zero;
     if (operation.kind == choice)
       sum = in_b == in_c ? in_b : add("?", a, in_b, in_c);
-    for (const auto &[text, slope] : {std::pair(operation.in_a, in_a), {operation.in_b, in_b}})
-      if (text != nullptr && slope != zero) {
+    for (const auto &[text, inner] : {std::pair(operation.in_a, in_a), {operation.in_b, in_b}})
+      if (text != nullptr && inner != zero) {
         const Index factor = read(text, {{"a", a}, {"b", b}, {"f", i}});
-        // Zero times infinity is zero.
-        Index term = factor == number(1.) ? slope : add("*", factor, slope);
-        for (const Index part : {factor, slope})
-          term = add("?", part, term, zero);
+        const Index term = add("times", factor, inner);
         sum = sum == zero ? term : add("+", sum, term);
       }
     if (operation.kind == step && *operation.name == 'z')
@@ -163,6 +172,12 @@ private:
       return read_function(name);
     if (names_.count(name) > 0)
       return names_[name];
+    if (const auto definition = definitions_.find(name); definition != definitions_.end()) {
+      const auto [found, is_new] = known_names_.try_emplace(name, zero);
+      if (is_new)
+        found->second = read(definition->second.c_str(), known_names_);
+      return found->second;
+    }
     expect(constants_.count(name) > 0);
     return number(constants_[name]);
   }
@@ -173,17 +188,29 @@ private:
         a = add(name, a, read_choice());
     else {
       const Index b = take(",") ? read_choice() : zero, c = take(",") ? read_choice() : zero;
-      a = add(name, a, b, c);
+      const auto definition = definitions_.find(name);
+      if (definition != definitions_.end()) {
+        std::map<std::string, Index> names = known_names_;
+        for (const auto &[argument, part] : {std::pair("a", a), {"b", b}, {"c", c}})
+          names[argument] = part;
+        a = read(definition->second.c_str(), names);
+      } else if (!definitions_.empty() && name.size() == 2 && name[0] == 'd')
+        a = slope(a, name[1] - 'x');
+      else
+        a = add(name, a, b, c);
     }
     expect(take(")"));
     return name == "avg" ? add("/", a, number(n)) : a;
   }
 
   Constants constants_;
+  const Definitions &definitions_;
   Formula &formula_;
   std::vector<Node> &nodes_;
   const char *at_ = nullptr;
-  std::map<std::string, Index> names_;
+  /** The names that the text being read may use, and those of the coordinates and of definitions
+   * that have been read. */
+  std::map<std::string, Index> names_, known_names_;
   std::map<std::tuple<const Operation *, Indices, double, double>, Index> known_;
 };
 } // namespace FormulaParts

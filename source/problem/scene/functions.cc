@@ -88,8 +88,7 @@ template <int dim>
 void ExpressionFunction<dim>::gradient_list(const Points &points, Gradients &gradients,
                                             const unsigned int component) const {
   if (gradients_.empty())
-    std::transform(points.begin(), points.end(), gradients.begin(),
-                   [&](const Point<dim> &x) { return exact_gradient(x, component); });
+    values_[component].formula().gradients(points.data(), points.size(), gradients.data());
   std::vector<double> derivatives(points.size());
   for (unsigned int d = 0; d < dim && !gradients_.empty(); ++d) {
     gradients_[dim * component + d].evaluate(points, derivatives);
@@ -112,7 +111,7 @@ void ExpressionFunction<dim>::vector_gradient_list(const Points &points,
 template <int dim>
 bool is_constant(const Function<dim> &function) {
   const auto *expressions = dynamic_cast<const ExpressionFunction<dim> *>(&function);
-  return expressions != nullptr && expressions->is_constant();
+  return expressions != nullptr && expressions->is_data() && expressions->is_constant();
 }
 
 template class ExpressionFunction<2>;

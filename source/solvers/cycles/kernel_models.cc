@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Discrete cosines diagonalise the H^{-1/2} Gram matrix of equal patches.
 
+#include <signorini/discretization/multiplier/cosine_modes.h>
 #include <signorini/solvers/cycles/kernel_models.h>
 
 #include <deal.II/base/numbers.h>
@@ -16,46 +17,24 @@ namespace {
 using Matrix = FullMatrix<double>;
 using numbers::PI;
 
-constexpr int n_aliases = 8;
-
-/** Returns (c_k/n)^{1/2} cos(k π (i + 1/2)/n), c_0 = 1, c_k = 2. */
-Matrix orthonormal_cosines(const unsigned int n) {
-  Matrix cosines(n, n);
-  for (unsigned int i = 0; i < n; ++i)
-    for (unsigned int k = 0; k < n; ++k)
-      cosines(i, k) = std::sqrt((k == 0 ? 1. : 2.) / n) * std::cos(k * PI * (i + 0.5) / n);
-  return cosines;
-}
-
-/** Returns c_k/n cos(k π a/n) for 0 ≤ a < 2 n. */
+/** Returns cos(k π a/n) for 0 ≤ a < 2 n. */
 Matrix differences(const unsigned int n) {
   Matrix cosines(2 * n, n);
   for (unsigned int a = 0; a < 2 * n; ++a)
     for (unsigned int k = 0; k < n; ++k)
-      cosines(a, k) = (k == 0 ? 1. : 2.) / n * std::cos(k * PI * a / n);
+      cosines(a, k) = std::cos(k * PI * a / n);
   return cosines;
 }
 
-/** A mode of the series: the square of its frequency, and the square of the share of it that
- * patches resolve. */
-struct Alias {
-  double square_of_frequency, share;
-};
+/** Returns the inverse of the sum of squares of cos(k π (i + 1/2)/n). */
+double inverse_square(const unsigned int k, const unsigned int n) {
+  return (k == 0 ? 1. : 2.) / n;
+}
 
-/** Returns the modes k + 2 n j of the series, with (sin x/x)² for x = ω h/2. */
-std::vector<Alias> aliases_of(const unsigned int k, const unsigned int n, const double length) {
-  if (length <= 0.)
-    return {{0., 1.}};
-  std::vector<Alias> aliases;
-  for (int j = -n_aliases; j <= n_aliases; ++j) {
-    const double x = 0.5 * PI * (k / double(n) + 2. * j);
-    const double sinc = x == 0. ? 1. : std::sin(x) / x;
-    const double frequency = 2. * x * n / length;
-    // The mode 0 meets itself only: sin(j π) = 0.
-    if (k > 0 || j == 0)
-      aliases.push_back({frequency * frequency, sinc * sinc});
-  }
-  return aliases;
+/** Returns the cosines with all aliases k + 2 n j, |j| ≤ 8, of the modes k < n. */
+CosineModes modes_of(const double length, const unsigned int n) {
+  constexpr unsigned int n_aliases = 8;
+  return {length, n, (2 * n_aliases + 1) * n};
 }
 } // namespace
 
@@ -64,24 +43,13 @@ CosineGrid::CosineGrid(const std::array<unsigned int, 2> &sizes,
                        std::vector<unsigned int> multipliers)
   : sizes_(sizes)
   , multipliers_(std::move(multipliers))
-  , cosines_{orthonormal_cosines(sizes[0]), orthonormal_cosines(sizes[1])}
-  , eigenvalues_(sizes[0], sizes[1])
+  , cosines_{discrete_cosines(sizes[0]), discrete_cosines(sizes[1])}
+  , eigenvalues_(
+      cosine_eigenvalues(modes_of(lengths[0], sizes[0]), modes_of(lengths[1], sizes[1]), omega_0))
   , table_(2 * sizes[0], 2 * sizes[1]) {
   if (multipliers_.empty()) {
     multipliers_.resize(sizes[0] * sizes[1]);
     std::iota(multipliers_.begin(), multipliers_.end(), 0U);
-  }
-  double measure = 1.;
-  for (unsigned int d = 0; d < 2; ++d)
-    measure *= lengths[d] > 0. ? lengths[d] / sizes[d] : 1.;
-  for (unsigned int l = 0; l < sizes[1]; ++l) {
-    const std::vector<Alias> second = aliases_of(l, sizes[1], lengths[1]);
-    for (unsigned int k = 0; k < sizes[0]; ++k)
-      for (const Alias &a : aliases_of(k, sizes[0], lengths[0]))
-        for (const Alias &b : second)
-          eigenvalues_(k, l) +=
-            measure * a.share * b.share /
-            std::sqrt(omega_0 * omega_0 + a.square_of_frequency + b.square_of_frequency);
   }
   const Matrix first = differences(sizes[0]), second = differences(sizes[1]);
   Matrix product(2 * sizes[0], sizes[1]);
@@ -104,13 +72,15 @@ void CosineGrid::apply(Vector &product, const Vector &P, const bool inverse) con
   for (unsigned int j = 0; j < m; ++j)
     for (unsigned int i = 0; i < n; ++i)
       values(i, j) = P[multipliers_[i + n * j]];
-  cosines_[0].Tmmult(half, values);
-  half.mmult(modes, cosines_[1]);
+  cosines_[0].mmult(half, values);
+  half.mTmult(modes, cosines_[1]);
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < m; ++j)
-      modes(i, j) *= inverse ? 1. / eigenvalues_(i, j) : eigenvalues_(i, j);
-  cosines_[0].mmult(half, modes);
-  half.mTmult(values, cosines_[1]);
+      modes(i, j) *=
+        inverse ? std::pow(inverse_square(i, n) * inverse_square(j, m), 2) / eigenvalues_(i, j)
+                : eigenvalues_(i, j);
+  cosines_[0].Tmmult(half, modes);
+  half.mmult(values, cosines_[1]);
   for (unsigned int j = 0; j < m; ++j)
     for (unsigned int i = 0; i < n; ++i)
       product[multipliers_[i + n * j]] = values(i, j);

@@ -2,7 +2,7 @@
 // Lemma 1 on the unit cube, clamped at the top: beta on patches of 2 x 2 faces falls slowly to a
 // limit, on single faces like h². The numbers were computed by an independent program.
 
-#include <signorini/postprocessing/norms/spectral_norm.h>
+#include <signorini/postprocessing/norms/inf_sup.h>
 
 #include "box.h"
 #include "tests.h"

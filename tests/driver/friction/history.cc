@@ -15,7 +15,7 @@ namespace {
 std::pair<LevelRecord, dealii::Vector<double>> mindlin(const bool unloaded,
                                                        const dealii::Vector<double> &slip) {
   OneLevel level(named_scene("CM"), 6);
-  level.scene = make_cattaneo_mindlin(unloaded);
+  level.scene = cattaneo_mindlin(unloaded).make();
   dealii::Vector<double> &G = level.discretization.G;
   G = level.discretization.assemble_gap_of(level.scene);
   const unsigned int m = G.size() / 2;

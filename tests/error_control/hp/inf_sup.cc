@@ -2,8 +2,8 @@
 // Lemma 1 for polynomials of degree p - 2 on every contact face of degree p, and the norm in it: a
 // Gram matrix of polynomials on patches of different lengths against a series.
 
-#include <signorini/postprocessing/norms/slobodeckij_norm.h>
-#include <signorini/postprocessing/norms/spectral_norm.h>
+#include <signorini/postprocessing/norms/cosine_norm.h>
+#include <signorini/postprocessing/norms/inf_sup.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The two norms |||.|||_{-1/2} against closed forms and values of an independent implementation.
 
+#include <signorini/postprocessing/norms/cosine_norm.h>
 #include <signorini/postprocessing/norms/slobodeckij_norm.h>
-#include <signorini/postprocessing/norms/spectral_norm.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -57,7 +57,8 @@ double slobodeckij(const dealii::Vector<double> &q, const double length,
 }
 
 double spectral(const dealii::Vector<double> &q, const double length) {
-  return SpectralNorm(length).distance(SpectralNorm::Modes(8193), equal_ends(q.size(), length), q);
+  return CosineNorm<2>(length).distance(CosineNorm<2>::Modes(8193), equal_ends(q.size(), length),
+                                        q);
 }
 
 void check_checkerboards(Checks &checks) {
@@ -73,7 +74,7 @@ void check_checkerboards(Checks &checks) {
     checks.near(name + ", cosine norm", spectral(q, 1.), value.spectral, 1e-6 * value.spectral);
     checks.near(name + ", paper's norm", slobodeckij(q, 1., 16 * value.m), value.slobodeckij, 2e-8);
     auto image = q;
-    SpectralNorm(1.).gram_matrix(equal_ends(value.m, 1.)).vmult(image, q);
+    CosineNorm<2>(1.).gram_matrix(equal_ends(value.m, 1.)).vmult(image, q);
     checks.near(name + ", Gram matrix", std::sqrt(q * image), value.spectral,
                 1e-6 * value.spectral);
   }
@@ -112,7 +113,7 @@ void check_coefficients(Checks &checks) {
   const double xi = std::sqrt(0.5);
   const Samples samples({0., xi}, 4096, 8,
                         [&](const double x) { return -10. * std::pow(xi - x, 3); });
-  const auto q = SpectralNorm(1.).coefficients(samples.s, samples.w);
+  const auto q = CosineNorm<2>(1.).coefficients(samples.s, samples.w);
   double largest = std::abs(q[0] + 2.5 * std::pow(xi, 4));
   for (unsigned int k = 1; k <= 8192; ++k) {
     const double a = k * dealii::numbers::PI;
@@ -135,7 +136,7 @@ void check_closed_side(Checks &checks) {
         square +=
           8. * length / std::pow(pi * j, 2) / std::sqrt(1. + std::pow(j * pi * m / length, 2));
       const double exact = std::sqrt(square);
-      const SpectralNorm norm(length, /*closed=*/true);
+      const CosineNorm<2> norm(length, /*closed=*/true);
       const auto ends = equal_ends(m, length);
       const auto q = checkerboard(m);
       const std::string name = "closed side, (-1)^i, m = " + std::to_string(m);
@@ -153,7 +154,7 @@ void check_closed_side(Checks &checks) {
   // 3 cos(2 s) - sin(5 s) on the unit circle: pi (9 (1 + 4)^{-1/2} + (1 + 25)^{-1/2}).
   const Samples samples({0., 2. * pi}, 64, 8,
                         [](const double x) { return 3. * std::cos(2. * x) - std::sin(5. * x); });
-  const SpectralNorm circle(2. * pi, true);
+  const CosineNorm<2> circle(2. * pi, true);
   auto modes = circle.coefficients(samples.s, samples.w);
   // The rule is exact up to some 8 * 64 oscillations only.
   for (unsigned int c = 0; c < modes.size(); ++c)
@@ -168,7 +169,7 @@ double primal(const std::vector<double> &positions, const unsigned int n_pieces,
               const std::function<double(double)> &f) {
   const double length = positions.back();
   const Samples samples(positions, (n_pieces + 4095) / n_pieces, 8, f);
-  const SpectralNorm norm(length);
+  const CosineNorm<2> norm(length);
   return norm.primal_norm(norm.coefficients(samples.s, samples.w), n_pieces);
 }
 

@@ -3,7 +3,7 @@
 // are solved for only where they are asked for.
 
 #include <signorini/discretization/elasticity/linear_system.h>
-#include <signorini/postprocessing/norms/spectral_norm.h>
+#include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/solvers/contact/compliance.h>
 
 #include "one_level.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The cosine series on a grid of patches against closed forms.
 
-#include <signorini/postprocessing/norms/spectral_norm.h>
+#include <signorini/postprocessing/norms/cosine_norm.h>
 #include <signorini/solvers/cycles/kernel_models.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ void series(Checks &checks) {
   std::vector<double> ends;
   for (unsigned int i = 0; i <= n; ++i)
     ends.push_back(length * i / n);
-  const auto gram = SpectralNorm(length).gram_matrix(ends);
+  const auto gram = CosineNorm<2>(length).gram_matrix(ends);
   double largest = 0.;
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j)

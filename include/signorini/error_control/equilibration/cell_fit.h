@@ -5,7 +5,7 @@
 #include <signorini/error_control/equilibration/airy_cell.h>
 #include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/loads/bound_data.h>
-#include <signorini/error_control/loads/law_sampling.h>
+#include <signorini/error_control/loads/triangle_parts.h>
 
 #include <list>
 #include <map>

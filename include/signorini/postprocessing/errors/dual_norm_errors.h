@@ -4,13 +4,11 @@
 #include <signorini/base/columns.h>
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
-#include <signorini/postprocessing/norms/rectangle_norm.h>
-#include <signorini/postprocessing/norms/spectral_norm.h>
+#include <signorini/postprocessing/norms/cosine_norm.h>
 #include <signorini/problem/parameters/options.h>
 
 #include <map>
 #include <optional>
-#include <type_traits>
 
 namespace Signorini {
 /** The errors of the contact pressure in |||.|||_{-1/2,Γ_c}, the root of the sum of squares
@@ -43,10 +41,8 @@ public:
   dealii::Vector<double> project(const MultiplierSpace<dim> &space) const;
 
 private:
-  using Coefficients = std::conditional_t<dim == 2, SpectralNorm::Modes, FullMatrix<double>>;
-
   const Scene<dim> &scene_;
-  std::map<unsigned int, Coefficients> coefficients_;
+  std::map<unsigned int, typename CosineNorm<dim>::Modes> coefficients_;
 };
 
 /** The left-hand sides of the paper's lemmas and auxiliary bounds for one level. */

@@ -2,33 +2,13 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/vector.h>
 
 #include <vector>
 
 namespace Signorini {
-/**
- * Returns the Gram matrix of the basis of Q^H in the cosine norm. It is block diagonal: the square
- * of the norm is the sum over the sides.
- *
- * Constants on patches of about the same length take the series of SpectralNorm. Series do not
- * resolve the patches of graded meshes; there
- *
- *     ∫_I ∫_J ψ(s) φ(t) κ(s - t) ds dt = ∫ κ(x) A(x) dx,
- *     A(x) = ∫ ψ(s) φ(s - x) ds,
- *
- * with A a polynomial between differences of the ends of I and J, and rules that are refined
- * towards the singularities of κ.
- */
-FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers);
-
-/** Returns the same matrix in 3-D, where patches have constants: the series of RectangleNorm. */
-FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers);
-
 /** Returns the Gram matrix of the seminorm |v|_{1/2}, the double integral below, for the piecewise
  * linear functions on a uniform grid. It does not depend on the length. */
 FullMatrix<double> seminorm_matrix(unsigned int n_cells);

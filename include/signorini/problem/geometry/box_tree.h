@@ -7,6 +7,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -20,6 +21,12 @@ struct KinkLine {
   /** Returns normal.x - position. */
   double signed_distance(const Point<dim> &x) const {
     return normal * (x - Point<dim>()) - position;
+  }
+  /** Returns whether another line is the same near a point, up to @p rounding (length). */
+  bool coincides(const KinkLine &other, const Point<dim> &x, const double rounding) const {
+    const double sign = normal * other.normal < 0. ? -1. : 1.;
+    return (normal - sign * other.normal).norm() < 1e-9 &&
+           std::abs(signed_distance(x) - sign * other.signed_distance(x)) < rounding;
   }
 };
 

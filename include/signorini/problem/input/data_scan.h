@@ -13,8 +13,8 @@ namespace Signorini {
  * is not shown (FormulaTree::is_shown()) is halved; boxes in the body down to 1/4096 of its
  * extent, intervals on a side until a jump is known up to 1e-10 of its length. What varies by less
  * than 1e-8 of the mean of its absolute value, times the body's area over that of the box, counts
- * as constant. Functions of the catalogue and distances to foundations are no formulas; their
- * kinks are declared.
+ * as constant. Formulas of the catalogue and distances to foundations are not scanned; their kinks
+ * are declared.
  *
  * The lines are added to those of the scene, and all kinks lose their ends.
  */

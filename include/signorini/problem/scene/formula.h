@@ -17,6 +17,10 @@ namespace Signorini {
 /** Named numbers that expressions may use. */
 using Constants = std::map<std::string, double>;
 
+/** Formulas with a name, in any order. As a name f is the formula, as a function f(p, q, r) the
+ * formula with p, q, r in the place of a, b, c. */
+using Definitions = std::map<std::string, std::string>;
+
 namespace FormulaParts {
 struct Formula;
 }
@@ -58,8 +62,10 @@ struct Enclosure {
 template <int dim>
 class FormulaTree {
 public:
-  /** Parses a text that muParser accepts. @throws std::invalid_argument if it cannot be read. */
-  FormulaTree(const std::string &text, const Constants &constants);
+  /** Parses a text that muParser accepts; or one that may also name definitions, and derivatives
+   * dx(f), dy(f), dz(f). @throws std::invalid_argument if it cannot be read. */
+  FormulaTree(const std::string &text, const Constants &constants,
+              const Definitions &definitions = {});
 
   /** Returns whether the formula uses none of the coordinates. */
   bool is_constant() const;
@@ -67,8 +73,13 @@ public:
   double value(const Point<dim> &x) const;
   /** Computes n values; not finite where the formula is not defined. */
   void values(const Point<dim> *points, std::size_t n, double *values) const;
-  /** Returns the exact derivatives; at a switch, those of one branch. */
-  Tensor<1, dim> gradient(const Point<dim> &x) const;
+  /** Computes the exact derivatives at n points; at a switch, those of one branch. */
+  void gradients(const Point<dim> *points, std::size_t n, Tensor<1, dim> *gradients) const;
+  Tensor<1, dim> gradient(const Point<dim> &x) const {
+    Tensor<1, dim> gradient;
+    gradients(&x, 1, &gradient);
+    return gradient;
+  }
 
   Enclosure<dim> enclose(const FormulaBox<dim> &box) const;
 

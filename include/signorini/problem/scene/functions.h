@@ -16,13 +16,10 @@ template <int dim>
 class FieldFunction final : public Function<dim> {
 public:
   using Field = std::function<Tensor<1, dim>(const Point<dim> &)>;
-  using Gradient = std::function<Tensor<2, dim>(const Point<dim> &)>;
 
-  /** @param gradient the derivatives u_{i,k}, for functions whose gradient is evaluated. */
-  explicit FieldFunction(Field field, Gradient gradient = {})
+  explicit FieldFunction(Field field)
     : Function<dim>(dim)
-    , field_(std::move(field))
-    , gradient_(std::move(gradient)) {}
+    , field_(std::move(field)) {}
 
   double value(const Point<dim> &x, const unsigned int component = 0) const override {
     return field_(x)[component];
@@ -30,18 +27,9 @@ public:
   void vector_value(const Point<dim> &x, dealii::Vector<double> &values) const override {
     field_(x).unroll(values.begin(), values.end());
   }
-  Tensor<1, dim> gradient(const Point<dim> &x, const unsigned int component = 0) const override {
-    return gradient_(x)[component];
-  }
-  void vector_gradient(const Point<dim> &x, std::vector<Tensor<1, dim>> &gradients) const override {
-    const Tensor<2, dim> gradient = gradient_(x);
-    for (unsigned int c = 0; c < dim; ++c)
-      gradients[c] = gradient[c];
-  }
 
 private:
   Field field_;
-  Gradient gradient_;
 };
 
 /**
@@ -58,9 +46,13 @@ public:
   /** Makes data of the problem: values must be finite and not beyond max_magnitude (scene.h), or
    * InputError is thrown. */
   explicit ExpressionFunction(std::vector<Expression<dim>> values);
-  /** Makes a part of the exact solution, with given derivatives or none. */
+  /** Makes a part of the exact solution, with given derivatives or none, or of the catalogue. */
   ExpressionFunction(std::vector<Expression<dim>> values, std::vector<Expression<dim>> gradients);
 
+  /** Returns whether the function is data of the problem that a parameter file describes. */
+  bool is_data() const {
+    return is_data_;
+  }
   /** Returns whether no component uses a coordinate. */
   bool is_constant() const;
 
@@ -97,7 +89,7 @@ template <int dim>
 void check_magnitude(double value, unsigned int component, const Point<dim> &x,
                      const std::string &where);
 
-/** Returns whether a function is known to be the same everywhere. */
+/** Returns whether a function is data that is known to be the same everywhere. */
 template <int dim>
 bool is_constant(const Function<dim> &function);
 } // namespace Signorini

@@ -161,8 +161,7 @@ struct Scene {
   /** The shift of the foundations of all sides that `data` contains (length). */
   Tensor<1, dim> foundation_position;
   /** Where data is not smooth, with boxes for the body force; and the same with boxes for the
-   * moduli.
-   */
+   * moduli, nothing where they are constant. */
   Kinks<dim> kinks, law_kinks;
 
   /** Returns the numbers of the contact sides gamma_{c,i}, i = 1..n_g. */

@@ -54,9 +54,9 @@ private:
 
   std::array<unsigned int, 2> sizes_;
   std::vector<unsigned int> multipliers_;
-  /** The orthonormal cosines: row patch, column mode. */
+  /** The discrete cosines: row mode, column patch. */
   std::array<Matrix, 2> cosines_;
-  /** The eigenvalues of the modes, n_1 x n_2. */
+  /** The matrix is diagonal in the discrete cosines: n_1 x n_2 factors. */
   Matrix eigenvalues_;
   /** The table T(a, b) for 0 ≤ a < 2 n_1, 0 ≤ b < 2 n_2: entries are means of T(i -+ i', j -+
    * j'). */

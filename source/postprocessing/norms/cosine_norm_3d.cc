@@ -2,7 +2,8 @@
 // |||.|||_{-1/2} on rectangles by cosine series in both directions.
 
 #include <signorini/base/errors.h>
-#include <signorini/postprocessing/norms/rectangle_norm.h>
+#include <signorini/discretization/multiplier/cosine_modes.h>
+#include <signorini/postprocessing/norms/cosine_norm.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -11,41 +12,25 @@
 
 namespace Signorini {
 namespace {
-/** The number of periods 2 n of modes that are summed one by one. */
-constexpr unsigned int n_periods = 16;
-
-/** The cosines on an edge that is divided into n equal intervals, mode i = 0, 1, ...: as many as
- * are taken one by one, in whole periods 2 n. */
-struct EdgeModes {
+/** The cosines that are summed one by one on an edge of n equal intervals, in whole periods 2 n,
+ * and what is beyond them. */
+struct EdgeModes : CosineModes {
   EdgeModes(const double length, const unsigned int n, const unsigned int at_least)
-    : end(0.) {
-    const unsigned int period = 2 * n;
-    const unsigned int size = period * std::max(n_periods, (at_least + period - 1) / period);
-    for (unsigned int i = 0; i < size; ++i) {
-      const unsigned int rest = i % period, p = std::min(rest, period - rest);
-      const double sign = rest <= n ? 1. : -1.;
-      frequency.push_back(i * numbers::PI / length);
-      alias.push_back(p % n);
-      amplitude.push_back(i == 0   ? std::sqrt(length) / n
-                          : p == n ? 0.
-                                   : sign * std::sqrt(2. / length) * 2. / frequency[i] *
-                                       std::sin(0.5 * p * numbers::PI / n));
-    }
+    : CosineModes(length, n, whole_periods(n, at_least))
+    , end(frequency.size() * numbers::PI / length) {
     for (unsigned int p = 0; p < n; ++p)
       density.push_back(8. * std::pow(std::sin(0.5 * p * numbers::PI / n), 2) / (numbers::PI * n));
-    end = size * numbers::PI / length;
+  }
+  static unsigned int whole_periods(const unsigned int n, const unsigned int at_least) {
+    constexpr unsigned int n_periods = 16;
+    const unsigned int period = 2 * n;
+    return period * std::max(n_periods, (at_least + period - 1) / period);
   }
 
-  std::vector<double> frequency;
-  /** The mode p < n that equals mode i on the middles of the intervals, up to a factor. */
-  std::vector<unsigned int> alias;
-  /** The coefficient of mode i of the function with the value cos(p π (a + 1/2)/n) on interval a,
-   * divided by the sum of the squares of these cosines; zero where mode i vanishes there. */
-  std::vector<double> amplitude;
-  /** The sum of amplitude² k² over the modes like p from the end on, for each unit of frequency. */
-  std::vector<double> density;
   /** The first frequency that is not summed by itself. */
   double end;
+  /** The sum of amplitude² k² over the modes like p from the end on, for each unit of frequency. */
+  std::vector<double> density;
 };
 
 /** Returns the integral of k^-2 (1 + a² + k²)^{-1/2} over k > K. */
@@ -57,15 +42,6 @@ double edge_tail(const double a, const double K) {
 double corner_tail(const double A, const double B) {
   const double c = std::pow(A * A + B * B, 1.5) - A * A * A - B * B * B;
   return c / (3. * A * A * A * B * B * B);
-}
-
-/** Returns cos(p π (a + 1/2)/n), row p and column a. */
-FullMatrix<double> cosine_transform(const unsigned int n) {
-  FullMatrix<double> cosines(n, n);
-  for (unsigned int p = 0; p < n; ++p)
-    for (unsigned int a = 0; a < n; ++a)
-      cosines(p, a) = std::cos(numbers::PI * p * (a + 0.5) / n);
-  return cosines;
 }
 
 /** Returns the columns of the cells of every patch added up. */
@@ -117,11 +93,11 @@ FullMatrix<double> tail(const EdgeModes &along, const EdgeModes &across) {
 }
 } // namespace
 
-RectangleNorm::RectangleNorm(const std::array<double, 2> &lengths)
+CosineNorm<3>::CosineNorm(const std::array<double, 2> &lengths)
   : lengths_(lengths) {}
 
-RectangleNorm::Matrix RectangleNorm::coefficients(
-  const std::array<std::vector<double>, 2> &positions, const Matrix &weighted_values) const {
+FullMatrix<double> CosineNorm<3>::coefficients(const std::array<std::vector<double>, 2> &positions,
+                                               const Matrix &weighted_values) const {
   std::array<Matrix, 2> cosines;
   for (unsigned int d = 0; d < 2; ++d) {
     cosines[d].reinit(n_modes, positions[d].size());
@@ -134,31 +110,23 @@ RectangleNorm::Matrix RectangleNorm::coefficients(
   return transform(cosines[0], weighted_values, cosines[1]);
 }
 
-RectangleNorm::Matrix RectangleNorm::eigenvalues(const Counts &n_patches,
-                                                 const unsigned int n_without) const {
+FullMatrix<double> CosineNorm<3>::eigenvalues(const Counts &n_patches,
+                                              const unsigned int n_without) const {
   const EdgeModes first(lengths_[0], n_patches[0], n_without);
   const EdgeModes second(lengths_[1], n_patches[1], n_without);
-  Matrix sums = tail(first, second);
+  Matrix sums = cosine_eigenvalues(first, second, 1., n_without);
+  sums.add(1., tail(first, second));
   const Matrix beyond_first = tail(second, first);
   const double corner = corner_tail(first.end, second.end);
   for (unsigned int p = 0; p < sums.m(); ++p)
     for (unsigned int q = 0; q < sums.n(); ++q)
       sums(p, q) += beyond_first(q, p) + corner * first.density[p] * second.density[q];
-  for (unsigned int i = 0; i < first.alias.size(); ++i) {
-    const double square = std::pow(first.amplitude[i], 2);
-    const double one_and_k1 = 1. + std::pow(first.frequency[i], 2);
-    for (unsigned int j = i < n_without ? n_without : 0; square > 0. && j < second.alias.size();
-         ++j)
-      sums(first.alias[i], second.alias[j]) +=
-        square * std::pow(second.amplitude[j], 2) /
-        std::sqrt(one_and_k1 + std::pow(second.frequency[j], 2));
-  }
   return sums;
 }
 
-double RectangleNorm::distance(const Matrix &f, const Matrix &values) const {
+double CosineNorm<3>::distance(const Matrix &f, const Matrix &values) const {
   const Counts n = {{static_cast<unsigned int>(values.m()), static_cast<unsigned int>(values.n())}};
-  const Matrix Q = transform(cosine_transform(n[0]), values, cosine_transform(n[1]));
+  const Matrix Q = transform(discrete_cosines(n[0]), values, discrete_cosines(n[1]));
   const EdgeModes first(lengths_[0], n[0], f.m()), second(lengths_[1], n[1], f.m());
   double square = 0.;
   for (unsigned int i = 0; i < f.m(); ++i)
@@ -175,12 +143,12 @@ double RectangleNorm::distance(const Matrix &f, const Matrix &values) const {
   return std::sqrt(square);
 }
 
-RectangleNorm::Matrix
-RectangleNorm::gram_matrix(const std::array<std::vector<unsigned int>, 2> &ends) const {
+FullMatrix<double>
+CosineNorm<3>::gram_matrix(const std::array<std::vector<unsigned int>, 2> &ends) const {
   const Counts n_cells = {{ends[0].back(), ends[1].back()}};
   const Matrix lambda = eigenvalues(n_cells);
-  const Matrix x = sum_over_patches(cosine_transform(n_cells[0]), ends[0]);
-  const Matrix y = sum_over_patches(cosine_transform(n_cells[1]), ends[1]);
+  const Matrix x = sum_over_patches(discrete_cosines(n_cells[0]), ends[0]);
+  const Matrix y = sum_over_patches(discrete_cosines(n_cells[1]), ends[1]);
   const unsigned int m = x.n() * y.n();
   Matrix weighted(m, n_cells[0] * n_cells[1]), gram(m, m);
   for (unsigned int j = 0; j < y.n(); ++j)
@@ -192,9 +160,13 @@ RectangleNorm::gram_matrix(const std::array<std::vector<unsigned int>, 2> &ends)
   return gram;
 }
 
-RectangleNorm rectangle_norm_on(const PatchGrid &grid) {
-  const std::array<double, 2> lengths = {{grid.length(0), grid.length(1)}};
-  return RectangleNorm(lengths);
+double CosineNorm<3>::distance(const Matrix &f, const PatchGrid &grid,
+                               const dealii::Vector<double> &P) const {
+  return distance(f, values_on(grid, P));
+}
+
+FullMatrix<double> CosineNorm<3>::gram_matrix(const PatchGrid &grid) const {
+  return gram_matrix(equal_cells(grid));
 }
 
 std::array<std::vector<unsigned int>, 2> equal_cells(const PatchGrid &grid) {

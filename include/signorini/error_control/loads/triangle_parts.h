@@ -4,7 +4,6 @@
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/cell_shape.h>
 #include <signorini/problem/geometry/geometry.h>
-#include <signorini/problem/scene/material.h>
 
 #include <deal.II/base/quadrature.h>
 
@@ -28,8 +27,4 @@ std::array<std::vector<TrianglePart>, 4> triangle_parts(const CellShape &shape,
 
 /** Returns a rule on the unit triangle that integrates polynomials of the degree exactly. */
 Quadrature<2> triangle_rule(unsigned int degree);
-
-/** Returns whether Hooke's tensor varies by more than a factor of 1.5 in a cell, at 6 x 6 points: a
- * norm, that of the compliance, or a share of the norm by more than 0.4. */
-bool law_varies(const Material<2> &material, const std::array<Point<2>, 4> &corners);
 } // namespace Signorini

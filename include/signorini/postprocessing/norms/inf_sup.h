@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/problem/parameters/options.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+namespace Signorini {
+/** Assembles (A_1)_ij = (φ_j, φ_i)_{1,Ω} = ∫ φ_j.φ_i + grad φ_j : grad φ_i,
+ * condensed like A. Collective. */
+template <int dim>
+TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space);
+
+/**
+ * Returns the constant of Lemma 1,
+ *
+ *     β² = min_q (qᵀ Dᵀ A_1⁻¹ D q) / (qᵀ S q),
+ *
+ * where A_1 is the Gram matrix of V^h in (.,.)_{1,Ω}, and S that of Q^H in the cosine norm
+ * |||.|||_{-1/2}. It takes one factorisation of its own and m solves. Collective.
+ */
+template <int dim>
+double measure_inf_sup(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
+                       const Coupling &condensed_D, LinearSolver linear_solver);
+} // namespace Signorini

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Lemma 1 as a number: a generalised eigenvalue problem on the contact boundary, with the norm of
+// V^h as a matrix.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/postprocessing/norms/cosine_norm.h>
+#include <signorini/postprocessing/norms/inf_sup.h>
+#include <signorini/solvers/contact/compliance.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace Signorini {
+namespace {
+/**
+ * Returns the number of points of a Gauss rule for the Gram matrix. grad φ_i . grad φ_j on a
+ * cell is a polynomial divided by the determinant of the cell's map. A determinant that falls
+ * linearly by the factor @p r along an edge vanishes outside of it, where the ellipse around the
+ * edge on which Gauss' rule with n points converges like ρ^{-2n} has ρ = (sqrt(r) + 1)/(sqrt(r)
+ * - 1).
+ *
+ * @return n with ρ^{-2n} below 1e-10, and as many points more for the polynomial as the element's
+ * degree; from degree + 2, which is enough for r = 1, to 39 + degree.
+ */
+unsigned int points_for_ratio(const double r, const unsigned int degree) {
+  constexpr double most = 39.;
+  const double root = std::sqrt(std::max(r, 1.));
+  const double logarithm = std::log((root + 1.) / (root - 1.));
+  const double n = std::min(most, std::ceil(0.5 * std::log(1e10) / logarithm));
+  return degree + std::max(2U, static_cast<unsigned int>(n));
+}
+
+/** The shape functions at as many Gauss points as the shape of a cell needs. */
+template <int dim>
+class ValuesByShape {
+public:
+  explicit ValuesByShape(const Mapping<dim> &mapping)
+    : mapping_(mapping) {}
+
+  const FEValues<dim> &reinit(const typename DoFHandler<dim>::active_cell_iterator &cell) {
+    const FiniteElement<dim> &element = cell->get_fe();
+    const unsigned int n = points_for_ratio(ratio_of_determinants(cell), element.degree);
+    std::unique_ptr<FEValues<dim>> &values = values_[{element.degree, n}];
+    if (values == nullptr)
+      values = std::make_unique<FEValues<dim>>(
+        mapping_, element, QGauss<dim>(n), update_values | update_gradients | update_JxW_values);
+    values->reinit(cell);
+    return *values;
+  }
+
+private:
+  /** Returns the ratio of the largest to the smallest determinant at the vertices. */
+  static double
+  ratio_of_determinants(const typename Triangulation<dim>::active_cell_iterator &cell) {
+    using Geometry = GeometryInfo<dim>;
+    Point<dim> vertices[Geometry::vertices_per_cell];
+    Tensor<0, dim> determinants[Geometry::vertices_per_cell];
+    for (const unsigned int v : cell->vertex_indices())
+      vertices[v] = cell->vertex(v);
+    Geometry::alternating_form_at_vertices(vertices, determinants);
+    const auto [smallest, largest] =
+      std::minmax_element(std::begin(determinants), std::end(determinants));
+    return *largest / *smallest;
+  }
+
+  const Mapping<dim> &mapping_;
+  /** The values by the degree and the number of points per direction. */
+  std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<FEValues<dim>>> values_;
+};
+} // namespace
+
+template <int dim>
+TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space) {
+  TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
+  DistributedVector unused = space.make_vector();
+  ValuesByShape<dim> values_by_shape(space.mesh().mapping());
+  FullMatrix<double> cell_matrix;
+  for (const auto &cell : space.dofs().active_cell_iterators()) {
+    if (!cell->is_locally_owned())
+      continue;
+    const FEValues<dim> &values = values_by_shape.reinit(cell);
+    const FiniteElement<dim> &element = cell->get_fe();
+    const unsigned int n = element.n_dofs_per_cell();
+    cell_matrix.reinit(n, n);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int j = 0; j <= i; ++j) {
+        if (element.system_to_component_index(i).first !=
+            element.system_to_component_index(j).first)
+          continue;
+        double product = 0.;
+        for (const unsigned int q : values.quadrature_point_indices())
+          product += (values.shape_value(i, q) * values.shape_value(j, q) +
+                      values.shape_grad(i, q) * values.shape_grad(j, q)) *
+                     values.JxW(q);
+        cell_matrix(i, j) = cell_matrix(j, i) = product;
+      }
+    add_cell(space, cell_matrix, space.cell_dofs(cell), A_1, unused);
+  }
+  A_1.compress(VectorOperation::add);
+  return A_1;
+}
+
+INSTANTIATE_FUNCTION(assemble_h1_gram_matrix);
+
+template <int dim>
+double measure_inf_sup(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
+                       const Coupling &condensed_D, const LinearSolver linear_solver) {
+  const TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
+  const auto inverse = factorise(A_1, 1., linear_solver, contact_unknowns(condensed_D));
+  const unsigned int m = multipliers.n_multipliers();
+  LAPACKFullMatrix<double> DA_1D(m), S(m);
+  DA_1D = make_compliance(*inverse, condensed_D)->dense();
+  S = dual_gram_matrix(multipliers);
+  std::vector<dealii::Vector<double>> no_eigenvectors;
+  DA_1D.compute_generalized_eigenvalues_symmetric(S, no_eigenvectors);
+  double smallest = DA_1D.eigenvalue(0).real();
+  for (unsigned int i = 1; i < m; ++i)
+    smallest = std::min(smallest, DA_1D.eigenvalue(i).real());
+  return std::sqrt(std::max(smallest, 0.));
+}
+
+INSTANTIATE_FUNCTION(measure_inf_sup);
+} // namespace Signorini
