@@ -3,7 +3,6 @@
 
 #include <signorini/base/parallel.h>
 #include <signorini/error_control/equilibration/best_stress.h>
-#include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/loads/oscillation.h>
 #include <signorini/problem/scene/corners.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The integrals of u_h and π^{2h} u_h that their distance to a stress in equilibrium needs.
 
+#include <signorini/discretization/elasticity/cell_field.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/equilibration/field_integrals.h>
-#include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/loads/law.h>
 #include <signorini/error_control/loads/law_sampling.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>

@@ -6,6 +6,7 @@
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
+#include <signorini/postprocessing/fields/pressure_transfer.h>
 #include <signorini/solvers/contact/compliance.h>
 
 #include <deal.II/base/numbers.h>

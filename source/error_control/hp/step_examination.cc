@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What steps predict for the next one.
 
+#include <signorini/discretization/elasticity/cell_field.h>
 #include <signorini/discretization/elasticity/integration.h>
+#include <signorini/error_control/hp/contact_misfit.h>
 #include <signorini/error_control/hp/hidden_data.h>
-#include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/hp/step_examination.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/quantities/friction.h>

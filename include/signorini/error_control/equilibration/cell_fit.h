@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/elasticity/cell_field.h>
 #include <signorini/error_control/equilibration/airy_cell.h>
-#include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/law_sampling.h>
 
