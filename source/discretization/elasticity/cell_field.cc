@@ -72,6 +72,24 @@ LineTable make_line_table(const unsigned int degree, const std::vector<double> &
   return make_line_table(basis, points);
 }
 
+Tensor<2, 2> CellField::gradient(const LineTable &x, const LineTable &y,
+                                 const unsigned int q) const {
+  Tensor<2, 2> gradient;
+  for (unsigned int j = 0; j <= degree_; ++j) {
+    Tensor<1, 2> value, slope;
+    for (unsigned int i = 0; i <= degree_; ++i) {
+      const Tensor<1, 2> nodal = values_[i + (degree_ + 1) * j] - values_[0];
+      value += x.values(q, i) * nodal;
+      slope += x.derivatives(q, i) * nodal;
+    }
+    for (unsigned int c = 0; c < 2; ++c) {
+      gradient[c][0] += y.values(q, j) * slope[c];
+      gradient[c][1] += y.derivatives(q, j) * value[c];
+    }
+  }
+  return gradient;
+}
+
 Tensor<1, 2> CellField::on_face(const unsigned int face, const double s) const {
   const LineTable line = make_line_table(degree_, {s});
   const unsigned int fixed = face % 2 * degree_;

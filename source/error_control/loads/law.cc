@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Hooke's law in components.
+// Hooke's law in components, and how much it varies in a cell.
 
 #include <signorini/error_control/loads/law.h>
 
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
 #include <cmath>
 
 namespace Signorini {
@@ -37,5 +40,38 @@ Tensor<2, 3> Law::root() const {
       L[i][j] = i == j ? std::sqrt(rest) : rest / L[j][j];
     }
   return L;
+}
+
+namespace {
+/** Returns the norms of Hooke's tensor and of its inverse, and the shares of its entries in the
+ * norm. */
+std::array<double, 8> features(const Law &law) {
+  const double norm = law.stiffness.norm();
+  const Tensor<2, 3> shares = law.stiffness / norm;
+  return {{norm, law.compliance.norm(), shares[0][0], shares[1][1], shares[2][2], shares[0][1],
+           shares[0][2], shares[1][2]}};
+}
+} // namespace
+
+bool law_varies(const Material<2> &material, const std::array<Point<2>, 4> &corners) {
+  constexpr unsigned int n = 6;
+  constexpr double max_ratio = 1.5, max_difference = 0.4;
+  const CellShape shape(corners);
+  std::array<double, 8> low, high;
+  low.fill(HUGE_VAL);
+  high.fill(-HUGE_VAL);
+  const QIterated<2> places(QMidpoint<1>(), n);
+  for (const Point<2> &at : places.get_points()) {
+    const std::array<double, 8> here =
+      features(Law(material.relative_hooke(corners[0] + shape.offset(CellFunctions(at)))));
+    for (unsigned int i = 0; i < here.size(); ++i) {
+      low[i] = std::min(low[i], here[i]);
+      high[i] = std::max(high[i], here[i]);
+    }
+  }
+  for (unsigned int i = 0; i < low.size(); ++i)
+    if (i < 2 ? high[i] > max_ratio * low[i] : high[i] - low[i] > max_difference)
+      return true;
+  return false;
 }
 } // namespace Signorini

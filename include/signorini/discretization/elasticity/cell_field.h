@@ -63,6 +63,9 @@ public:
   std::vector<Tensor<2, 2>> gradients(const LineTable &x, const LineTable &y) const {
     return evaluate_products<2>(values_, {&x, &y}).gradients;
   }
+  /** Returns the same at the point (x_q, y_q), from displacements relative to a corner: large
+   * translations have rounding errors, but no strain. */
+  Tensor<2, 2> gradient(const LineTable &x, const LineTable &y, unsigned int q) const;
 
 private:
   unsigned int degree_;

@@ -14,6 +14,11 @@ namespace Signorini {
 using Components = Tensor<1, 3>;
 using Triangle = std::array<Point<2>, 3>;
 
+/** Returns the strain of a displacement with this gradient. */
+inline Components strain_of(const Tensor<2, 2> &gradient) {
+  return Components({gradient[0][0], gradient[1][1], gradient[0][1] + gradient[1][0]});
+}
+
 /** Returns a1 b2 - a2 b1. */
 inline double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
   return a[0] * b[1] - a[1] * b[0];
@@ -64,6 +69,8 @@ struct CellShape {
   double area() const {
     return areas[0] + areas[1] + areas[2] + areas[3];
   }
+  /** Returns the matrix F of the half-diagonals to corners 0 and 1. */
+  Tensor<2, 2> half_diagonals() const;
   /** Returns the longest diagonal or edge. */
   double diameter() const;
   /** Returns the triangle (x_k, x_{k+1}, z) with the crossing z. */

@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/cell_shape.h>
+#include <signorini/problem/scene/material.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -19,4 +20,7 @@ struct Law {
   double min_eigenvalue;
 };
 
+/** Returns whether Hooke's tensor varies by more than a factor of 1.5 in a cell, at 6 x 6 points: a
+ * norm, that of the compliance, or a share of the norm by more than 0.4. */
+bool law_varies(const Material<2> &material, const std::array<Point<2>, 4> &corners);
 } // namespace Signorini

@@ -4,7 +4,6 @@
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/cell_shape.h>
 #include <signorini/problem/geometry/geometry.h>
-#include <signorini/problem/scene/material.h>
 
 #include <deal.II/base/quadrature.h>
 
@@ -29,7 +28,8 @@ std::array<std::vector<TrianglePart>, 4> triangle_parts(const CellShape &shape,
 /** Returns a rule on the unit triangle that integrates polynomials of the degree exactly. */
 Quadrature<2> triangle_rule(unsigned int degree);
 
-/** Returns whether Hooke's tensor varies by more than a factor of 1.5 in a cell, at 6 x 6 points: a
- * norm, that of the compliance, or a share of the norm by more than 0.4. */
-bool law_varies(const Material<2> &material, const std::array<Point<2>, 4> &corners);
+/** Adds the points of a rule on the unit triangle to those of a cell, with their weights.
+ * @param points in reference coordinates of the cell. */
+void add_points(const Quadrature<2> &rule, const Triangle &part, const CellShape &shape,
+                std::vector<Point<2>> &points, std::vector<double> &weights);
 } // namespace Signorini
