@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The contact part of the bound: the lift in the body, its energy, and the sum.
 
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/contact_term/contact_lift.h>
 
@@ -231,11 +232,8 @@ std::vector<double> LiftField::cuts(const CellIterator &cell, const unsigned int
 }
 
 double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) const {
-  const bool constant = data_.scene.material->is_constant();
-  SymmetricTensor<4, 2> E = data_.scene.material->hooke(values.quadrature_point(0));
   std::vector<Tensor<2, 2>> gradients(values.n_quadrature_points);
   values[FEValuesExtractors::Vector(0)].get_function_gradients(w_h_.entries(), gradients);
-  double energy = 0.;
   const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
   for (const unsigned int q : values.quadrature_point_indices()) {
     const Point<2> &x = values.get_quadrature().point(q);
@@ -254,12 +252,8 @@ double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) co
                                      trace_.faces()[face].normal),
                         gradient * Tensor<2, 2>(values.inverse_jacobian(q)));
     }
-    if (!constant)
-      E = data_.scene.material->hooke(values.quadrature_point(q));
-    const SymmetricTensor<2, 2> strain = symmetrize(gradients[q]);
-    energy += strain * (E * strain) * values.JxW(q);
   }
-  return energy;
+  return EnergyMeasure<2>(*data_.scene.material).energy(values, gradients);
 }
 
 dealii::Vector<double> LiftField::cell_energies() const {

@@ -2,6 +2,7 @@
 // Stresses in equilibrium that fit the stress of u_h on a cell.
 
 #include <signorini/base/parallel.h>
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/cell_fit.h>
 #include <signorini/problem/scene/functions.h>
@@ -132,7 +133,7 @@ Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &
     for (const AiryPoint &point : triangle) {
       const Tensor<2, 2> gradient =
         u.gradient(along_x, along_y, q) * invert(shape.jacobian(CellFunctions(point.reference)));
-      const Components weighted = point.of_strain * strain_of(gradient);
+      const Components weighted = point.of_strain * components_of(strain_of(gradient));
       for (unsigned int c = 0; c < 3; ++c)
         values[3 * q + c] = weighted[c];
       ++q;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The misfit on a mesh of its own: the integrals of u_h and π^{2h} u_h that it needs.
 
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/cell_field.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
@@ -99,23 +100,20 @@ struct ChunkEnergies {
 
 /** Returns the energies of u_h, of the last field and of their difference, or of u_h, on a part of
  * a cell; from above where the law is rough. */
-std::array<double, 3> energies(const Material<2> &material, const FEValues<2> &values,
+std::array<double, 3> energies(EnergyMeasure<2> &measure, const FEValues<2> &values,
                                const std::vector<double> &weights,
                                const std::vector<const FieldValues<2> *> &fields,
                                const bool is_rough) {
   std::array<double, 3> sums = {{0., 0., 0.}}, largest = sums;
   double area = 0.;
-  SymmetricTensor<4, 2> hooke = material.hooke(values.quadrature_point(0));
   for (std::size_t q = 0; q < weights.size(); ++q) {
-    if (!material.is_constant())
-      hooke = material.hooke(values.quadrature_point(q));
+    measure.at(values.quadrature_point(q));
     const Tensor<2, 2> &of_u = fields[0]->gradients[q], &of_last = fields.back()->gradients[q];
-    const std::array<SymmetricTensor<2, 2>, 3> strains = {
-      {symmetrize(of_u), symmetrize(of_last),
-       symmetrize(fields.size() == 2 ? of_last - of_u : of_u)}};
+    const std::array<Tensor<2, 2>, 3> gradients = {
+      {of_u, of_last, fields.size() == 2 ? of_last - of_u : of_u}};
     area += weights[q];
     for (unsigned int k = 0; k < 3; ++k) {
-      const double density = (hooke * strains[k]) * strains[k];
+      const double density = measure.density(strain_of(gradients[k]));
       sums[k] += weights[q] * density;
       largest[k] = std::max(largest[k], density);
     }
@@ -161,13 +159,14 @@ void EnergyMisfit::integrate_energies() {
     data_.space,
     [&](const Cells<2> &cells) {
       FieldVisitor visit(data_, kinks);
+      EnergyMeasure<2> measure(material);
       ChunkEnergies chunk;
       for (const auto &cell : cells) {
         double distance = 0.;
         visit(cell, [&](const auto &values, const auto &weights, const auto &fields,
                         const bool is_rough) {
           const auto [first, last, difference] =
-            energies(material, values, weights, fields, is_rough);
+            energies(measure, values, weights, fields, is_rough);
           chunk.strain[0] += first;
           chunk.strain[1] += last;
           distance += difference;
@@ -198,7 +197,8 @@ void EnergyMisfit::add_lifts() {
       for (std::size_t q = 0; q < gradients.size(); ++q)
         fields_[k].strain +=
           lifted.places[q].weight *
-          ((strain_of(gradients[q]) * 2. + lifted.places[q].strain) * lifted.places[q].stress);
+          ((components_of(strain_of(gradients[q])) * 2. + lifted.places[q].strain) *
+           lifted.places[q].stress);
       square += lifted.energy();
     });
     fields_[k].lift_norm = std::sqrt(square);
@@ -289,7 +289,8 @@ void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
           }
           for (unsigned int i = 0; i <= edge.degree; ++i)
             for (unsigned int c = 0; c < 2; ++c)
-              works[k].moments[edge.position(c, i)] += values.JxW(q) * L[i] * (c == 0 ? n : t) * v;
+              works[k].moments[edge.position(c, i)] +=
+                measure_at(values, q) * L[i] * (c == 0 ? n : t) * v;
         }
       }
     }

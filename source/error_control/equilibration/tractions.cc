@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The tractions that sides prescribe: those of traction sides, and the forces on plates.
 
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/tractions.h>
@@ -60,9 +61,9 @@ void Tractions::project_given(const BoundData &data) {
           {n[0] * t[0] + n[1] * t[1], n[0] * t[1] - n[1] * t[0]}};
         const auto L = legendre_values(edge.degree, edge.position_of(rule.quadrature_point(q)));
         for (unsigned int c = 0; c < 2; ++c) {
-          rests[c][number] += rule.JxW(q) * parts[c] * parts[c];
+          rests[c][number] += measure_at(rule, q) * parts[c] * parts[c];
           for (unsigned int i = 0; i <= edge.degree; ++i)
-            x[edge.position(c, i)] += rule.JxW(q) / edge.length() * L[i] * parts[c];
+            x[edge.position(c, i)] += measure_at(rule, q) / edge.length() * L[i] * parts[c];
         }
       }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The rest of the nodal interpolation of prescribed displacements.
 
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/cell_field.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/loads/law.h>
@@ -156,7 +157,7 @@ void PrescribedLift::visit_cells(const BoundData &data,
                     (rest.k % 3 == 0 ? 1. : -1.) * outer_product(r, inverse[1 - rest.k % 2]);
       }
       const Law law(data.scene.material->hooke(values.quadrature_point(q)));
-      const Components strain = strain_of(gradient);
+      const Components strain = components_of(strain_of(gradient));
       lifted.places.push_back({weights[q], z, strain, law.stiffness * strain});
     }
     visit(lifted);

@@ -3,6 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
@@ -269,7 +270,7 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
     else {
       const FieldValues<dim> &u = interpolation->evaluate(field.U, cell, *values);
       for (unsigned int q = 0; q < strains.size(); ++q) {
-        strains[q] = symmetrize(u.gradients[q]);
+        strains[q] = strain_of(u.gradients[q]);
         if (!field.dilatation.empty())
           replace_trace(strains[q], field.dilatation[cell->active_cell_index()]);
       }

@@ -4,6 +4,7 @@
 #include <signorini/base/dealii.h>
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/grid/tria.h>
 
@@ -14,9 +15,9 @@ namespace Signorini {
 using Components = Tensor<1, 3>;
 using Triangle = std::array<Point<2>, 3>;
 
-/** Returns the strain of a displacement with this gradient. */
-inline Components strain_of(const Tensor<2, 2> &gradient) {
-  return Components({gradient[0][0], gradient[1][1], gradient[0][1] + gradient[1][0]});
+/** Returns the components of a strain. */
+inline Components components_of(const SymmetricTensor<2, 2> &strain) {
+  return Components({strain[0][0], strain[1][1], 2. * strain[0][1]});
 }
 
 /** Returns a1 b2 - a2 b1. */
