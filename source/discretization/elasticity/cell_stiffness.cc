@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // a(u,v) = ∫ E_ijkl u_{k,l} v_{i,j}, cell by cell.
 
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 
 #include <algorithm>
@@ -28,13 +29,12 @@ bool is_affine(const typename Triangulation<dim>::active_cell_iterator &cell) {
 /** Returns ∫_K div φ_i / |K| for all i. */
 template <int dim>
 std::vector<double> mean_divergences(const FEValues<dim> &values) {
-  const FEValuesExtractors::Vector displacement(0);
   std::vector<double> means(values.dofs_per_cell, 0.);
   double volume = 0.;
   for (const unsigned int q : values.quadrature_point_indices()) {
-    volume += values.JxW(q);
+    volume += measure_at(values, q);
     for (unsigned int i = 0; i < means.size(); ++i)
-      means[i] += values[displacement].divergence(i, q) * values.JxW(q);
+      means[i] += trace(shape_strain(values, i, q)) * measure_at(values, q);
   }
   for (double &mean : means)
     mean /= volume;
@@ -58,7 +58,6 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::integrate(const CellIter
   // Fewer points are exact for a constant tensor where edges are parallel.
   const bool is_exact = constant_ && !mesh_.is_curved() && is_affine<dim>(cell);
   const FEValues<dim> &values = (is_exact ? affine_values_ : values_).reinit(cell);
-  const FEValuesExtractors::Vector displacement(0);
   constexpr unsigned int n_strains = SymmetricTensor<2, dim>::n_independent_components;
   const unsigned int n = values.dofs_per_cell;
   const std::vector<double> mean_dilatation = strain_operator_ == StrainOperator::mean_dilatation
@@ -75,10 +74,10 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::integrate(const CellIter
     if (!constant_)
       hooke = hooke_at(q);
     for (unsigned int i = 0; i < n; ++i) {
-      SymmetricTensor<2, dim> strain = values[displacement].symmetric_gradient(i, q);
+      SymmetricTensor<2, dim> strain = shape_strain(values, i, q);
       if (!mean_dilatation.empty())
         replace_trace(strain, mean_dilatation[i]);
-      const SymmetricTensor<2, dim> stress = values.JxW(q) * (hooke * strain);
+      const SymmetricTensor<2, dim> stress = measure_at(values, q) * (hooke * strain);
       for (unsigned int c = 0; c < n_strains; ++c) {
         // Off the diagonal a component stands for two.
         strains_(q * n_strains + c, i) = (c < dim ? 1. : 2.) * strain.access_raw_entry(c);

@@ -3,6 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/elasticity/linear_system.h>
@@ -117,7 +118,7 @@ public:
   }
 
 private:
-  /** Adds Σ_q force(x_q).φ_i(x_q) JxW_q to vector_i. */
+  /** Adds Σ_q force(x_q).φ_i(x_q) dx_q to vector_i. */
   void add_force(const FEValuesBase<dim> &values, const Function<dim> &force, const char *name,
                  dealii::Vector<double> &vector, Resultant<dim> &resultant) {
     const std::vector<Point<dim>> &points = values.get_quadrature_points();
@@ -127,7 +128,7 @@ private:
       Tensor<1, dim> weighted;
       for (unsigned int d = 0; d < dim; ++d) {
         check_finite(force_[q][d], points[q], name);
-        weighted[d] = force_[q][d] * values.JxW(q);
+        weighted[d] = force_[q][d] * measure_at(values, q);
       }
       resultant.add(weighted, points[q]);
       for (unsigned int i = 0; i < vector.size(); ++i)

@@ -7,8 +7,8 @@
 #include <signorini/base/text.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/hp/hidden_data.h>
-#include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/hp/step_examination.h>
+#include <signorini/postprocessing/fields/pressure_transfer.h>
 
 #include <cmath>
 

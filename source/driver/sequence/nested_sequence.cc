@@ -6,6 +6,7 @@
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
+#include <signorini/postprocessing/fields/pressure_transfer.h>
 #include <signorini/solvers/methods/contact_method.h>
 
 namespace Signorini {

@@ -85,16 +85,18 @@ void add_consequences(const BoundData &data, const Consequences &known, const Co
 /** Adds the results for straight sides only: the bound for π^{2h} u_h, the bracket of the energy
  * and the bound of the contact force. A polygon determines neither the last digits of the energy
  * nor those of the force on a curve. */
-void add_guaranteed(const BoundData &data, const BestStress &stress, const StressBound &stress_data,
-                    const ContactLift &lift, const double scale, ErrorBound &result) {
-  if (!stress.is_guaranteed())
+void add_guaranteed(const BoundData &data, const BestStress &best, const ContactLift &lift,
+                    const double scale, ErrorBound &result) {
+  if (data.space.mesh().is_curved())
     return;
+  const auto &[stress, stress_data] = best;
   const auto &J = stress_data.complementary_energy;
   const double work = lift.trace.work_of_penetration();
   Consequences consequences(J ? Bracket{J->lower + work, J->upper + work} : Bracket{0., 0.},
                             stress_data.square, *lift.bound);
   if (const auto &post = stress_data.interpolated_part) {
-    const ContactLift post_lift(data, stress.face_fields(true));
+    const ContactLift post_lift(data,
+                                stress.face_fields(data.multipliers.surface(), post->bubbles));
     if (post_lift.bound && std::isfinite(post->square + post_lift.bound->square())) {
       result.post_absolute = total(post->square, post->lift, *post_lift.bound);
       result.post_relative = ratio(*result.post_absolute, scale);
@@ -104,7 +106,9 @@ void add_guaranteed(const BoundData &data, const BestStress &stress, const Stres
   // With Coulomb's law the stress is compared with that of another solution.
   if (result.is_conditional)
     return;
-  add_consequences(data, consequences, lift, stress.change_of_force(), result);
+  const double change =
+    stress.contact_force(data.scene) - data.P.normal() * data.multipliers.integrals();
+  add_consequences(data, consequences, lift, change, result);
   if (!J)
     result.energy_lower = result.energy_upper = {};
 }
@@ -119,14 +123,11 @@ std::string doubt(const StressBound &stress, const ContactLift &lift) {
 }
 
 /** Sums up a bound from the stress. */
-LocatedBound sum_up(const BoundData &data, const BestStress &stress) {
+LocatedBound sum_up(const BoundData &data, const BestStress &best) {
   LocatedBound located;
   ErrorBound &result = located.bound;
-  result.missing = stress.failure();
-  if (!result.missing.empty())
-    return located;
-  const StressBound stress_data = stress.bound();
-  const ContactLift lift(data, stress.face_fields());
+  const StressBound &stress_data = best.bound;
+  const ContactLift lift(data, best.stress.face_fields(data.multipliers.surface(), {}));
   result.penetration = lift.trace.max_penetration();
   result.place_of_penetration = name_of(lift.trace.place_of_largest(), data.scene);
   result.missing = doubt(stress_data, lift);
@@ -138,17 +139,17 @@ LocatedBound sum_up(const BoundData &data, const BestStress &stress) {
     std::max(0., std::sqrt(stress_data.square) - std::sqrt(stress_data.oscillation_square) -
                    std::sqrt(stress_data.geometry_square));
   result.contact = std::sqrt(std::max(0., contact.square()));
-  result.algebra = stress_data.algebra;
+  result.algebra = best.stress.defect;
   // The inequality holds for u_h + z with the prescribed displacement itself; z is zero on contact.
   result.absolute = total(stress_data.square, stress_data.lift, contact);
   const double scale =
-    energy_scale(stress.energy_norm(), *result.absolute, data.space, data.scene, data.U);
+    energy_scale(stress_data.energy_norm, *result.absolute, data.space, data.scene, data.U);
   result.relative = ratio(*result.absolute, scale);
   result.is_conditional = data.P.is_coupled();
-  result.guaranteed = stress.is_guaranteed() && !result.is_conditional;
+  result.guaranteed = !data.space.mesh().is_curved() && !result.is_conditional;
   result.geometry = std::sqrt(stress_data.geometry_square);
   result.relative_geometry = ratio(*result.geometry, scale);
-  add_guaranteed(data, stress, stress_data, lift, scale, result);
+  add_guaranteed(data, best, lift, scale, result);
   result.largest_cell = name_of_worst_cell(stress_data, data.space);
   if (!data.scene.contact_sides().empty())
     result.worst_face = name_of(contact.dominant_part, data.scene);
@@ -160,11 +161,11 @@ LocatedBound sum_up(const BoundData &data, const BestStress &stress) {
 
 LocatedBound compute_located_bound(const BoundData &data) {
   LocatedBound none;
-  none.bound.missing = BestStress::objection(data);
+  none.bound.missing = objection_to_stress(data);
   if (!none.bound.missing.empty())
     return none;
   try {
-    return sum_up(data, BestStress(data));
+    return sum_up(data, find_best_stress(data));
   } catch (const ComputationError &error) {
     none.bound.missing = error.what();
     return none;

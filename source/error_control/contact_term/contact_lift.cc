@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The contact part of the bound: the lift in the body, its energy, and the sum.
 
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/contact_term/contact_lift.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/hp/mapping_collection.h>
+#include <deal.II/hp/q_collection.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <sstream>
 
 namespace Signorini {
 namespace {
+/** Returns a function less the linear one with these values at 0 and 1. */
+EdgeFunction without_chord(const EdgeFunction &function, const double first, const double last) {
+  std::vector<EdgeFunction::Part> parts = function.parts();
+  for (EdgeFunction::Part &part : parts) {
+    part.first -= (1. - part.start) * first + part.start * last;
+    part.last -= (1. - part.end) * first + part.end * last;
+  }
+  return EdgeFunction(std::move(parts));
+}
+
 /** Returns the remainder r_F of a face from what is lacking there, q - w_{h,n}: all of it where the
  * face presses and w_h touches at both ends. */
 EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking,
@@ -30,20 +43,19 @@ EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking,
     presses && std::max(std::abs(first), std::abs(last)) < std::max(0.1 * size, rounding);
   if (follows)
     first = last = 0.;
-  std::vector<EdgeFunction::Part> parts;
-  for (const EdgeFunction::Part &lack : lacking.parts()) {
-    EdgeFunction::Part bow = lack;
-    bow.first -= (1. - lack.start) * first + lack.start * last;
-    bow.last -= (1. - lack.end) * first + lack.end * last;
+  std::vector<EdgeFunction::Part> parts = without_chord(lacking, first, last).parts();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const EdgeFunction::Part &lack = lacking.parts()[i];
+    EdgeFunction::Part &r = parts[i];
+    const bool rises = r.largest() > 0.;
     const auto at_end = [&](const double missing, const double bowed) {
       return std::max(missing, presses ? std::min(0., bowed) : 0.);
     };
-    EdgeFunction::Part &r =
-      parts.emplace_back(EdgeFunction::Part{lack.start, lack.end, at_end(lack.first, bow.first),
-                                            at_end(lack.last, bow.last), lack.bulge});
+    r.first = at_end(lack.first, r.first);
+    r.last = at_end(lack.last, r.last);
     // The least bulge with r above what is lacking: A (1 - τ) + B τ ≥ 4 b τ (1 - τ) for τ in [0,1]
     // holds if 4 b ≤ (√A + √B)².
-    if (!presses || (!follows && bow.largest() > 0.))
+    if (!presses || (!follows && rises))
       r.bulge = std::max(
         0., lack.bulge -
               0.25 * std::pow(std::sqrt(r.first - lack.first) + std::sqrt(r.last - lack.last), 2));
@@ -53,81 +65,59 @@ EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking,
   return EdgeFunction(std::move(parts));
 }
 
-/** Returns the remainder r_F,t from ũ_t - g_t - w_{h,t}: all but the chord. */
-EdgeFunction without_chord(const EdgeFunction &lacking) {
+/** Returns lacking - r; r has the same parts, or none. */
+EdgeFunction difference(const EdgeFunction &lacking, const EdgeFunction &r) {
   std::vector<EdgeFunction::Part> parts = lacking.parts();
-  const double first = parts.front().first, last = parts.back().last;
-  for (EdgeFunction::Part &part : parts) {
-    part.first -= (1. - part.start) * first + part.start * last;
-    part.last -= (1. - part.end) * first + part.end * last;
+  for (std::size_t i = 0; i < r.parts().size(); ++i) {
+    parts[i].first -= r.parts()[i].first;
+    parts[i].last -= r.parts()[i].last;
+    parts[i].bulge -= r.parts()[i].bulge;
   }
   return EdgeFunction(std::move(parts));
 }
 
-/** Returns r_F - lacking. */
-EdgeFunction difference(const EdgeFunction &r, const EdgeFunction &lacking) {
-  std::vector<EdgeFunction::Part> parts = lacking.parts();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const EdgeFunction::Part of_r =
-      r.parts().empty() ? EdgeFunction::Part{0., 1., 0., 0., 0.} : r.parts()[i];
-    parts[i].first = of_r.first - parts[i].first;
-    parts[i].last = of_r.last - parts[i].last;
-    parts[i].bulge = of_r.bulge - parts[i].bulge;
-  }
-  return EdgeFunction(std::move(parts));
-}
-
-/** What w_h lacks on a face, and what r_F does of it: q - w_{h,n}, ũ_t - g_t - w_{h,t}. */
+/** What w_h lacks on a face along n and along t, and what r_F does of it. */
 struct FaceLift {
   FaceLift(const BoundData &data, const ContactTrace &trace, const PenetrationFace &face,
            const Displacement &w_h)
-    : w_n(face.trace(w_h, face.normal))
-    , w_t(face.trace(w_h, direction_of(Component::tangential, face.normal)))
-    , normal(trace.lacking(face, w_n)) {
-    r[0] = remainder(face, normal, trace.rounding(face));
-    if (data.has_friction()) {
-      tangential = trace.lacking_slip(face, w_t);
-      if (face.lifts_slip)
-        r[1] = without_chord(tangential);
+    : n_components(data.has_friction() ? 2 : 1) {
+    for (unsigned int c = 0; c < n_components; ++c) {
+      w[c] = face.trace(w_h, direction_of(contact_components[c], face.normal));
+      lacking[c] = trace.lacking(face, contact_components[c], w[c]);
     }
+    r[0] = remainder(face, lacking[0], trace.rounding(face));
+    if (face.lifts_slip)
+      r[1] = without_chord(lacking[1], lacking[1].value(0.), lacking[1].value(1.));
+  }
+  /** Returns ∫_F τ_n (ũ_n - g - w_n) (component 0), or ∫_F s |v| + τ_t v. */
+  double term(const ContactTrace &trace, const PenetrationFace &face, const unsigned int c) const {
+    // Where the face presses, w_n is d itself, raised by r - lacking; r stands for its difference
+    // from w_h there. Where friction holds the face, w_t is the slip itself. The root of rounding
+    // is not rounding.
+    const bool follows = c == 0 ? face.presses_everywhere() : face.lifts_slip;
+    const double rounding = trace.rounding(face);
+    double term = 0.;
+    // The parts are those of d and p_H, and those of w_n; those of v between its roots.
+    face.for_each_point(c == 0 ? r[0] : difference(lacking[1], r[1]).split_at_roots(),
+                        [&](const double t, const double weight) {
+                          const double missing = follows
+                                                   ? lacking[c].value(t)
+                                                   : trace.misfit(face, contact_components[c], t) -
+                                                       w[c].value(t),
+                                       v = missing - r[c].value(t);
+                          if (std::abs(v) > rounding)
+                            term += ((c == 1 ? trace.friction_bound(face, t) * std::abs(v) : 0.) +
+                                     face.traction[c].value(t) * v) *
+                                    weight;
+                        });
+    return term;
   }
 
-  FacePolynomial w_n, w_t;
-  EdgeFunction normal, tangential;
+  unsigned int n_components;
+  std::array<FacePolynomial, 2> w;
+  std::array<EdgeFunction, 2> lacking;
   Remainders r;
 };
-
-/** Returns ∫_F τ_n (ũ_n - g - w_n). */
-double normal_term(const ContactTrace &trace, const PenetrationFace &face, const FaceLift &lift) {
-  double term = 0.;
-  // The parts are those of d and p_H, and those of w_n.
-  face.for_each_point(lift.r[0], [&](const double t, const double weight) {
-    // Where the face presses, w_n is d itself, raised by r - lacking; r stands for its difference
-    // from w_h there. The root of rounding is not rounding.
-    const double slack = face.presses_everywhere()
-                           ? lift.normal.value(t) - lift.r[0].value(t)
-                           : trace.penetration(face, t) - lift.w_n.value(t) - lift.r[0].value(t);
-    if (std::abs(slack) > trace.rounding(face))
-      term += face.traction[0].value(t) * slack * weight;
-  });
-  return term;
-}
-
-/** Returns ∫_F s |v| + τ_t v. */
-double slip_term(const ContactTrace &trace, const PenetrationFace &face, const FaceLift &lift) {
-  double term = 0.;
-  const EdgeFunction parts = difference(lift.r[1], lift.tangential).split_at_roots();
-  face.for_each_point(parts, [&](const double t, const double weight) {
-    // Where friction holds the face, w_t is the slip itself, see normal_term().
-    const double lacking = face.lifts_slip ? lift.tangential.value(t)
-                                           : trace.slip(face, t) - lift.w_t.value(t),
-                 v = lacking - lift.r[1].value(t);
-    if (std::abs(v) > trace.rounding(face))
-      term +=
-        (trace.friction_bound(face, t) * std::abs(v) + face.traction[1].value(t) * v) * weight;
-  });
-  return term;
-}
 
 /** Sums up. */
 ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const LiftField &lift,
@@ -139,9 +129,9 @@ ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const Li
   double largest = 0.;
   for (unsigned int i = 0; i < trace.faces().size(); ++i) {
     const PenetrationFace &face = trace.faces()[i];
-    double term = normal_term(trace, face, on_faces[i]);
-    if (data.has_friction())
-      term += slip_term(trace, face, on_faces[i]);
+    double term = 0.;
+    for (unsigned int c = 0; c < on_faces[i].n_components; ++c)
+      term += on_faces[i].term(trace, face, c);
     bound.contact_term += term;
     bound.face_terms.push_back(2. * term);
     const auto cell = trace.surface().faces()[i].cell;
@@ -243,11 +233,8 @@ std::vector<double> LiftField::cuts(const CellIterator &cell, const unsigned int
 }
 
 double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) const {
-  const bool constant = data_.scene.material->is_constant();
-  SymmetricTensor<4, 2> E = data_.scene.material->hooke(values.quadrature_point(0));
   std::vector<Tensor<2, 2>> gradients(values.n_quadrature_points);
   values[FEValuesExtractors::Vector(0)].get_function_gradients(w_h_.entries(), gradients);
-  double energy = 0.;
   const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
   for (const unsigned int q : values.quadrature_point_indices()) {
     const Point<2> &x = values.get_quadrature().point(q);
@@ -266,12 +253,8 @@ double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) co
                                      trace_.faces()[face].normal),
                         gradient * Tensor<2, 2>(values.inverse_jacobian(q)));
     }
-    if (!constant)
-      E = data_.scene.material->hooke(values.quadrature_point(q));
-    const SymmetricTensor<2, 2> strain = symmetrize(gradients[q]);
-    energy += strain * (E * strain) * values.JxW(q);
   }
-  return energy;
+  return EnergyMeasure<2>(*data_.scene.material).energy(values, gradients);
 }
 
 dealii::Vector<double> LiftField::cell_energies() const {
@@ -285,12 +268,17 @@ dealii::Vector<double> LiftField::cell_energies() const {
              ? static_cast<unsigned int>(std::clamp(n, 1., 24.))
              : 1;
   };
-  const auto make_values = [&](const FiniteElement<2> &element, const Quadrature<2> &rule) {
-    return std::make_unique<FEValues<2>>(data_.space.mesh().mapping(), element, rule,
-                                         update_gradients | update_quadrature_points |
-                                           update_inverse_jacobians | update_JxW_values);
+  const UpdateFlags flags =
+    update_gradients | update_quadrature_points | update_inverse_jacobians | update_JxW_values;
+  // Products of derivatives of w_h, or of r_F, which has the degree two; more where E varies.
+  const auto n_points = [&](const unsigned int degree, const bool is_cut) {
+    return constant ? std::max(is_cut ? 2U : 1U, degree) + 1 : degree + 3;
   };
-  std::vector<std::unique_ptr<FEValues<2>>> plain(data_.space.elements().size());
+  hp::QCollection<2> rules;
+  for (unsigned int number = 0; number < data_.space.elements().size(); ++number)
+    rules.push_back(QGauss<2>(n_points(data_.space.elements()[number].degree, false)));
+  hp::FEValues<2> plain(hp::MappingCollection<2>(data_.space.mesh().mapping()),
+                        data_.space.elements(), rules, flags);
   dealii::Vector<double> energies(n_cells), nodal;
   for (const auto &cell : data_.space.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned())
@@ -302,18 +290,18 @@ dealii::Vector<double> LiftField::cell_energies() const {
       continue;
     const unsigned int n_equal = n_equal_parts(cell);
     const std::vector<double> x = cuts(cell, 0, n_equal), y = cuts(cell, 1, n_equal);
-    const bool is_cut = x.size() > 2 || y.size() > 2;
-    std::unique_ptr<FEValues<2>> on_parts,
-      &here = is_cut ? on_parts : plain[cell->active_fe_index()];
-    if (here == nullptr) {
-      // Products of derivatives of w_h, or of r_F, which has the degree two; more where E varies.
-      const unsigned int degree = is_cut ? std::max(2U, element.degree) : element.degree;
-      const QGauss<1> gauss(constant ? degree + 1 : element.degree + 3);
-      here = make_values(element,
-                         QAnisotropic<2>(split_quadrature(gauss, x), split_quadrature(gauss, y)));
+    double &energy_of_cell = energies[cell->active_cell_index()];
+    if (x.size() == 2 && y.size() == 2) {
+      plain.reinit(cell);
+      energy_of_cell = energy(cell, plain.get_present_fe_values());
+      continue;
     }
-    here->reinit(cell);
-    energies[cell->active_cell_index()] = energy(cell, *here);
+    const QGauss<1> gauss(n_points(element.degree, true));
+    FEValues<2> on_parts(data_.space.mesh().mapping(), element,
+                         QAnisotropic<2>(split_quadrature(gauss, x), split_quadrature(gauss, y)),
+                         flags);
+    on_parts.reinit(cell);
+    energy_of_cell = energy(cell, on_parts);
   }
   return energies;
 }

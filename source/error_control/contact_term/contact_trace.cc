@@ -135,7 +135,7 @@ bool ContactTrace::wants_lift_of_slip(const PenetrationFace &face) const {
   double largest = 0., bound = 0.;
   for (unsigned int i = 0; i <= n_samples; ++i) {
     const double t = static_cast<double>(i) / n_samples;
-    largest = std::max(largest, std::abs(slip(face, t)));
+    largest = std::max(largest, std::abs(misfit(face, Component::tangential, t)));
     bound = std::max(bound, friction_bound(face, t));
   }
   const auto shear =
@@ -197,7 +197,7 @@ void ContactTrace::find_conditions() {
         conditions_[condition_at(face, i, Component::tangential, tangents[face.dofs[i][0]])];
       if (face.lifts_slip) {
         condition.presses = true;
-        condition.required = slip(face, face.nodes[i]);
+        condition.required = misfit(face, Component::tangential, face.nodes[i]);
       }
     }
   condense_columns();
@@ -227,26 +227,18 @@ void ContactTrace::condense_columns() {
   }
 }
 
-double ContactTrace::penetration(const PenetrationFace &face, const double t) const {
-  const Side<2> &side = data_.scene.geometry.sides[face.side];
+double ContactTrace::misfit(const PenetrationFace &face, const Component component,
+                            const double t) const {
   const Point<2> x = face.point(t);
-  const double gap = data_.scene.boundary[face.side].data->value(
-    face.point(std::clamp(t, face.inside[0], face.inside[1])));
-  const Tensor<1, 2> normal =
-    data_.space.mesh().is_curved() ? side.normal_at(x, face.point(0.5)) : face.normal;
-  return normal[0] * face.u[0].value(t) + normal[1] * face.u[1].value(t) - gap;
-}
-
-double ContactTrace::slip(const PenetrationFace &face, const double t) const {
-  const Point<2> x = face.point(t);
-  const Tensor<1, 2> normal =
-    data_.space.mesh().is_curved()
-      ? data_.scene.geometry.sides[face.side].normal_at(x, face.point(0.5))
-      : face.normal;
-  const Tensor<1, 2> along = direction_of(Component::tangential, normal);
-  const auto &shift = data_.scene.boundary[face.side].shift;
-  return along[0] * face.u[0].value(t) + along[1] * face.u[1].value(t) -
-         (shift == nullptr ? 0. : shift->value(x));
+  const Tensor<1, 2> direction =
+    direction_of(component, data_.space.mesh().is_curved()
+                              ? data_.scene.geometry.sides[face.side].normal_at(x, face.point(0.5))
+                              : face.normal);
+  const BoundaryCondition<2> &condition = data_.scene.boundary[face.side];
+  const double u = direction[0] * face.u[0].value(t) + direction[1] * face.u[1].value(t);
+  if (component == Component::normal)
+    return u - condition.data->value(face.point(std::clamp(t, face.inside[0], face.inside[1])));
+  return condition.shift == nullptr ? u : u - condition.shift->value(x);
 }
 
 double ContactTrace::friction_bound(const PenetrationFace &face, const double t) const {
@@ -255,51 +247,35 @@ double ContactTrace::friction_bound(const PenetrationFace &face, const double t)
 }
 
 double ContactTrace::rounding(const PenetrationFace &face) const {
-  return 1e-14 * (2. * size_of_U_ + std::abs(penetration(face, 0.)));
+  return 1e-14 * (2. * size_of_U_ + std::abs(misfit(face, Component::normal, 0.)));
 }
 
 double ContactTrace::work_of_penetration() const {
   double work = 0.;
   for (const PenetrationFace &face : faces_)
     face.for_each_point(face.d, [&](const double t, const double weight) {
-      if (const double traction = face.traction[0].value(t); traction != 0.)
-        work += traction * penetration(face, t) * weight;
-      if (const double shear = face.traction[1].value(t); shear != 0.)
-        work += shear * slip(face, t) * weight;
+      for (unsigned int c = 0; c < 2; ++c)
+        if (const double traction = face.traction[c].value(t); traction != 0.)
+          work += traction * misfit(face, contact_components[c], t) * weight;
     });
   return work;
 }
 
-UpperInterpolant ContactTrace::sample(const PenetrationFace &face,
-                                      const std::function<double(double)> &f,
-                                      const Pinned &pinned) const {
+UpperInterpolant ContactTrace::sample(const PenetrationFace &face, const Component component,
+                                      const FacePolynomial &w) const {
   // About 20000 points on all faces: a power of two per quarter of a face.
   unsigned int n_scanned = 4;
   while (n_scanned < 256 && 2 * n_scanned * 4 * faces_.size() <= 20000)
     n_scanned *= 2;
   const double resolution = 1e-15 * std::max(face.start.norm(), face.end.norm()) / face.length;
-  return interpolate_from_above(f, face.breaks, rounding(face), pinned, n_scanned, resolution);
-}
-
-UpperInterpolant ContactTrace::sample(const PenetrationFace &face,
-                                      const FacePolynomial &w_n) const {
   // Next to contact w_n touches: what rises there counts with the pressure.
   const auto is_pinned = [&](const unsigned int end) {
     const NodeCondition &condition = conditions_[face.conditions[end]];
-    return condition.held() || condition.presses;
+    return component != Component::normal || condition.held() || condition.presses;
   };
-  return sample(face, [&](const double t) { return penetration(face, t) - w_n.value(t); },
-                {is_pinned(0), is_pinned(1)});
-}
-
-EdgeFunction ContactTrace::lacking(const PenetrationFace &face, const FacePolynomial &w_n) const {
-  return sample(face, w_n).function;
-}
-
-EdgeFunction ContactTrace::lacking_slip(const PenetrationFace &face,
-                                        const FacePolynomial &w_t) const {
-  return sample(face, [&](const double t) { return slip(face, t) - w_t.value(t); }, {true, true})
-    .function;
+  return interpolate_from_above(
+    [&](const double t) { return misfit(face, component, t) - w.value(t); }, face.breaks,
+    rounding(face), {is_pinned(0), is_pinned(1)}, n_scanned, resolution);
 }
 
 void ContactTrace::sample() {
@@ -311,7 +287,7 @@ void ContactTrace::sample() {
                          [t](const double other) { return std::abs(t - other) < 1e-9; }))
           face.breaks.push_back(t);
     std::sort(face.breaks.begin(), face.breaks.end());
-    const UpperInterpolant upper = sample(face, FacePolynomial());
+    const UpperInterpolant upper = sample(face, Component::normal, FacePolynomial());
     face.d = upper.function;
     if (upper.largest > max_) {
       max_ = upper.largest;
@@ -326,8 +302,9 @@ void ContactTrace::require() {
     for (std::size_t i = 0; i < face.conditions.size(); ++i) {
       NodeCondition &condition = conditions_[face.conditions[i]];
       const double t = face.nodes[i];
-      condition.required = std::max(
-        condition.required, i > 1 && condition.presses ? penetration(face, t) : face.d.value(t));
+      condition.required =
+        std::max(condition.required,
+                 i > 1 && condition.presses ? misfit(face, Component::normal, t) : face.d.value(t));
     }
   // What rounding makes of u_n - g = 0.
   const double tolerance = 1e-12 * (size_of_U_ + data_.scene.geometry.diameter());

@@ -32,12 +32,8 @@ std::vector<Jet> axis_functions(const unsigned int n, const double x, const doub
   const double t = std::abs(x) / half_axis, z = 2. * t - 1.,
                scale = (x < 0. ? -1. : 1.) / half_axis;
   std::vector<Jet> f = {{{1., 0., 0.}}, {{x, 1., 0.}}};
-  // Legendre's polynomials of z with derivatives, and X² times that.
-  std::vector<Jet> P = {{{1., 0., 0.}}, {{z, 1., 0.}}};
-  for (unsigned int k = 2; k + 2 <= n; ++k)
-    P.push_back(
-      {{((2. * k - 1.) * z * P[k - 1][0] - (k - 1.) * P[k - 2][0]) / k,
-        P[k - 2][1] + (2. * k - 1.) * P[k - 1][0], P[k - 2][2] + (2. * k - 1.) * P[k - 1][1]}});
+  // Legendre's polynomials of z, times X².
+  const auto P = legendre_jets(n - 2, z);
   for (unsigned int i = 2; i <= n; ++i) {
     const auto &[p, dp, ddp] = P[i - 2];
     f.push_back({{t * t * p, scale * (2. * t * p + 2. * t * t * dp),
@@ -52,11 +48,11 @@ AiryCell::AiryCell(const CellShape &unit_shape, const unsigned int degree,
   : shape_(unit_shape)
   , degree_(degree)
   , points_(std::move(points))
+  , F_(shape_.half_diagonals())
+  , inverse_(invert(F_))
   , balance_(balance_rows(unit_shape, degree)) {
   const auto &x = shape_.corners;
   const Tensor<1, 2> a = x[0] - shape_.crossing, b = x[1] - shape_.crossing;
-  F_ = Tensor<2, 2>({{a[0], b[0]}, {a[1], b[1]}});
-  inverse_ = invert(F_);
   push_forward_ = Tensor<2, 3>({{a[0] * a[0], b[0] * b[0], 2. * a[0] * b[0]},
                                 {a[1] * a[1], b[1] * b[1], 2. * a[1] * b[1]},
                                 {a[0] * a[1], b[0] * b[1], a[0] * b[1] + a[1] * b[0]}});
@@ -163,21 +159,20 @@ void AiryCell::factorise() {
   const double share = compliance.trace() / n_traces;
   FullMatrix<double> regular(compliance), unbalanced(3, n_traces);
   balance_.mmult(unbalanced, compliance);
-  balance_.Tmmult(regular, balance_, true);
-  for (unsigned int i = 0; i < n_traces; ++i)
-    for (unsigned int j = 0; j < n_traces; ++j)
-      for (unsigned int r = 0; r < 3; ++r)
-        regular(i, j) += (share - 1.) * balance_(r, i) * balance_(r, j);
+  add_balance(share, regular);
   energy_ = regular;
   energy_.gauss_jordan();
   // The rank of N is that of the theory.
   if (!(unbalanced.frobenius_norm() < 1e-10 * compliance.frobenius_norm() &&
         energy_.frobenius_norm() * regular.frobenius_norm() < 1e10))
     throw ComputationError(too_flat);
-  for (unsigned int i = 0; i < n_traces; ++i)
-    for (unsigned int j = 0; j < n_traces; ++j)
-      for (unsigned int r = 0; r < 3; ++r)
-        energy_(i, j) -= balance_(r, i) * balance_(r, j) / share;
+  add_balance(-1. / share, energy_);
+}
+
+void AiryCell::add_balance(const double weight, FullMatrix<double> &matrix) const {
+  FullMatrix<double> rows(balance_);
+  rows *= weight;
+  balance_.Tmmult(matrix, rows, true);
 }
 
 AiryCell::Vector AiryCell::project(Vector &values) const {
@@ -222,9 +217,8 @@ AiryCell::Vector AiryCell::multiply(const Vector &y) const {
 }
 
 FullMatrix<double> AiryCell::penalised_energy(const double weight) const {
-  FullMatrix<double> matrix(energy_), rows(balance_);
-  rows *= weight;
-  balance_.Tmmult(matrix, rows, true);
+  FullMatrix<double> matrix(energy_);
+  add_balance(weight, matrix);
   return matrix;
 }
 
@@ -233,18 +227,14 @@ FullMatrix<double> AiryCell::penalised_energy(const double weight) const {
 AiryCell::LoadFactors AiryCell::load_factors(const unsigned int d, const double at) const {
   // The interval between opposite corners, mapped to [-1,1].
   const double from = -half_axes_[d + 2], half = 0.5 * (1. - from);
-  const auto values_at = [&](const double x) {
-    const double z = (x - from) / half - 1.;
-    std::array<double, 16> P = {{1., z}};
-    for (unsigned int k = 2; k <= degree_; ++k)
-      P[k] = ((2. * k - 1.) * z * P[k - 1] - (k - 1.) * P[k - 2]) / k;
-    return P;
-  };
-  LoadFactors result = {values_at(at), {{at}}};
-  const std::array<double, 16> P_0 = values_at(0.);
-  const auto rise = [&](const unsigned int k) { return result.values[k] - P_0[k]; };
-  for (unsigned int k = 1; k < degree_; ++k)
+  const auto P = legendre_jets(degree_, (at - from) / half - 1.),
+             P_0 = legendre_jets(degree_, -from / half - 1.);
+  const auto rise = [&](const unsigned int k) { return P[k][0] - P_0[k][0]; };
+  LoadFactors result = {{{P[0][0]}}, {{at}}};
+  for (unsigned int k = 1; k < degree_; ++k) {
+    result.values[k] = P[k][0];
     result.integrals[k] = half * (rise(k + 1) - rise(k - 1)) / (2. * k + 1.);
+  }
   return result;
 }
 
@@ -279,32 +269,30 @@ PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
     rest_square +=
       (F_ * Tensor<1, 2>({values(p, 0) - projected(p, 0), values(p, 1) - projected(p, 1)}))
         .norm_square();
-  PolynomialLoad load = {{FullMatrix<double>(q), FullMatrix<double>(q)}};
-  unsigned int l = 0;
-  for (unsigned int i = 0; i < q; ++i)
-    for (unsigned int j = 0; i + j < q; ++j, ++l)
-      for (unsigned int c = 0; c < 2; ++c)
-        load[c](i, j) = coefficients(l, c);
+  PolynomialLoad load;
+  for (unsigned int l = 0; l < n; ++l)
+    load.emplace_back(Tensor<1, 2>({coefficients(l, 0), coefficients(l, 1)}));
   return load;
 }
 
 Tensor<1, 2> AiryCell::value(const PolynomialLoad &load, const Point<2> &at) const {
   const auto X = load_factors(0, at[0]).values, Y = load_factors(1, at[1]).values;
   Tensor<1, 2> f;
+  auto coefficient = load.begin();
   for (unsigned int i = 0; i < degree_; ++i)
     for (unsigned int j = 0; i + j < degree_; ++j)
-      for (unsigned int c = 0; c < 2; ++c)
-        f[c] += load[c](i, j) * X[i] * Y[j];
+      f += X[i] * Y[j] * *coefficient++;
   return F_ * f;
 }
 
 Components AiryCell::stress(const PolynomialLoad &load, const Point<2> &at) const {
   const auto X = load_factors(0, at[0]), Y = load_factors(1, at[1]);
   Components s;
+  auto coefficient = load.begin();
   for (unsigned int i = 0; i < degree_; ++i)
-    for (unsigned int j = 0; i + j < degree_; ++j) {
-      s[0] -= load[0](i, j) * X.integrals[i] * Y.values[j];
-      s[1] -= load[1](i, j) * X.values[i] * Y.integrals[j];
+    for (unsigned int j = 0; i + j < degree_; ++j, ++coefficient) {
+      s[0] -= (*coefficient)[0] * X.integrals[i] * Y.values[j];
+      s[1] -= (*coefficient)[1] * X.values[i] * Y.integrals[j];
     }
   return push_forward_ * s;
 }

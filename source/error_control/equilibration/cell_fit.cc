@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Stresses in equilibrium that fit the stress of u_h on a cell.
 
+#include <signorini/base/parallel.h>
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/cell_fit.h>
 #include <signorini/problem/scene/functions.h>
@@ -12,6 +14,8 @@
 
 namespace Signorini {
 namespace {
+using Vector = dealii::Vector<double>;
+
 CellShape at_unit_size(const CellShape &shape, const double size) {
   std::array<Point<2>, 4> corners;
   for (unsigned int k = 0; k < 4; ++k)
@@ -20,8 +24,25 @@ CellShape at_unit_size(const CellShape &shape, const double size) {
 }
 } // namespace
 
-CellFitter::CellFitter(const BoundData &data)
+Vector CellFit::traces(const TractionSpace &space, const std::size_t number,
+                       const Vector &x) const {
+  Vector y = space.traces(space.cells()[number], x);
+  y -= shift;
+  return y;
+}
+
+std::vector<Tensor<1, 2>> CellFit::force(const TractionCell &place,
+                                         const std::vector<Point<2>> &points) const {
+  const CellShape shape(place.corners);
+  std::vector<Tensor<1, 2>> f;
+  for (const Point<2> &x : points)
+    f.push_back(airy->value(load, airy->on_diagonals((x - shape.crossing) / size)) / size);
+  return f;
+}
+
+CellFitter::CellFitter(const BoundData &data, const bool compares)
   : data_(data)
+  , compares_(compares)
   , is_constant_(data.scene.material->is_constant())
   , kinks_(data.scene.law_kinks) {}
 
@@ -35,9 +56,7 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
   const unsigned int whole = std::min(4 * degree - 2, 2 * degree + 6) + (is_polynomial ? 0 : 4);
   std::map<unsigned int, Quadrature<2>> rules;
   const auto parts = triangle_parts(shape, kinks_);
-  const Tensor<2, 2> inverse = invert(Tensor<2, 2>(
-    {{shape.corners[0][0] - shape.crossing[0], shape.corners[1][0] - shape.crossing[0]},
-     {shape.corners[0][1] - shape.crossing[1], shape.corners[1][1] - shape.crossing[1]}}));
+  const Tensor<2, 2> inverse = invert(shape.half_diagonals());
   std::optional<Law> law;
   if (is_constant_)
     law.emplace(material.hooke(shape.crossing));
@@ -80,56 +99,41 @@ CellFitter::Known &CellFitter::find_known(const CellShape &shape, const double s
   const auto &x = unit.corners;
   const std::array<Tensor<1, 2>, 3> edges = {{x[1] - x[0], x[2] - x[0], x[3] - x[0]}};
   const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known &other) {
-    return other.degree == place.degree &&
+    return !other.is_alone && other.degree == place.degree &&
            std::equal(edges.begin(), edges.end(), other.edges.begin(),
                       [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; });
   });
   if (found != known_.end())
     return *found;
-  const Known added = {
-    place.degree,
-    edges,
-    std::make_shared<AiryCell>(unit, place.degree, make_points(shape, size, place.degree)),
-    {}};
-  if (is_constant_ && known_.size() < max_known)
-    return known_.emplace_back(added);
-  return alone_ = added;
+  if (!known_.empty() && known_.back().is_alone)
+    known_.pop_back();
+  return known_.emplace_back(
+    Known{!is_constant_ || known_.size() >= max_known,
+          place.degree,
+          edges,
+          std::make_shared<AiryCell>(unit, place.degree, make_points(shape, size, place.degree)),
+          {}});
 }
 
-CellFitter::Tables CellFitter::make_tables(const AiryCell &airy, const unsigned int degree) {
-  std::array<std::vector<double>, 2> at;
-  for (const auto &triangle : airy.points())
-    for (const AiryPoint &point : triangle)
-      for (unsigned int d = 0; d < 2; ++d)
-        at[d].push_back(point.reference[d]);
-  return {make_line_table(degree, at[0]), make_line_table(degree, at[1])};
-}
-
-dealii::Vector<double> CellFitter::stress_of_u(const Triangulation<2>::active_cell_iterator &cell,
-                                               const CellShape &shape, const AiryCell &airy,
-                                               const Tables &tables) {
+Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &known) const {
   const CellField u(data_.space.dof_cell(cell), data_.U);
-  const unsigned int n = u.degree() + 1;
-  dealii::Vector<double> values(3 * airy.n_points());
-  std::size_t q = 0;
-  for (const auto &triangle : airy.points())
+  auto &[along_x, along_y] = known.tables[u.degree()];
+  if (along_x.values.empty()) {
+    std::array<std::vector<double>, 2> at;
+    for (const auto &triangle : known.airy->points())
+      for (const AiryPoint &point : triangle)
+        for (unsigned int d = 0; d < 2; ++d)
+          at[d].push_back(point.reference[d]);
+    along_x = make_line_table(u.degree(), at[0]);
+    along_y = make_line_table(u.degree(), at[1]);
+  }
+  Vector values(3 * known.airy->n_points());
+  unsigned int q = 0;
+  for (const auto &triangle : known.airy->points())
     for (const AiryPoint &point : triangle) {
-      Tensor<2, 2> gradient;
-      for (unsigned int c = 0; c < 2; ++c)
-        for (unsigned int j = 0; j < n; ++j) {
-          // Large translations have rounding errors, but no strain.
-          double value = 0., slope = 0.;
-          for (unsigned int i = 0; i < n; ++i) {
-            const double nodal = u(c, i, j) - u(c, 0, 0);
-            value += tables.x.values(q, i) * nodal;
-            slope += tables.x.derivatives(q, i) * nodal;
-          }
-          gradient[c][0] += slope * tables.y.values(q, j);
-          gradient[c][1] += value * tables.y.derivatives(q, j);
-        }
-      gradient = gradient * invert(shape.jacobian(CellFunctions(point.reference)));
-      const Components weighted = point.of_strain * Components({gradient[0][0], gradient[1][1],
-                                                                gradient[0][1] + gradient[1][0]});
+      const Tensor<2, 2> gradient =
+        u.gradient(along_x, along_y, q) * invert(shape.jacobian(CellFunctions(point.reference)));
+      const Components weighted = point.of_strain * components_of(strain_of(gradient));
       for (unsigned int c = 0; c < 3; ++c)
         values[3 * q + c] = weighted[c];
       ++q;
@@ -137,12 +141,12 @@ dealii::Vector<double> CellFitter::stress_of_u(const Triangulation<2>::active_ce
   return values;
 }
 
-PolynomialLoad CellFitter::project_load(const CellShape &shape, const Quadrature<2> &rule,
-                                        CellFit &fit) const {
+void CellFitter::project_load(const CellShape &shape, const Quadrature<2> &rule,
+                              CellFit &fit) const {
   std::vector<Point<2>> points;
   std::vector<double> weights;
   std::vector<Tensor<1, 2>> forces;
-  dealii::Vector<double> f(2);
+  Vector f(2);
   for (unsigned int q = 0; q < rule.size(); ++q) {
     const CellFunctions functions(rule.point(q));
     const Point<2> x = shape.corners[0] + shape.offset(functions);
@@ -151,24 +155,19 @@ PolynomialLoad CellFitter::project_load(const CellShape &shape, const Quadrature
     data_.scene.body_force->vector_value(x, f);
     forces.emplace_back(Tensor<1, 2>({f[0], f[1]}) * fit.size);
   }
-  double square = 0., rest = 0.;
-  for (std::size_t q = 0; q < points.size(); ++q)
-    square += weights[q] * forces[q].norm_square();
-  PolynomialLoad load = fit.airy->project(points, weights, forces, rest);
-  fit.load_norm = std::sqrt(square) / fit.size;
+  double rest = 0.;
+  fit.load = fit.airy->project(points, weights, forces, rest);
   fit.load_rest = std::sqrt(rest) / fit.size;
-  return load;
 }
 
-dealii::Vector<double> CellFitter::subtract_load(const Triangulation<2>::active_cell_iterator &cell,
-                                                 const CellShape &shape,
-                                                 dealii::Vector<double> &values, CellFit &fit) {
+Vector CellFitter::subtract_load(const Cell &cell, const CellShape &shape, Vector &values,
+                                 CellFit &fit) {
   if (data_.scene.body_force == nullptr)
-    return dealii::Vector<double>(8 * (fit.airy->degree() + 1));
+    return Vector(8 * (fit.airy->degree() + 1));
   // Products of f_K with itself, and f of as many degrees more as f_K has.
   const unsigned int n = fit.airy->degree() + 4;
   if (needs_cuts<2>(data_.scene.kinks, cell))
-    fit.load = project_load(shape, cut_quadrature(data_.scene.kinks, cell, n), fit);
+    project_load(shape, cut_quadrature(data_.scene.kinks, cell, n), fit);
   else {
     // Such a rule resolves smooth data in a quarter of the body, see scan_data().
     const Geometry<2> &body = data_.scene.geometry;
@@ -177,26 +176,21 @@ dealii::Vector<double> CellFitter::subtract_load(const Triangulation<2>::active_
     Quadrature<2> &plain = load_rules_[is_wide ? 4 * n : n];
     if (plain.size() == 0)
       plain = QIterated<2>(QGauss<1>(n), is_wide ? 4 : 1);
-    fit.load = project_load(shape, plain, fit);
+    project_load(shape, plain, fit);
   }
   return fit.airy->subtract_load(fit.load, values);
 }
 
-CellFit CellFitter::fit(const Triangulation<2>::active_cell_iterator &cell,
-                        const TractionCell &place, const bool of_u) {
+CellFit CellFitter::fit(const Cell &cell, const TractionCell &place) {
   const CellShape shape(place.corners);
   CellFit fit;
+  fit.id = cell->id();
   fit.size = shape.diameter();
   Known &known = find_known(shape, fit.size, place);
   fit.airy = known.airy;
-  dealii::Vector<double> values(3 * fit.airy->n_points());
-  if (of_u) {
-    const unsigned int degree = data_.space.element(cell).degree;
-    Tables &tables = known.tables[degree];
-    if (tables.x.values.empty())
-      tables = make_tables(*known.airy, degree);
-    values = stress_of_u(cell, shape, *fit.airy, tables);
-  }
+  Vector values(3 * fit.airy->n_points());
+  if (compares_)
+    values = stress_of_u(cell, shape, known);
   fit.shift = subtract_load(cell, shape, values, fit);
   // The second projection removes what rounding left of the first.
   for (unsigned int pass = 0; pass < 2 && !values.all_zero(); ++pass)
@@ -206,8 +200,41 @@ CellFit CellFitter::fit(const Triangulation<2>::active_cell_iterator &cell,
   for (const auto &triangle : fit.airy->points())
     for (const AiryPoint &point : triangle)
       fit.min_eigenvalue = std::min(fit.min_eigenvalue, point.min_eigenvalue);
-  if (&known == &alone_)
-    alone_.airy->forget_points();
+  if (known.is_alone)
+    known.airy->forget_points();
   return fit;
+}
+
+std::vector<CellFit> CellFitter::fit_all(const EquilibrationMesh &mesh, const TractionSpace &space,
+                                         const std::vector<CellFit> &known) {
+  std::map<CellId, const CellFit *> found;
+  for (const CellFit &fit : known)
+    found[fit.id] = &fit;
+  std::vector<CellFit> fits(space.cells().size());
+  std::vector<Cell> fresh;
+  for (const auto &cell : mesh.triangulation().active_cell_iterators()) {
+    const unsigned int number = cell->active_cell_index();
+    const auto same = found.find(cell->id());
+    if (same != found.end() && same->second->airy->degree() == space.cells()[number].degree)
+      fits[number] = *same->second;
+    else
+      fresh.push_back(cell);
+  }
+  const auto fit_range = [&](CellFitter &fitter, const std::size_t begin, const std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const unsigned int number = fresh[i]->active_cell_index();
+      fits[number] = fitter.fit(fresh[i], space.cells()[number]);
+    }
+  };
+  if (is_constant_)
+    fit_range(*this, 0, fresh.size());
+  else
+    // Cells share nothing: every thread has a fitter of its own.
+    work_on_ranges(n_available_threads(data_.space.mesh().communicator()), fresh.size(),
+                   [&](const std::size_t begin, const std::size_t end) {
+                     CellFitter fitter(data_, compares_);
+                     fit_range(fitter, begin, end);
+                   });
+  return fits;
 }
 } // namespace Signorini

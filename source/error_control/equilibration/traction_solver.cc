@@ -6,7 +6,6 @@
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparse_matrix.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,23 +25,44 @@ constexpr double rounding = 1e-14, near_rounding = 1e-12;
  * stress answers: the loads cannot be carried. */
 constexpr double least_answer = 1e-9;
 
-/** The unknown coefficients, and the factors of the augmented matrix. */
-class TractionSolver {
+/** Returns the weights of the squares of what is lacking of the balances of cells, three for each,
+ * and of the conditions. In a cell the weight is relative to the energies of the softest cell that
+ * shares an edge with it: a stiff cell by itself would give way. */
+Vector weights_of(const Tractions &tractions, const std::vector<CellFit> &fits) {
+  const std::vector<TractionCell> &cells = tractions.space.cells();
+  const auto energy = [&fits](const std::size_t c) {
+    return fits[c].airy->mean_energy() * fits[c].size * fits[c].size;
+  };
+  std::vector<double> on_edge(tractions.space.edges().size(), 0.);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (const TractionSide &side : cells[c].sides)
+      on_edge[side.edge] = std::max(on_edge[side.edge], energy(c));
+  Vector weights(3 * cells.size() + tractions.conditions.size());
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    for (const TractionSide &side : cells[c].sides)
+      for (unsigned int i = 0; i < 3; ++i)
+        weights[3 * c + i] = std::max(weights[3 * c + i], penalty * on_edge[side.edge]);
+  for (std::size_t k = 0; k < tractions.conditions.size(); ++k)
+    weights[3 * cells.size() + k] = penalty * energy(0) * tractions.conditions[k].row.size();
+  return weights;
+}
+
+/** The energy of tractions and their conditions, with the factors of the matrix of the augmented
+ * Lagrangian for the free coefficients. */
+class TractionProblem {
 public:
-  /** @param penalties the weights of cells. */
-  TractionSolver(const TractionMesh &mesh, const std::vector<CellFit> &fits,
-                 const std::vector<double> &penalties,
-                 const std::vector<TractionCondition> &conditions)
-    : mesh_(mesh)
-    , numbers_(mesh.n_coefficients(), TractionMesh::none) {
-    for (const TractionEdge &edge : mesh.edges())
+  TractionProblem(const Tractions &tractions, const std::vector<CellFit> &fits)
+    : space_(tractions.space)
+    , fits_(fits)
+    , conditions_(tractions.conditions)
+    , weights_(weights_of(tractions, fits))
+    , numbers_(space_.n_coefficients(), TractionSpace::none) {
+    for (const TractionEdge &edge : space_.edges())
       for (unsigned int c = 0; c < 2; ++c)
         for (unsigned int i = 0; i <= edge.degree && edge.is_free[c]; ++i)
           numbers_[edge.position(c, i)] = n_unknowns_++;
-    if (n_unknowns_ == 0)
-      return;
-    assemble(fits, penalties, conditions);
-    factorise();
+    if (n_unknowns_ > 0)
+      factorise();
   }
   /** Adds the solution for the forces on all coefficients to x. */
   void add_solution(const Vector &forces, Vector &x) const {
@@ -50,155 +70,19 @@ public:
       return;
     std::vector<double> solution(n_unknowns_);
     for (std::size_t i = 0; i < numbers_.size(); ++i)
-      if (numbers_[i] != TractionMesh::none)
+      if (numbers_[i] != TractionSpace::none)
         solution[numbers_[i]] = forces[i];
     factors_->solve(solution);
     for (std::size_t i = 0; i < numbers_.size(); ++i)
-      if (numbers_[i] != TractionMesh::none)
+      if (numbers_[i] != TractionSpace::none)
         x[i] += solution[numbers_[i]];
   }
-
-private:
-  /** Returns the traces of a cell that have an unknown, and the numbers of those. */
-  std::pair<std::vector<unsigned int>, std::vector<types::global_dof_index>>
-  unknowns_of(const TractionCell &cell) const {
-    std::pair<std::vector<unsigned int>, std::vector<types::global_dof_index>> unknowns;
-    const std::vector<unsigned int> coefficients = mesh_.numbers(cell);
-    for (unsigned int row = 0; row < coefficients.size(); ++row)
-      if (coefficients[row] != TractionMesh::none &&
-          numbers_[coefficients[row]] != TractionMesh::none) {
-        unknowns.first.push_back(row);
-        unknowns.second.push_back(numbers_[coefficients[row]]);
-      }
-    return unknowns;
-  }
-  void assemble(const std::vector<CellFit> &fits, const std::vector<double> &penalties,
-                const std::vector<TractionCondition> &conditions) {
-    const AffineConstraints<double> none;
-    DynamicSparsityPattern entries(n_unknowns_);
-    for (const TractionCell &cell : mesh_.cells())
-      none.add_entries_local_to_global(unknowns_of(cell).second, entries);
-    std::vector<std::vector<types::global_dof_index>> unknowns_in(conditions.size());
-    std::vector<std::vector<double>> rows(conditions.size());
-    for (std::size_t k = 0; k < conditions.size(); ++k) {
-      for (const auto &[i, factor] : conditions[k].row)
-        if (numbers_[i] != TractionMesh::none) {
-          unknowns_in[k].push_back(numbers_[i]);
-          rows[k].push_back(factor);
-        }
-      none.add_entries_local_to_global(unknowns_in[k], entries);
-    }
-    pattern_.copy_from(entries);
-    matrix_.reinit(pattern_);
-    for (std::size_t c = 0; c < fits.size(); ++c) {
-      const auto [rows_of_cell, numbers] = unknowns_of(mesh_.cells()[c]);
-      FullMatrix<double> whole = energy_of_tractions(mesh_.cells()[c], fits[c], penalties[c]),
-                         here(numbers.size(), numbers.size());
-      here.extract_submatrix_from(whole, rows_of_cell, rows_of_cell);
-      none.distribute_local_to_global(here, numbers, matrix_);
-    }
-    for (std::size_t k = 0; k < conditions.size(); ++k) {
-      FullMatrix<double> here(rows[k].size(), rows[k].size());
-      for (std::size_t i = 0; i < rows[k].size(); ++i)
-        for (std::size_t j = 0; j < rows[k].size(); ++j)
-          here(i, j) = conditions[k].weight * rows[k][i] * rows[k][j];
-      none.distribute_local_to_global(here, unknowns_in[k], matrix_);
-    }
-  }
-  void factorise() {
-    std::vector<int> start = {0}, column;
-    std::vector<double> value;
-    std::vector<std::pair<int, double>> row;
-    for (unsigned int i = 0; i < n_unknowns_; ++i) {
-      row.clear();
-      for (auto entry = matrix_.begin(i); entry != matrix_.end(i); ++entry)
-        row.emplace_back(entry->column(), entry->value());
-      // deal.II puts the diagonal first.
-      std::rotate(row.begin(), row.begin() + 1,
-                  std::lower_bound(row.begin() + 1, row.end(), row.front()));
-      for (const auto &[j, entry] : row) {
-        column.push_back(j);
-        value.push_back(entry);
-      }
-      start.push_back(column.size());
-    }
-    Rows rows;
-    rows.n = n_unknowns_;
-    rows.start = start.data();
-    rows.column = column.data();
-    rows.value = value.data();
-    factors_ = std::make_unique<SparseCholesky>(rows);
-  }
-  /** Returns Eᵀ (S + penalty BᵀB) E by traces. */
-  FullMatrix<double> energy_of_tractions(const TractionCell &cell, const CellFit &fit,
-                                         const double weight) const {
-    FullMatrix<double> S = fit.airy->penalised_energy(weight), result;
-    S *= fit.size * fit.size;
-    mesh_.restrict_rows(cell, S);
-    result.copy_transposed(S);
-    mesh_.restrict_rows(cell, result);
-    return result;
-  }
-
-  const TractionMesh &mesh_;
-  std::vector<unsigned int> numbers_;
-  unsigned int n_unknowns_ = 0;
-  SparsityPattern pattern_;
-  SparseMatrix<double> matrix_;
-  std::unique_ptr<const SparseCholesky> factors_;
-};
-} // namespace
-
-namespace {
-/** Returns the weight of the square of what each cell lacks in balance: relative to the energies of
- * the softest cell that shares an edge with it. A stiff one of its own would give way. */
-std::vector<double> penalties_of(const TractionMesh &mesh, const std::vector<CellFit> &fits) {
-  std::vector<double> on_edge(mesh.edges().size(), 0.), penalties(fits.size(), 0.);
-  for (std::size_t c = 0; c < fits.size(); ++c)
-    for (const TractionSide &side : mesh.cells()[c].sides)
-      on_edge[side.edge] =
-        std::max(on_edge[side.edge], fits[c].airy->mean_energy() * fits[c].size * fits[c].size);
-  for (std::size_t c = 0; c < fits.size(); ++c)
-    for (const TractionSide &side : mesh.cells()[c].sides)
-      penalties[c] =
-        std::max(penalties[c], penalty * on_edge[side.edge] / (fits[c].size * fits[c].size));
-  return penalties;
-}
-} // namespace
-
-double penalty_of(const CellFit &fit) {
-  return penalty * fit.airy->mean_energy();
-}
-
-Vector lacking_traces(const TractionCell &cell, const CellFit &fit, const TractionMesh &mesh,
-                      const Vector &x) {
-  Vector y = mesh.traces(cell, x);
-  y -= fit.shift;
-  return y;
-}
-
-namespace {
-/** What tractions lack of all balances, three numbers for each cell and one for each condition, and
- * the forces of multipliers. */
-class Balances {
-public:
-  Balances(const TractionMesh &mesh, const std::vector<CellFit> &fits,
-           const std::vector<double> &penalties, const std::vector<TractionCondition> &conditions)
-    : mesh_(mesh)
-    , fits_(fits)
-    , conditions_(conditions)
-    , weights_(3 * fits.size() + conditions.size()) {
-    for (std::size_t c = 0; c < fits.size(); ++c)
-      for (unsigned int i = 0; i < 3; ++i)
-        weights_[3 * c + i] = penalties[c] * fits[c].size * fits[c].size;
-    for (std::size_t k = 0; k < conditions.size(); ++k)
-      weights_[3 * fits.size() + k] = conditions[k].weight;
-  }
-  /** Returns what x lacks. @param scale is raised to the largest trace. */
+  /** Returns what x lacks of balances and conditions. @param scale is raised to the largest trace.
+   */
   Vector lacking(const Vector &x, double &scale) const {
     Vector all(weights_.size()), of_cell(3);
     for (std::size_t c = 0; c < fits_.size(); ++c) {
-      const Vector y = lacking_traces(mesh_.cells()[c], fits_[c], mesh_, x);
+      const Vector y = fits_[c].traces(space_, c, x);
       scale = std::max({scale, fits_[c].shift.linfty_norm(), y.linfty_norm()});
       fits_[c].airy->balance().vmult(of_cell, y);
       std::copy(of_cell.begin(), of_cell.end(), all.begin() + 3 * c);
@@ -215,30 +99,21 @@ public:
   void subtract_forces(const Vector &multipliers, const Vector &x, Vector &forces) const {
     Vector of_cell(3);
     for (std::size_t c = 0; c < fits_.size(); ++c) {
-      const CellFit &fit = fits_[c];
-      const TractionCell &cell = mesh_.cells()[c];
-      Vector on_traces = fit.airy->multiply(lacking_traces(cell, fit, mesh_, x));
-      on_traces *= fit.size * fit.size;
+      Vector on_traces = fits_[c].airy->multiply(fits_[c].traces(space_, c, x));
+      on_traces *= fits_[c].size * fits_[c].size;
       std::copy_n(multipliers.begin() + 3 * c, 3, of_cell.begin());
-      fit.airy->balance().Tvmult_add(on_traces, of_cell);
-      FullMatrix<double> column(on_traces.size(), 1);
-      for (unsigned int i = 0; i < on_traces.size(); ++i)
-        column(i, 0) = on_traces[i];
-      mesh_.restrict_rows(cell, column);
-      const std::vector<unsigned int> numbers = mesh_.numbers(cell);
-      for (unsigned int i = 0; i < numbers.size(); ++i)
-        if (numbers[i] != TractionMesh::none)
-          forces[numbers[i]] -= column(i, 0);
+      fits_[c].airy->balance().Tvmult_add(on_traces, of_cell);
+      for (const auto &[trace, coefficient, value] : space_.entries(space_.cells()[c]))
+        forces[coefficient] -= value * on_traces[trace];
     }
     for (std::size_t k = 0; k < conditions_.size(); ++k)
       for (const auto &[i, factor] : conditions_[k].row)
         forces[i] -= factor * multipliers[3 * fits_.size() + k];
   }
   /** Returns the multipliers of penalties on what is lacking. */
-  Vector weighted(const Vector &lacking) const {
-    Vector result(lacking);
-    result.scale(weights_);
-    return result;
+  Vector weighted(Vector lacking) const {
+    lacking.scale(weights_);
+    return lacking;
   }
   /** Returns the sum of the squares of multipliers over the weights. */
   double square(const Vector &multipliers) const {
@@ -249,34 +124,94 @@ public:
   }
 
 private:
-  const TractionMesh &mesh_;
+  using Entries = std::vector<TractionSpace::Entry>;
+  using Numbers = std::vector<types::global_dof_index>;
+
+  /** A symmetric matrix M and the entries of a V: Vᵀ M V is a part of the matrix. The first parts
+   * are those of cells, with their balances; then come the other conditions. */
+  Entries entries(const std::size_t part) const {
+    if (part < fits_.size())
+      return space_.entries(space_.cells()[part]);
+    Entries row;
+    for (const auto &[i, factor] : conditions_[part - fits_.size()].row)
+      row.push_back({0, i, factor});
+    return row;
+  }
+  FullMatrix<double> energy(const std::size_t part) const {
+    if (part >= fits_.size())
+      return FullMatrix<double>(1, 1, weights_.begin() + part + 2 * fits_.size());
+    const double square = fits_[part].size * fits_[part].size;
+    FullMatrix<double> S = fits_[part].airy->penalised_energy(weights_[3 * part] / square);
+    return S *= square;
+  }
+  /** Keeps the entries of unknowns, with their places among these. @return the numbers of these. */
+  Numbers keep_unknowns(Entries &V) const {
+    Numbers unknowns;
+    Entries kept;
+    for (auto [row, coefficient, value] : V)
+      if (const unsigned int number = numbers_[coefficient]; number != TractionSpace::none) {
+        const auto found = std::find(unknowns.begin(), unknowns.end(), number);
+        kept.push_back({row, static_cast<unsigned int>(found - unknowns.begin()), value});
+        if (found == unknowns.end())
+          unknowns.push_back(number);
+      }
+    V = std::move(kept);
+    return unknowns;
+  }
+  void factorise() {
+    const AffineConstraints<double> none;
+    const std::size_t n_parts = fits_.size() + conditions_.size();
+    DynamicSparsityPattern pattern(n_unknowns_);
+    for (std::size_t part = 0; part < n_parts; ++part) {
+      Entries V = entries(part);
+      none.add_entries_local_to_global(keep_unknowns(V), pattern);
+    }
+    TrilinosWrappers::SparseMatrix matrix;
+    matrix.reinit(pattern);
+    for (std::size_t part = 0; part < n_parts; ++part) {
+      Entries V = entries(part);
+      const Numbers unknowns = keep_unknowns(V);
+      const FullMatrix<double> M = energy(part);
+      FullMatrix<double> here(unknowns.size(), unknowns.size());
+      for (const auto &a : V)
+        for (const auto &b : V)
+          here(a.coefficient, b.coefficient) += a.value * b.value * M(a.trace, b.trace);
+      none.distribute_local_to_global(here, unknowns, matrix);
+    }
+    matrix.compress(VectorOperation::add);
+    factors_ = std::make_unique<SparseCholesky>(Rows(matrix));
+  }
+
+  const TractionSpace &space_;
   const std::vector<CellFit> &fits_;
   const std::vector<TractionCondition> &conditions_;
   Vector weights_;
+  /** The numbers of unknowns by coefficient. */
+  std::vector<unsigned int> numbers_;
+  unsigned int n_unknowns_ = 0;
+  std::unique_ptr<const SparseCholesky> factors_;
 };
 } // namespace
 
-double minimise(const TractionMesh &mesh, const std::vector<CellFit> &fits,
-                const std::vector<TractionCondition> &conditions, const Vector &work, Vector &x) {
-  const std::vector<double> penalties = penalties_of(mesh, fits);
-  const TractionSolver solver(mesh, fits, penalties, conditions);
-  const Balances balances(mesh, fits, penalties, conditions);
+double minimise(const std::vector<CellFit> &fits, const Vector &work, Tractions &tractions) {
+  const TractionProblem problem(tractions, fits);
+  Vector &x = tractions.x;
   constexpr unsigned int max_steps = 100;
   double scale = 0., last_square = 0., relative = 0.;
-  Vector lacking = balances.lacking(x, scale), multipliers(lacking.size()), direction(multipliers);
+  Vector lacking = problem.lacking(x, scale), multipliers(lacking.size()), direction(multipliers);
   for (unsigned int step = 0; step < max_steps; ++step) {
     // The tractions of the next multipliers, and what rounding left of the last ones.
-    Vector next = balances.weighted(lacking), forces(work), change(x.size());
+    Vector next = problem.weighted(lacking), forces(work), change(x.size());
     next += multipliers;
     next += direction;
-    balances.subtract_forces(next, x, forces);
-    solver.add_solution(forces, change);
+    problem.subtract_forces(next, x, forces);
+    problem.add_solution(forces, change);
     Vector moved(x);
     moved += change;
     Vector fall(lacking);
-    fall -= balances.lacking(moved, scale);
+    fall -= problem.lacking(moved, scale);
     const double answer = direction * fall;
-    if (step > 0 && !(answer > least_answer * balances.square(direction)))
+    if (step > 0 && !(answer > least_answer * problem.square(direction)))
       break;
     // Penalties alone answer by less than their forces: shorter steps are rounding.
     const double length = step > 0 ? std::max(1., (direction * lacking) / answer) : 1.;
@@ -286,7 +221,7 @@ double minimise(const TractionMesh &mesh, const std::vector<CellFit> &fits,
     const double last = std::exchange(relative, scale > 0. ? lacking.linfty_norm() / scale : 0.);
     if (step > 0 && relative <= (relative > 0.5 * last ? near_rounding : rounding))
       break;
-    const Vector weighted = balances.weighted(lacking);
+    const Vector weighted = problem.weighted(lacking);
     // Squares hardly see small cells: close to rounding each direction is new.
     const bool keeps = step > 0 && relative > near_rounding;
     direction.sadd(keeps ? std::max(0., -length * (weighted * fall) / last_square) : 0., 1.,

@@ -2,10 +2,12 @@
 // The displacement z_h that belongs to a better pressure than p_H.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
+#include <signorini/postprocessing/fields/pressure_transfer.h>
 #include <signorini/solvers/contact/compliance.h>
 
 #include <deal.II/base/numbers.h>
@@ -242,16 +244,15 @@ public:
   // parallelograms.
   Distance(const DisplacementSpace<dim> &space, const Material<dim> *const material,
            const Displacement &U, const unsigned int fine)
-    : material_(material)
-    , U_(U)
+    : U_(U)
     , values_(space.mesh().mapping(), space.element(),
               QGauss<dim>((space.element().degree << fine) + 1),
               update_values | update_gradients | update_inverse_jacobians | update_JxW_values |
                 update_quadrature_points)
     , v_(space, values_.get_quadrature(), fine)
     , w_(space, values_.get_quadrature(), fine - 1) {
-    if (material != nullptr && material->is_constant())
-      hooke_ = material->hooke(Point<dim>());
+    if (material != nullptr)
+      energy_.emplace(*material);
   }
   Squares integrate(const CellIterator &cell) {
     values_.reinit(cell);
@@ -260,22 +261,20 @@ public:
     Squares sum;
     for (const unsigned int q : values_.quadrature_point_indices()) {
       const Tensor<2, dim> gradient = v.gradients[q] - w.gradients[q];
-      const SymmetricTensor<2, dim> strain = symmetrize(gradient);
-      if (material_ != nullptr && !material_->is_constant())
-        hooke_ = material_->hooke(values_.quadrature_point(q));
-      sum += values_.JxW(q) * Squares({(v.values[q] - w.values[q]).norm_square(),
-                                       gradient.norm_square(), (hooke_ * strain) * strain});
+      const double energy =
+        energy_ ? energy_->at(values_.quadrature_point(q)).density(strain_of(gradient)) : 0.;
+      sum += measure_at(values_, q) *
+             Squares({(v.values[q] - w.values[q]).norm_square(), gradient.norm_square(), energy});
     }
     return sum;
   }
 
 private:
-  /** The material; null if energies are not wanted. */
-  const Material<dim> *material_;
+  /** Empty if energies are not wanted. */
+  std::optional<EnergyMeasure<dim>> energy_;
   const Displacement &U_;
   FEValues<dim> values_;
   PatchInterpolation<dim> v_, w_;
-  SymmetricTensor<4, dim> hooke_;
 };
 
 /** Returns the sums over all ranks; the parts of the threads are added up in the order of cells. */

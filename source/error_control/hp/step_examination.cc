@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What steps predict for the next one.
 
+#include <signorini/discretization/elasticity/body_measure.h>
+#include <signorini/discretization/elasticity/cell_field.h>
 #include <signorini/discretization/elasticity/integration.h>
+#include <signorini/error_control/hp/contact_misfit.h>
 #include <signorini/error_control/hp/hidden_data.h>
-#include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/hp/step_examination.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
@@ -68,27 +70,22 @@ struct Window {
 class DistanceIntegrals {
 public:
   explicit DistanceIntegrals(const Scene<2> &scene)
-    : scene_(scene) {}
+    : measure_(*scene.material) {}
 
   double integrate(const Mesh<2> &mesh, const Triangulation<2>::active_cell_iterator &cell,
                    const CellField &on_cell, const CellField &on_ancestor, const Window &window) {
     const unsigned int n = std::max(on_cell.degree(), on_ancestor.degree()) + 1;
     const FEValues<2> &values = values_on(mesh, n, cell);
     const LineTable &table = table_on_cell(on_cell.degree(), n);
-    const std::vector<Tensor<2, 2>> fine = on_cell.gradients(table, table);
+    std::vector<Tensor<2, 2>> gradients = on_cell.gradients(table, table);
     const auto part = [&](const unsigned int d) {
       return make_line_table(on_ancestor.degree(), points_of(n, window.corner[d], window.edge));
     };
     const std::vector<Tensor<2, 2>> coarse = on_ancestor.gradients(part(0), part(1));
-    double square = 0.;
-    for (const unsigned int q : values.quadrature_point_indices()) {
-      const Tensor<2, 2> reference = fine[q] - window.edge * coarse[q];
-      const SymmetricTensor<2, 2> strain =
-        symmetrize(reference * Tensor<2, 2>(values.inverse_jacobian(q)));
-      const auto hooke = scene_.material->hooke(values.quadrature_point(q));
-      square += (hooke * strain) * strain * values.JxW(q);
-    }
-    return square;
+    for (const unsigned int q : values.quadrature_point_indices())
+      gradients[q] =
+        (gradients[q] - window.edge * coarse[q]) * Tensor<2, 2>(values.inverse_jacobian(q));
+    return measure_.energy(values, gradients);
   }
 
 private:
@@ -117,7 +114,7 @@ private:
     return *values;
   }
 
-  const Scene<2> &scene_;
+  EnergyMeasure<2> measure_;
   FE_Nothing<2> no_functions_;
   /** The tables, by degree and number of points. */
   std::map<std::pair<unsigned int, unsigned int>, LineTable> tables_;

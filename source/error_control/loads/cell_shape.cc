@@ -27,6 +27,11 @@ CellShape::CellShape(const std::array<Point<2>, 4> &corners)
   affine = difference.norm() < 1e-12 * first.norm();
 }
 
+Tensor<2, 2> CellShape::half_diagonals() const {
+  const Tensor<1, 2> a = corners[0] - crossing, b = corners[1] - crossing;
+  return Tensor<2, 2>({{a[0], b[0]}, {a[1], b[1]}});
+}
+
 double CellShape::diameter() const {
   double largest = 0.;
   for (const auto &a : corners)

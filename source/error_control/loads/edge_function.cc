@@ -110,6 +110,9 @@ struct SampledInterval {
   std::size_t n() const {
     return f.size() - 1;
   }
+  double position(const std::size_t i) const {
+    return i == n() ? end : start + (end - start) * i / n();
+  }
   double bulge() const {
     return f[n() / 2] - 0.5 * (f.front() + f.back());
   }
@@ -142,10 +145,9 @@ constexpr unsigned int n_intervals = 4;
 
 SampledInterval sample(const std::function<double(double)> &f, const double start, const double end,
                        const unsigned int n_scanned) {
-  SampledInterval interval = {start, end, {}};
-  const unsigned int n = n_scanned + 4;
-  for (unsigned int i = 0; i <= n; ++i)
-    interval.f.push_back(f(i == n ? end : start + (end - start) * i / n));
+  SampledInterval interval = {start, end, std::vector<double>(n_scanned + 5)};
+  for (std::size_t i = 0; i < interval.f.size(); ++i)
+    interval.f[i] = f(interval.position(i));
   return interval;
 }
 
@@ -241,9 +243,7 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
   double range = 0., misfit = 0.;
   for (const SampledInterval &interval : intervals) {
     for (std::size_t i = 0; i <= interval.n(); ++i)
-      range = std::max(
-        range, std::abs(interval.f[i] - chord(interval.start +
-                                              (interval.end - interval.start) * i / interval.n())));
+      range = std::max(range, std::abs(interval.f[i] - chord(interval.position(i))));
     misfit = std::max(misfit, interval.max_excess(true));
   }
   UpperInterpolant upper;
@@ -262,7 +262,7 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
     for (std::size_t i = 0; i <= interval.n(); ++i)
       if (interval.f[i] > upper.largest) {
         upper.largest = interval.f[i];
-        upper.at = interval.start + (interval.end - interval.start) * i / interval.n();
+        upper.at = interval.position(i);
       }
   return upper;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The parts of the triangles of cells on which data is smooth.
+// The parts of cells on which data is smooth.
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/loads/triangle_parts.h>
 
 #include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
 
 namespace Signorini {
 std::array<std::vector<TrianglePart>, 4> triangle_parts(const CellShape &shape,
@@ -28,5 +30,13 @@ Quadrature<2> triangle_rule(const unsigned int degree) {
   if (n <= 7)
     return QWitherdenVincentSimplex<2>(n);
   return QDuffy(n, 1.);
+}
+
+void add_points(const Quadrature<2> &rule, const Triangle &part, const CellShape &shape,
+                std::vector<Point<2>> &points, std::vector<double> &weights) {
+  for (unsigned int q = 0; q < rule.size(); ++q) {
+    points.push_back(shape.reference(point_of(part, rule.point(q)) - shape.corners[0]));
+    weights.push_back(rule.weight(q) * twice_area(part));
+  }
 }
 } // namespace Signorini

@@ -3,6 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/postprocessing/errors/errors.h>
 #include <signorini/postprocessing/fields/forces.h>
@@ -60,7 +61,8 @@ public:
     : fields_(fields)
     , cell_values_(fields.space.mesh().mapping(), fields.space, fields.scene.kinks, fields.n_points,
                    update_values | update_gradients | update_quadrature_points | update_JxW_values |
-                     update_inverse_jacobians) {
+                     update_inverse_jacobians)
+    , energy_(*fields.scene.material) {
     const unsigned int n_generations = std::min(2U, fields.space.mesh().n_nested_ancestors());
     for (unsigned int g = 1; g <= n_generations; ++g)
       interpolations_.emplace_back(fields.space, QGauss<dim>(fields.n_points), g);
@@ -72,13 +74,12 @@ public:
     Squares squares;
     for (const unsigned int q : values.quadrature_point_indices()) {
       const Tensor<2, dim> gradient = u.gradients[q] - u_h.gradients[q];
-      const SymmetricTensor<2, dim> strain = symmetrize(gradient);
-      const auto E = fields_.scene.material->hooke(values.quadrature_point(q));
-      squares[of_value] += (u.values[q] - u_h.values[q]).norm_square() * values.JxW(q);
-      squares[of_gradient] += gradient.norm_square() * values.JxW(q);
-      squares[of_energy] += (E * strain) * strain * values.JxW(q);
-      squares[of_superclose] +=
-        (e.values[q].norm_square() + e.gradients[q].norm_square()) * values.JxW(q);
+      const double dx = measure_at(values, q);
+      squares[of_value] += (u.values[q] - u_h.values[q]).norm_square() * dx;
+      squares[of_gradient] += gradient.norm_square() * dx;
+      squares[of_energy] +=
+        energy_.at(values.quadrature_point(q)).density(strain_of(gradient)) * dx;
+      squares[of_superclose] += (e.values[q].norm_square() + e.gradients[q].norm_square()) * dx;
     }
     for (unsigned int g = 0; g < interpolations_.size(); ++g)
       squares[of_post + g] =
@@ -109,12 +110,13 @@ private:
     for (const unsigned int q : values.quadrature_point_indices())
       square += ((u.values[q] - v.values[q]).norm_square() +
                  (u.gradients[q] - v.gradients[q]).norm_square()) *
-                values.JxW(q);
+                measure_at(values, q);
     return square;
   }
 
   const Fields<dim> &fields_;
   CellValues<dim> cell_values_;
+  EnergyMeasure<dim> energy_;
   std::vector<PatchInterpolation<dim>> interpolations_;
   std::vector<dealii::Vector<double>> values_;
   std::vector<std::vector<Tensor<1, dim>>> gradients_;

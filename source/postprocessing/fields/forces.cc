@@ -145,52 +145,6 @@ double RecoveredPressure<dim>::interpolate(const unsigned int patch, const Point
   return here + share * (interpolate(next->patch, s, d) - here);
 }
 
-namespace {
-/** The part of an interval that another one covers. */
-struct Overlap {
-  unsigned int number;
-  double share;
-};
-
-/** Returns for every interval between @p to its overlaps with those between @p from. */
-std::vector<std::vector<Overlap>> overlaps(const std::vector<double> &from,
-                                           const std::vector<double> &to) {
-  std::vector<std::vector<Overlap>> all(to.size() - 1);
-  std::size_t first = 0;
-  for (std::size_t t = 0; t + 1 < to.size(); ++t) {
-    while (first + 2 < from.size() && from[first + 1] <= to[t])
-      ++first;
-    for (std::size_t k = first; k + 1 < from.size() && from[k] < to[t + 1]; ++k) {
-      const double length = std::min(from[k + 1], to[t + 1]) - std::max(from[k], to[t]);
-      if (length > 0.)
-        all[t].push_back({static_cast<unsigned int>(k), length / (to[t + 1] - to[t])});
-    }
-  }
-  return all;
-}
-} // namespace
-
-template <int dim>
-Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Patch<dim>> &to) {
-  const std::vector<PatchGrid> given = patch_grids(from.patches);
-  Pressure transferred(to.size());
-  for (const PatchGrid &grid : patch_grids(to)) {
-    const auto known = std::find_if(
-      given.begin(), given.end(), [&](const PatchGrid &other) { return other.side == grid.side; });
-    if (known == given.end())
-      continue;
-    const auto columns = overlaps(known->ends[0], grid.ends[0]);
-    const auto rows = overlaps(known->ends[1], grid.ends[1]);
-    for (unsigned int j = 0; j < grid.n(1); ++j)
-      for (unsigned int i = 0; i < grid.n(0); ++i)
-        for (const Overlap &row : rows[j])
-          for (const Overlap &column : columns[i])
-            transferred[grid.at(i, j)] +=
-              row.share * column.share * from.P[known->at(column.number, row.number)];
-  }
-  return transferred;
-}
-
 // The nodes of multipliers with their states.
 
 std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
@@ -285,7 +239,6 @@ std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space, const 
 INSTANTIATE_FUNCTION(summarise_contact);
 template class RecoveredPressure<2>;
 template class RecoveredPressure<3>;
-INSTANTIATE_FUNCTION(transfer_pressure);
 INSTANTIATE_FUNCTION(nodal_forces);
 INSTANTIATE_FUNCTION(contact_resultant);
 INSTANTIATE_FUNCTION(penetration);

@@ -37,56 +37,7 @@ std::vector<Polynomials::Polynomial<double>> nodal_basis(const unsigned int degr
   return Polynomials::generate_complete_Lagrange_basis(
     QIterated<1>(QGaussLobatto<1>(degree + 1), n_cells).get_points());
 }
-
-/** Returns Σ_k A_qk v_k along one direction of an array, in which @p stride entries of the
- * directions before follow one another. */
-template <int dim>
-std::vector<Tensor<1, dim>> along(const FullMatrix<double> &A, const std::vector<Tensor<1, dim>> &v,
-                                  const std::size_t stride) {
-  const std::size_t n_blocks = v.size() / (A.n() * stride);
-  std::vector<Tensor<1, dim>> sums(n_blocks * A.m() * stride);
-  for (std::size_t block = 0; block < n_blocks; ++block)
-    for (std::size_t q = 0; q < A.m(); ++q)
-      for (std::size_t k = 0; k < A.n(); ++k)
-        for (std::size_t i = 0; i < stride; ++i)
-          sums[(block * A.m() + q) * stride + i] += A(q, k) * v[(block * A.n() + k) * stride + i];
-  return sums;
-}
 } // namespace
-
-LineTable make_line_table(const std::vector<Polynomials::Polynomial<double>> &basis,
-                          const std::vector<double> &points) {
-  LineTable table = {{points.size(), basis.size()}, {points.size(), basis.size()}};
-  std::vector<double> value_and_derivative(2);
-  for (unsigned int q = 0; q < points.size(); ++q)
-    for (unsigned int i = 0; i < basis.size(); ++i) {
-      basis[i].value(points[q], value_and_derivative);
-      table.values(q, i) = value_and_derivative[0];
-      table.derivatives(q, i) = value_and_derivative[1];
-    }
-  return table;
-}
-
-template <int dim>
-FieldValues<dim> evaluate_products(std::vector<Tensor<1, dim>> nodal_values,
-                                   const std::array<const LineTable *, dim> &lines) {
-  // The field, and its derivatives along the directions so far.
-  std::vector<std::vector<Tensor<1, dim>>> fields = {std::move(nodal_values)};
-  std::size_t stride = 1;
-  for (const LineTable *const line : lines) {
-    std::vector<Tensor<1, dim>> derivative = along(line->derivatives, fields[0], stride);
-    for (std::vector<Tensor<1, dim>> &field : fields)
-      field = along(line->values, field, stride);
-    fields.push_back(std::move(derivative));
-    stride *= line->values.m();
-  }
-  FieldValues<dim> result = {fields[0], std::vector<Tensor<2, dim>>(stride)};
-  for (std::size_t q = 0; q < stride; ++q)
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        result.gradients[q][c][d] = fields[d + 1][q][c];
-  return result;
-}
 
 template <int dim>
 PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
@@ -266,6 +217,5 @@ Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement
 
 template class PatchInterpolation<2>;
 template class PatchInterpolation<3>;
-INSTANTIATE_FUNCTION(evaluate_products);
 INSTANTIATE_FUNCTION(carry_over);
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // The mean of tr ε(u_h), which does not alternate from cell to cell.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/postprocessing/fields/stress.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -27,8 +28,8 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
     values.reinit(cell);
     values[FEValuesExtractors::Vector(0)].get_function_divergences(U.entries(), divergences);
     for (const unsigned int q : values.quadrature_point_indices()) {
-      sums_of(cell).first += divergences[q] * values.JxW(q);
-      sums_of(cell).second += values.JxW(q);
+      sums_of(cell).first += divergences[q] * measure_at(values, q);
+      sums_of(cell).second += measure_at(values, q);
     }
   }
   std::vector<double> means;

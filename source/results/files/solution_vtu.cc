@@ -4,6 +4,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
 #include <signorini/base/parallel.h>
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 #include <signorini/postprocessing/fields/stress.h>
@@ -86,7 +87,7 @@ private:
       add_vector("displacement", u.values[q], fields[q]);
       if (dim == 2 && is_recovered_)
         add_vector("recovered_displacement", recovered.values[q], fields[q]);
-      SymmetricTensor<2, dim> strain = symmetrize(recovered.gradients[q]);
+      SymmetricTensor<2, dim> strain = strain_of(recovered.gradients[q]);
       if (!dilatations_.empty())
         replace_trace(strain, dilatations_[index]);
       add_stress(values.quadrature_point(q), middle, strain, fields[q]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // u_n - g where the body presses, against its integral by hand.
 
-#include <signorini/error_control/hp/indicators.h>
+#include <signorini/error_control/hp/contact_misfit.h>
 #include <signorini/postprocessing/fields/forces.h>
 
 #include <cmath>

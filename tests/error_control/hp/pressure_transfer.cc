@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Polynomial pressures at the nodes of other multipliers.
 
-#include <signorini/error_control/hp/indicators.h>
+#include <signorini/postprocessing/fields/pressure_transfer.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // What the indicator says about functions whose Legendre coefficients are known.
 
 #include <signorini/discretization/elasticity/integration.h>
-#include <signorini/error_control/hp/indicators.h>
+#include <signorini/error_control/hp/cell_indicator.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

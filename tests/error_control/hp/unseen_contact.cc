@@ -2,7 +2,7 @@
 // Penetration that the nodes of the multipliers cannot see.
 
 #include <signorini/base/errors.h>
-#include <signorini/error_control/hp/indicators.h>
+#include <signorini/error_control/hp/contact_misfit.h>
 
 #include <cmath>
 

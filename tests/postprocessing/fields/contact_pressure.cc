@@ -3,6 +3,7 @@
 // lengths.
 
 #include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/pressure_transfer.h>
 
 #include <cmath>
 #include <numeric>

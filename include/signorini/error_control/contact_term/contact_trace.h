@@ -26,6 +26,10 @@ struct SidePlace {
 /** Returns the name of a place, such as "bottom at (0.25, 0)". */
 std::string name_of(const SidePlace &place, const Scene<2> &scene);
 
+/** The components of displacements and tractions on contact sides, in the order of arrays. */
+constexpr std::array<Component, 2> contact_components = {
+  {Component::normal, Component::tangential}};
+
 /** A polynomial of t in [0,1]: the chord between the values at the ends, and t (1 - t) times
  * another one. Monomials lose digits, a hundred times rounding at degree six; the ends are exact,
  * where a face that presses passes w on to the next one. */
@@ -147,18 +151,18 @@ public:
   bool prescribes_all() const {
     return prescribes_all_;
   }
-  /** Returns d itself at t, up to the evaluation of g. */
-  double penetration(const PenetrationFace &face, double t) const;
-  /** Returns ũ_t - g_t. */
-  double slip(const PenetrationFace &face, double t) const;
+  /** Returns d itself at t, up to the evaluation of g, or ũ_t - g_t. */
+  double misfit(const PenetrationFace &face, Component component, double t) const;
   /** Returns the bound of friction: s, or with Coulomb's law f |τ_n|. */
   double friction_bound(const PenetrationFace &face, double t) const;
   /** Returns what rounding makes of d = 0 on a face. */
   double rounding(const PenetrationFace &face) const;
-  /** Returns an EdgeFunction that is not below d - w_n, for a polynomial w_n of t. */
-  EdgeFunction lacking(const PenetrationFace &face, const FacePolynomial &w_n) const;
-  /** Returns an EdgeFunction that is close to ũ_t - g_t - w_t. */
-  EdgeFunction lacking_slip(const PenetrationFace &face, const FacePolynomial &w_t) const;
+  /** Returns an EdgeFunction that is not below d - w_n, for a polynomial w_n of t, or close to ũ_t
+   * - g_t - w_t. */
+  EdgeFunction lacking(const PenetrationFace &face, Component component,
+                       const FacePolynomial &w) const {
+    return sample(face, component, w).function;
+  }
   /** Returns ∫ τ_n d + τ_t (ũ_t - g_t) over Γ_c, by the same points. */
   double work_of_penetration() const;
   /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */
@@ -187,9 +191,8 @@ private:
   unsigned int condition_at(const PenetrationFace &face, std::size_t node, Component component,
                             std::vector<unsigned int> &known);
   void condense_columns();
-  UpperInterpolant sample(const PenetrationFace &face, const std::function<double(double)> &f,
-                          const Pinned &pinned) const;
-  UpperInterpolant sample(const PenetrationFace &face, const FacePolynomial &w_n) const;
+  UpperInterpolant sample(const PenetrationFace &face, Component component,
+                          const FacePolynomial &w) const;
   void sample();
   void require();
 

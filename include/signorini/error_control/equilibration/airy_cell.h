@@ -2,7 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/error_control/equilibration/traction_mesh.h>
+#include <signorini/error_control/equilibration/edge_polynomials.h>
+#include <signorini/error_control/equilibration/traction_space.h>
 #include <signorini/error_control/loads/law.h>
 
 #include <deal.II/base/quadrature.h>
@@ -25,9 +26,10 @@ struct AiryPoint {
   double min_eigenvalue;
 };
 
-/** A polynomial body force f = F f', F = (a_1 a_2) the half-diagonals to corners 0 and 1, with
- * f'_c = Σ_{i+j<q} f_c(i,j) Λ_i(X) Λ_j(Y), Λ Legendre's polynomials between opposite corners. */
-using PolynomialLoad = std::array<FullMatrix<double>, 2>;
+/** A polynomial body force f = F Σ f_l Λ_i(X) Λ_j(Y) over i + j < q, in the order of i, then j,
+ * with F = (a_1 a_2) the half-diagonals to corners 0 and 1, and Legendre's polynomials Λ between
+ * opposite corners. */
+using PolynomialLoad = std::vector<Tensor<1, 2>>;
 
 /**
  * Stresses of degree q on a quadrilateral that is cut by its diagonals: symmetric, polynomials on
@@ -104,7 +106,7 @@ private:
   Components stress(const PolynomialLoad &load, const Point<2> &at) const;
   /** Λ_i at X or Y, and the integrals from zero. */
   struct LoadFactors {
-    std::array<double, 16> values, integrals;
+    std::array<double, max_legendre> values, integrals;
   };
   LoadFactors load_factors(unsigned int d, double at) const;
   /** A point of a rule on an edge: each trace with the factors that stresses have in it. */
@@ -113,6 +115,8 @@ private:
     std::vector<std::pair<unsigned int, Components>> factors;
   };
   std::vector<TracePoint> trace_points(unsigned int k) const;
+  /** Adds weight BᵀB. */
+  void add_balance(double weight, FullMatrix<double> &matrix) const;
   void number_functions();
   void factorise();
 

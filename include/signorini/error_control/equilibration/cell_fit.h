@@ -2,15 +2,16 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/elasticity/cell_field.h>
 #include <signorini/error_control/equilibration/airy_cell.h>
-#include <signorini/error_control/hp/indicators.h>
 #include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/triangle_parts.h>
+
+#include <deal.II/grid/cell_id.h>
 
 #include <list>
 #include <map>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace Signorini {
@@ -18,71 +19,78 @@ namespace Signorini {
  * What stresses with given tractions cost on a cell. With y = E x - shift, where E x are the traces
  * of the tractions,
  *
- *     min_τ ‖σ(u_h) - τ‖²_{E⁻¹,K} = size² (rest² + yᵀ S y),   S of @p airy,
+ *     min_τ ‖σ - τ‖²_{E⁻¹,K} = size² (rest² + yᵀ S y),   S of @p airy,
  *
- * over the τ with these traces and div τ + f_K = 0; f_K is the projection of f onto polynomials.
+ * over the τ with these traces and div τ + f_K = 0; f_K is the projection of f onto polynomials,
+ * and σ is σ(u_h) or zero.
  */
 struct CellFit {
+  /** Returns y. @param number that of the cell in the space. */
+  dealii::Vector<double> traces(const TractionSpace &space, std::size_t number,
+                                const dealii::Vector<double> &x) const;
+  /** Returns f_K at points. */
+  std::vector<Tensor<1, 2>> force(const TractionCell &place,
+                                  const std::vector<Point<2>> &points) const;
+
+  CellId id;
   std::shared_ptr<const AiryCell> airy;
   /** The longest diagonal (length). */
-  double size;
+  double size = 0.;
   dealii::Vector<double> shift;
   double rest = 0.;
   /** f_K at unit size. */
   PolynomialLoad load;
-  /** The norms ‖f - f_K‖_{L2(K)} and ‖f‖; f - f_K has neither force nor moment. */
-  double load_rest = 0., load_norm = 0.;
+  /** The norm ‖f - f_K‖_{L2(K)}; f - f_K has neither force nor moment. */
+  double load_rest = 0.;
   /** The smallest c with e:E:e ≥ c e:e on the cell. */
   double min_eigenvalue = 0.;
 };
 
-/** Fits stresses to σ(u_h), cell by cell. Cells with the same shape up to their size share an
- * AiryCell where the law is constant. */
+/** Fits stresses cell by cell. Cells with the same shape up to their size share an AiryCell where
+ * the law is constant. */
 class CellFitter {
 public:
-  explicit CellFitter(const BoundData &data);
+  /** @param compares whether stresses are compared with σ(u_h), else with zero. */
+  CellFitter(const BoundData &data, bool compares);
 
-  /** @param of_u whether the stress is compared with σ(u_h), else with zero. */
-  CellFit fit(const Triangulation<2>::active_cell_iterator &cell, const TractionCell &place,
-              bool of_u);
+  /** Returns the fits of all cells. @param known fits of other meshes: the same cells keep theirs.
+   */
+  std::vector<CellFit> fit_all(const EquilibrationMesh &mesh, const TractionSpace &space,
+                               const std::vector<CellFit> &known);
 
 private:
-  /** The values of Lagrange's polynomials at the points of a cell, in both coordinates. */
-  struct Tables {
-    LineTable x, y;
+  using Cell = EquilibrationMesh::Cell;
+  /** What cells of the same degree and shape share, unless the law varies. */
+  struct Known {
+    bool is_alone;
+    unsigned int degree;
+    std::array<Tensor<1, 2>, 3> edges;
+    std::shared_ptr<AiryCell> airy;
+    /** The values of Lagrange's polynomials at the points of a cell, in both coordinates, by the
+     * degree of u_h. */
+    std::map<unsigned int, std::array<LineTable, 2>> tables;
   };
 
+  CellFit fit(const Cell &cell, const TractionCell &place);
+  /** Returns what the cell shares, a new one if it is the first. It is valid until the next call.
+   */
+  Known &find_known(const CellShape &shape, double size, const TractionCell &place);
   std::array<std::vector<AiryPoint>, 4> make_points(const CellShape &shape, double size,
                                                     unsigned int degree) const;
-  static Tables make_tables(const AiryCell &airy, unsigned int degree);
   /** Returns the weighted values of σ(u_h) at the points. */
-  dealii::Vector<double> stress_of_u(const Triangulation<2>::active_cell_iterator &cell,
-                                     const CellShape &shape, const AiryCell &airy,
-                                     const Tables &tables);
-  /** Returns f_K by the points of a rule. */
-  PolynomialLoad project_load(const CellShape &shape, const Quadrature<2> &rule,
-                              CellFit &fit) const;
+  dealii::Vector<double> stress_of_u(const Cell &cell, const CellShape &shape, Known &known) const;
+  /** Sets f_K by the points of a rule. */
+  void project_load(const CellShape &shape, const Quadrature<2> &rule, CellFit &fit) const;
   /** Subtracts the stresses of f_K. @return their traces. */
-  dealii::Vector<double> subtract_load(const Triangulation<2>::active_cell_iterator &cell,
-                                       const CellShape &shape, dealii::Vector<double> &values,
-                                       CellFit &fit);
+  dealii::Vector<double> subtract_load(const Cell &cell, const CellShape &shape,
+                                       dealii::Vector<double> &values, CellFit &fit);
 
   const BoundData &data_;
-  bool is_constant_;
+  bool compares_, is_constant_;
   /** Where a law that varies is not smooth. */
   Kinks<2> kinks_;
   /** Gauss' rules by the number of points per direction. */
   std::map<unsigned int, Quadrature<2>> load_rules_;
-  /** What cells of the same degree and shape share; tables by the degree of u_h. */
-  struct Known {
-    unsigned int degree;
-    std::array<Tensor<1, 2>, 3> edges;
-    std::shared_ptr<AiryCell> airy;
-    std::map<unsigned int, Tables> tables;
-  };
-  /** Returns what the cell shares, a new one if it is the first; alone_ for others. */
-  Known &find_known(const CellShape &shape, double size, const TractionCell &place);
   std::list<Known> known_;
-  Known alone_;
 };
 } // namespace Signorini

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/dealii.h>
+
+#include <deal.II/base/tensor.h>
+
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -61,6 +66,8 @@ inline double contact_force_bound(const double error_bound, const double lift_no
 /** The bound of the error of a displacement by a stress in equilibrium. All values are energies
  * (force x length per thickness) or roots of energies. */
 struct StressBound {
+  /** The norm |||u_h|||. */
+  double energy_norm = 0.;
   /** The misfit ‖σ(u_h) - τ‖_{E⁻¹,K} of every cell, in the order of active cells, and the
    * oscillation osc_K: a stress of at most this norm balances, together with τ, the loads
    * themselves. Where the stress has a mesh of its own, the sums are divided among the cells like
@@ -76,9 +83,11 @@ struct StressBound {
    * no polynomials along edges and is zero elsewhere. The bound is for u_h + z; that for u_h is
    * larger by |||z|||. */
   double lift = 0.;
-  /** The same sum for π^{2h} u_h, and |||z'|||; z' makes up for u_D - π^{2h} u_h. */
+  /** The same sum for π^{2h} u_h, and |||z'|||; z' makes up for u_D - π^{2h} u_h. The bubbles are
+   * the values of π^{2h} u_h - u_h in the middles of boundary faces, by line. */
   struct Interpolated {
     double square, lift;
+    std::map<unsigned int, Tensor<1, 2>> bubbles;
   };
   std::optional<Interpolated> interpolated_part;
   /** Bounds of J*(τ) + ∫ τ_n d over Γ_c for the stress that balances the loads themselves, with
@@ -87,7 +96,5 @@ struct StressBound {
   /** The largest difference between a prescribed displacement and its interpolation on an edge,
    * relative to PrescribedLift's rest there. */
   double lift_misfit = 0.;
-  /** What cells lack of balance, relative to the largest traction. */
-  double algebra = 0.;
 };
 } // namespace Signorini

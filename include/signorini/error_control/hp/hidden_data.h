@@ -3,7 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/mesh_plan.h>
-#include <signorini/error_control/hp/indicators.h>
+#include <signorini/error_control/hp/cell_indicator.h>
 
 namespace Signorini {
 /** Splits cells of a first plan in which the scan of the data found small boxes or breaks, up to

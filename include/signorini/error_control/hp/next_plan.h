@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/discretization/mesh/mesh_plan.h>
-#include <signorini/error_control/hp/indicators.h>
+#include <signorini/error_control/hp/cell_indicator.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
 namespace Signorini {

@@ -4,6 +4,7 @@
 #include <signorini/base/dealii.h>
 
 #include <deal.II/base/point.h>
+#include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/grid/tria.h>
 
@@ -13,6 +14,11 @@ namespace Signorini {
 /** A 2-D stress (s11, s22, s12) or strain (e11, e22, 2 e12): s * e is their scalar product. */
 using Components = Tensor<1, 3>;
 using Triangle = std::array<Point<2>, 3>;
+
+/** Returns the components of a strain. */
+inline Components components_of(const SymmetricTensor<2, 2> &strain) {
+  return Components({strain[0][0], strain[1][1], 2. * strain[0][1]});
+}
 
 /** Returns a1 b2 - a2 b1. */
 inline double cross(const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
@@ -64,6 +70,8 @@ struct CellShape {
   double area() const {
     return areas[0] + areas[1] + areas[2] + areas[3];
   }
+  /** Returns the matrix F of the half-diagonals to corners 0 and 1. */
+  Tensor<2, 2> half_diagonals() const;
   /** Returns the longest diagonal or edge. */
   double diameter() const;
   /** Returns the triangle (x_k, x_{k+1}, z) with the crossing z. */

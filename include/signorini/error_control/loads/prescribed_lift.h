@@ -5,18 +5,35 @@
 #include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/cell_shape.h>
 
+#include <deal.II/fe/fe_values.h>
+
 #include <array>
 #include <functional>
 #include <map>
 #include <vector>
 
 namespace Signorini {
-/** Edge k of a cell, from start (corner k) to end, on a side with prescribed displacements. */
-struct PrescribedEdge {
-  unsigned int cell, k, side;
-  Point<2> start, end;
-  /** The displacement u_h at the position s in [0,1] on the edge. */
-  std::function<Tensor<1, 2>(double s)> u_h;
+/** A cell on which a lift z is not zero, with the points of a rule for it. */
+struct LiftedCell {
+  struct Place {
+    double weight;
+    Tensor<1, 2> z;
+    /** ε(z) and σ(z). */
+    Components strain, stress;
+  };
+
+  /** Returns the square of |||z|||_K. */
+  double energy() const {
+    double sum = 0.;
+    for (const Place &place : places)
+      sum += place.weight * (place.strain * place.stress);
+    return sum;
+  }
+
+  DoFHandler<2>::active_cell_iterator cell;
+  /** The points, with gradients. */
+  const FEValues<2> &values;
+  std::vector<Place> places;
 };
 
 /**
@@ -30,24 +47,18 @@ struct PrescribedEdge {
  */
 class PrescribedLift {
 public:
-  PrescribedLift(const BoundData &data, std::size_t n_cells,
-                 const std::vector<PrescribedEdge> &edges);
+  /** Interpolates r for u_h + 4 s (1 - s) bubble on edges. @param bubbles by line; none: zero. */
+  explicit PrescribedLift(const BoundData &data,
+                          const std::map<unsigned int, Tensor<1, 2>> &bubbles = {});
 
-  /** Returns for every cell whether z is not zero on it. */
-  const std::vector<bool> &cells() const {
-    return cells_;
-  }
   /** Returns the largest difference between r and its interpolation, relative to the largest |r| on
    * the edge. */
   double max_misfit() const {
     return max_misfit_;
   }
-  /** Returns the lines through the ends of the pieces of edges: z is smooth between them. */
-  std::vector<KinkLine<2>> lines(unsigned int cell, const std::array<Point<2>, 4> &corners) const;
-  /** Returns the strain (e11, e22, 2 e12) of z at a point of [0,1]². */
-  Components strain(unsigned int cell, const CellShape &shape, const Point<2> &at) const;
-  /** Returns z there. */
-  Tensor<1, 2> value(unsigned int cell, const Point<2> &at) const;
+  /** Visits all cells on which z is not zero. A curved cell is taken with straight edges. */
+  void visit_cells(const BoundData &data,
+                   const std::function<void(const LiftedCell &)> &visit) const;
 
 private:
   /** The values of r at the points of interpolation on the equal pieces of edge k, from corner k
@@ -59,11 +70,20 @@ private:
     /** Returns the position along the edge and the depth behind it. */
     std::array<double, 2> coordinates(const Point<2> &at) const;
 
+    /** Fills the pieces, for u_h + 4 s (1 - s) bubble on a face of a cell. */
+    void interpolate(const BoundData &data, const DoFHandler<2>::active_cell_iterator &cell,
+                     unsigned int face, std::size_t n_scanned, const Tensor<1, 2> &bubble);
+
     unsigned int k;
     std::vector<std::vector<Tensor<1, 2>>> pieces;
+    /** The largest |r|, and the largest difference between r and its interpolation. */
+    double size = 0., misfit = 0.;
   };
 
-  std::vector<bool> cells_;
+  /** Returns the lines through the ends of the pieces of edges: z is smooth between them. */
+  static std::vector<KinkLine<2>> lines(const std::vector<EdgeRest> &rests, const CellShape &shape);
+
+  /** The rests by active cell. */
   std::map<unsigned int, std::vector<EdgeRest>> rests_;
   double max_misfit_ = 0.;
 };

@@ -101,19 +101,6 @@ private:
   std::vector<double> means_;
 };
 
-/** A pressure with the patches that it belongs to, as a start for another partition. */
-template <int dim>
-struct PatchPressure {
-  std::vector<Patch<dim>> patches;
-  Pressure P;
-};
-
-/** Transfers P of another partition to the patches of @p to: the mean of the piecewise constant
- * function on each patch (its L2-projection). The time is proportional to the number of overlaps,
- * after sorting. */
-template <int dim>
-Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Patch<dim>> &to);
-
 /** A node of a multiplier on its side. */
 struct SideNode {
   /** The arc length (length). */

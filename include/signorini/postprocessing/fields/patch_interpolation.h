@@ -2,47 +2,16 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/elasticity/cell_field.h>
 
-#include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature.h>
 #include <deal.II/base/tensor_product_polynomials.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/lac/full_matrix.h>
 
 #include <array>
 #include <vector>
 
 namespace Signorini {
-/** The values and gradients of a vector field at the quadrature points of a cell. */
-template <int dim>
-struct FieldValues {
-  std::vector<Tensor<1, dim>> values;
-  std::vector<Tensor<2, dim>> gradients;
-};
-
-/** The values and derivatives of one-dimensional polynomials at points, matrices points ×
- * polynomials.
- */
-struct LineTable {
-  FullMatrix<double> values, derivatives;
-};
-
-LineTable make_line_table(const std::vector<Polynomials::Polynomial<double>> &basis,
-                          const std::vector<double> &points);
-
-/**
- * Evaluates a field at the points of a tensor product rule by sums over the nodes of one direction
- * after the other. With k + 1 nodes and q points per direction that takes in 3-D about 4 (k+1)³ q
- * operations where q < k, not 4 (k+1)³ q³.
- * @param nodal_values the coefficients of products of polynomials, the first direction running
- * fastest, like the points of the result.
- * @param lines the polynomials in each direction.
- */
-template <int dim>
-FieldValues<dim> evaluate_products(std::vector<Tensor<1, dim>> nodal_values,
-                                   const std::array<const LineTable *, dim> &lines);
-
 /**
  * The interpolation of nodal values by one polynomial on all descendants of a cell. Without
  * generations it is u_h. With one and elements of degree one it is π^{2h} of (30): the function of

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/discretization/level/discretization.h>
+#include <signorini/postprocessing/fields/pressure_transfer.h>
 #include <signorini/results/record/level_record.h>
 
 #include <memory>

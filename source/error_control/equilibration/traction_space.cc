@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The tractions on the edges of a mesh with hanging nodes, and what its cells see of them.
 
-#include <signorini/error_control/equilibration/traction_mesh.h>
+#include <signorini/error_control/equilibration/edge_polynomials.h>
+#include <signorini/error_control/equilibration/traction_space.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -9,17 +10,6 @@
 #include <cmath>
 
 namespace Signorini {
-std::vector<double> legendre_values(const unsigned int degree, const double s) {
-  const double x = 2. * s - 1.;
-  std::vector<double> values = {1., x};
-  for (unsigned int n = 1; n < degree; ++n)
-    values.push_back(((2. * n + 1.) * x * values[n] - n * values[n - 1]) / (n + 1.));
-  values.resize(degree + 1);
-  for (unsigned int n = 0; n <= degree; ++n)
-    values[n] *= std::sqrt(2. * n + 1.);
-  return values;
-}
-
 namespace {
 /** Returns whether τ_nn and τ_nt are unknown on a side with this role. */
 std::array<bool, 2> freedom_on(const Role role) {
@@ -29,20 +19,19 @@ std::array<bool, 2> freedom_on(const Role role) {
 
 FullMatrix<double> make_restriction(const unsigned int degree, const double from, const double to) {
   FullMatrix<double> R(degree + 1, degree + 1);
-  const QGauss<1> gauss(degree + 1);
-  for (unsigned int q = 0; q < gauss.size(); ++q) {
-    const double s = gauss.point(q)[0];
-    const auto here = legendre_values(degree, s),
-               there = legendre_values(degree, from + s * (to - from));
-    for (unsigned int i = 0; i <= degree; ++i)
-      for (unsigned int j = i; j <= degree; ++j)
-        R(i, j) += gauss.weight(q) * here[i] * there[j];
+  for (unsigned int j = 0; j <= degree; ++j) {
+    const std::vector<double> column =
+      legendre_projection(degree, QGauss<1>(degree + 1), [&](const double s) {
+        return legendre_values(degree, from + s * (to - from))[j];
+      });
+    for (unsigned int i = 0; i <= j; ++i)
+      R(i, j) = column[i];
   }
   return R;
 }
 } // namespace
 
-TractionMesh::TractionMesh(const StressMesh &mesh, const Scene<2> &scene)
+TractionSpace::TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scene)
   : on_side_(scene.geometry.sides.size())
   , sides_(scene.geometry.sides) {
   constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}},
@@ -74,7 +63,7 @@ TractionMesh::TractionMesh(const StressMesh &mesh, const Scene<2> &scene)
               make_restriction(highest, 0.5, 1.), make_restriction(highest, 1., 0.5)}};
 }
 
-unsigned int TractionMesh::find_edge(const LineIterator &line, const Scene<2> &scene) {
+unsigned int TractionSpace::find_edge(const LineIterator &line, const Scene<2> &scene) {
   unsigned int &number = edge_of_line_[line->index()];
   if (number == none) {
     number = edges_.size();
@@ -93,16 +82,16 @@ unsigned int TractionMesh::find_edge(const LineIterator &line, const Scene<2> &s
   return number;
 }
 
-unsigned int TractionMesh::edge_at(const Triangulation<2>::cell_iterator &cell,
-                                   const unsigned int face_no) const {
+unsigned int TractionSpace::edge_at(const Triangulation<2>::cell_iterator &cell,
+                                    const unsigned int face_no) const {
   const auto face = cell->face(face_no);
   const unsigned int side = face->boundary_id();
   return std::prev(on_side_[side].upper_bound(sides_[side].arc_length(face->center())))->second;
 }
 
-TractionSide TractionMesh::find_side(const Triangulation<2>::active_cell_iterator &cell,
-                                     const unsigned int face_no, const Point<2> &from,
-                                     const Scene<2> &scene) {
+TractionSide TractionSpace::find_side(const Triangulation<2>::active_cell_iterator &cell,
+                                      const unsigned int face_no, const Point<2> &from,
+                                      const Scene<2> &scene) {
   const auto line = cell->face(face_no);
   const bool reversed = line->vertex(0).distance(from) > line->vertex(1).distance(from);
   if (cell->at_boundary(face_no) || !cell->neighbor_is_coarser(face_no))
@@ -117,56 +106,30 @@ TractionSide TractionMesh::find_side(const Triangulation<2>::active_cell_iterato
           position(reversed ? line->vertex(0) : line->vertex(1))};
 }
 
-const FullMatrix<double> &TractionMesh::restriction(const TractionSide &side) const {
-  return halves_[side.from + side.to < 1. ? (side.from < side.to ? 0 : 1)
-                                          : (side.from < side.to ? 2 : 3)];
-}
-
-std::vector<unsigned int> TractionMesh::numbers(const TractionCell &cell) const {
-  std::vector<unsigned int> numbers;
-  for (const TractionSide &side : cell.sides)
-    for (unsigned int c = 0; c < 2; ++c)
-      for (unsigned int i = 0; i <= cell.degree; ++i) {
-        const TractionEdge &edge = edges_[side.edge];
-        numbers.push_back(i <= edge.degree ? edge.position(c, i) : none);
-      }
-  return numbers;
-}
-
-TractionMesh::Vector TractionMesh::traces(const TractionCell &cell, const Vector &x) const {
-  Vector traces(n_traces(cell));
+std::vector<TractionSpace::Entry> TractionSpace::entries(const TractionCell &cell) const {
+  std::vector<Entry> entries;
   unsigned int row = 0;
   for (const TractionSide &side : cell.sides)
     for (unsigned int c = 0; c < 2; ++c, row += cell.degree + 1) {
       const TractionEdge &edge = edges_[side.edge];
-      for (unsigned int j = 0; j <= edge.degree; ++j) {
-        const double value = x[edge.position(c, j)];
+      const FullMatrix<double> &R =
+        halves_[(side.from + side.to < 1. ? 0 : 2) + (side.is_reversed() ? 1 : 0)];
+      for (unsigned int j = 0; j <= edge.degree; ++j)
         if (!side.is_half())
-          traces[row + j] = (side.from > side.to && j % 2 == 1 ? -1. : 1.) * value;
+          entries.push_back(
+            {row + j, edge.position(c, j), side.is_reversed() && j % 2 == 1 ? -1. : 1.});
         else
           for (unsigned int i = 0; i <= j; ++i)
-            traces[row + i] += restriction(side)(i, j) * value;
-      }
+            entries.push_back({row + i, edge.position(c, j), R(i, j)});
     }
-  return traces;
+  return entries;
 }
 
-void TractionMesh::restrict_rows(const TractionCell &cell, FullMatrix<double> &M) const {
-  const unsigned int n = cell.degree + 1;
-  for (unsigned int block = 0; block < 8; ++block) {
-    const TractionSide &side = cell.sides[block / 2];
-    const unsigned int row = block * n;
-    // Row j becomes the sum of R_ij times row i, i ≤ j: from the last one on.
-    for (unsigned int j = n; j-- > 0;) {
-      const bool is_half = side.is_half() && j <= edges_[side.edge].degree;
-      const double factor =
-        is_half ? restriction(side)(j, j) : (side.from > side.to && j % 2 == 1 ? -1. : 1.);
-      for (unsigned int k = 0; k < M.n(); ++k)
-        M(row + j, k) *= factor;
-      for (unsigned int i = 0; i < j && is_half; ++i)
-        M.add_row(row + j, restriction(side)(i, j), row + i);
-    }
-  }
+TractionSpace::Vector TractionSpace::traces(const TractionCell &cell, const Vector &x) const {
+  Vector traces(8 * (cell.degree + 1));
+  for (const Entry &entry : entries(cell))
+    traces[entry.trace] += entry.value * x[entry.coefficient];
+  return traces;
 }
 
 FullMatrix<double> balance_rows(const CellShape &shape, const unsigned int degree) {

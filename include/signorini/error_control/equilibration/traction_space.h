@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/error_control/equilibration/stress_mesh.h>
+#include <signorini/error_control/equilibration/equilibration_mesh.h>
 #include <signorini/error_control/loads/cell_shape.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -12,9 +12,6 @@
 #include <vector>
 
 namespace Signorini {
-/** Returns the orthonormal Legendre polynomials of degrees 0 to @p degree on [0,1] at s. */
-std::vector<double> legendre_values(unsigned int degree, double s);
-
 /**
  * A line of the mesh that carries a traction; where a node hangs, the longer line. The traction is
  * given by its normal component τ_nn and its shear τ_nt, n outwards and t counter-clockwise. Both
@@ -37,11 +34,17 @@ struct TractionEdge {
   double length() const {
     return start.distance(end);
   }
-  /** Returns the outward normal of a boundary edge. */
-  Tensor<1, 2> normal(const Geometry<2> &geometry) const {
-    const Tensor<1, 2> n = cross_product_2d(end - start) / length();
+  /** Returns the position of a point of the edge, from 0 to 1. */
+  double position_of(const Point<2> &x) const {
+    return start.distance(x) / length();
+  }
+  /** Returns the outward normal of a boundary edge, and the tangent counter-clockwise. */
+  std::array<Tensor<1, 2>, 2> directions(const Geometry<2> &geometry) const {
+    Tensor<1, 2> n = cross_product_2d(end - start) / length();
     const Side<2> &on = geometry.sides[side];
-    return n * on.normal(on.arc_length(start + 0.5 * (end - start))) < 0. ? -n : n;
+    if (n * on.normal(on.arc_length(start + 0.5 * (end - start))) < 0.)
+      n *= -1.;
+    return {{n, Tensor<1, 2>({-n[1], n[0]})}};
   }
   unsigned int n_coefficients() const {
     return 2 * (degree + 1);
@@ -61,6 +64,9 @@ struct TractionSide {
   bool is_half() const {
     return from + to != 1.;
   }
+  bool is_reversed() const {
+    return from > to;
+  }
 };
 
 /** A quadrilateral with its corners and sides counter-clockwise; side k runs from corner k to
@@ -73,19 +79,20 @@ struct TractionCell {
 };
 
 /**
- * The edges and cells of a 2-D mesh with straight sides, hanging nodes and elements of any degree.
+ * The tractions on the edges of a 2-D mesh with straight sides, hanging nodes and elements of any
+ * degree.
  *
  * The traces of a cell of degree q are the coefficients of τ_nn and τ_nt on its sides in its own
  * direction: entry (2 k + c)(q + 1) + i belongs to side k, component c and Legendre's degree i.
  * With the coefficients x of all edges they are E x, which restricts polynomials of edges to
  * halves. So tractions are continuous also where nodes hang.
  */
-class TractionMesh {
+class TractionSpace {
 public:
   using Vector = dealii::Vector<double>;
 
   /** Collects edges and cells. The scene must outlive the object. */
-  TractionMesh(const StressMesh &mesh, const Scene<2> &scene);
+  TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scene);
 
   const std::vector<TractionCell> &cells() const {
     return cells_;
@@ -101,16 +108,15 @@ public:
   unsigned int n_coefficients() const {
     return n_coefficients_;
   }
-  static unsigned int n_traces(const TractionCell &cell) {
-    return 8 * (cell.degree + 1);
-  }
+  /** An entry of E. */
+  struct Entry {
+    unsigned int trace, coefficient;
+    double value;
+  };
+  /** Returns the entries of E for a cell. */
+  std::vector<Entry> entries(const TractionCell &cell) const;
   /** Returns E x. */
   Vector traces(const TractionCell &cell, const Vector &x) const;
-  /** Returns the numbers of the coefficients by trace; none where the degree of the edge is lower.
-   */
-  std::vector<unsigned int> numbers(const TractionCell &cell) const;
-  /** Replaces the rows of M, one per trace, by those of Rᵀ M; E = R after numbers(). */
-  void restrict_rows(const TractionCell &cell, FullMatrix<double> &M) const;
 
   static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
@@ -121,8 +127,6 @@ private:
   unsigned int find_edge(const LineIterator &line, const Scene<2> &scene);
   TractionSide find_side(const Triangulation<2>::active_cell_iterator &cell, unsigned int face_no,
                          const Point<2> &from, const Scene<2> &scene);
-  /** Returns the coefficients R_ij of L_j(from + s (to - from)) in L_i(s). */
-  const FullMatrix<double> &restriction(const TractionSide &side) const;
 
   std::vector<TractionCell> cells_;
   std::vector<TractionEdge> edges_;
@@ -131,7 +135,8 @@ private:
   std::vector<std::map<double, unsigned int>> on_side_;
   const std::vector<Side<2>> &sides_;
   unsigned int n_coefficients_ = 0;
-  /** The restrictions to the first and second half, and both reversed. */
+  /** The coefficients R_ij of L_j(from + s (to - from)) in L_i(s): restrictions to the first and
+   * second half, and both reversed. */
   std::array<FullMatrix<double>, 4> halves_;
 };
 

@@ -2,7 +2,7 @@
 // The mesh on which the stress of the bound lives.
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
-#include <signorini/error_control/equilibration/stress_mesh.h>
+#include <signorini/error_control/equilibration/equilibration_mesh.h>
 #include <signorini/error_control/loads/law.h>
 #include <signorini/postprocessing/fields/forces.h>
 
@@ -34,7 +34,7 @@ std::vector<Point<2>> singular_points(const BoundData &data) {
 }
 } // namespace
 
-StressMesh::StressMesh(const BoundData &data)
+EquilibrationMesh::EquilibrationMesh(const BoundData &data)
   : data_(data)
   , finest_(data.space.mesh().level()) {
   if (data.space.mesh().is_graded())
@@ -69,12 +69,12 @@ StressMesh::StressMesh(const BoundData &data)
     data.scene.geometry.number_after_refinement(*own_);
 }
 
-bool StressMesh::is_on_curve(const Cell &cell, const unsigned int face_no) const {
+bool EquilibrationMesh::is_on_curve(const Cell &cell, const unsigned int face_no) const {
   return data_.space.mesh().is_curved() && cell->at_boundary(face_no) &&
          !data_.scene.geometry.sides[cell->face(face_no)->boundary_id()].is_flat();
 }
 
-bool StressMesh::is_rough(const Cell &cell, const std::vector<Point<2>> &singular) const {
+bool EquilibrationMesh::is_rough(const Cell &cell, const std::vector<Point<2>> &singular) const {
   if (static_cast<unsigned int>(cell->level()) == finest_)
     return false;
   const auto box = cell->bounding_box();
@@ -90,7 +90,7 @@ bool StressMesh::is_rough(const Cell &cell, const std::vector<Point<2>> &singula
          law_varies(*data_.scene.material, corners_of(cell));
 }
 
-bool StressMesh::refine(const std::vector<Cell> &cells, const bool by_degree) {
+bool EquilibrationMesh::refine(const std::vector<Cell> &cells, const bool by_degree) {
   bool splits = false, rises = false;
   for (const Cell &cell : cells) {
     const bool can_split = own_ && static_cast<unsigned int>(cell->level()) < finest_,
@@ -108,18 +108,18 @@ bool StressMesh::refine(const std::vector<Cell> &cells, const bool by_degree) {
   return splits || rises;
 }
 
-unsigned int StressMesh::inner_degree(const Cell &cell) const {
+unsigned int EquilibrationMesh::inner_degree(const Cell &cell) const {
   const auto raised = raised_.find(cell->id());
   return std::max(2U, degree(cell)) + (raised == raised_.end() ? 0 : raised->second);
 }
 
-unsigned int StressMesh::degree(const Cell &cell) const {
+unsigned int EquilibrationMesh::degree(const Cell &cell) const {
   if (!own_)
     return data_.space.element(cell).degree;
   return std::min(lowest_ + finest_ - cell->level(), most);
 }
 
-StressMesh::Cell StressMesh::find(const Cell &cell_of_u) const {
+EquilibrationMesh::Cell EquilibrationMesh::find(const Cell &cell_of_u) const {
   const CellId id = cell_of_u->id();
   Triangulation<2>::cell_iterator cell(own_.get(), 0, id.get_coarse_cell_id());
   for (const std::uint8_t child : id.get_child_indices()) {

@@ -22,11 +22,11 @@ namespace Signorini {
  * jumps or varies much, where loads are not resolved, and on curved sides. The degree rises with
  * the size of the cells.
  */
-class StressMesh {
+class EquilibrationMesh {
 public:
   using Cell = Triangulation<2>::active_cell_iterator;
 
-  explicit StressMesh(const BoundData &data);
+  explicit EquilibrationMesh(const BoundData &data);
 
   bool is_own() const {
     return own_ != nullptr;

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/error_control/equilibration/equilibrated_stress.h>
+#include <signorini/error_control/equilibration/stress_bound.h>
+#include <signorini/error_control/loads/prescribed_lift.h>
+
+#include <array>
+#include <map>
+#include <vector>
+
+namespace Signorini {
+/**
+ * ‖σ(v) - τ‖ of a stress on a mesh of its own, by energies: with a translation c and div τ + f_K =
+ * 0
+ *
+ *     ‖σ(v) - τ‖² = |||v|||² - 2 ∫ f_K.(v - c) - 2 ∫_Γ τ n.(v - c) + ‖τ‖².
+ *
+ * v is u_h + z or, where cells have parents, π^{2h} u_h + z' with the PrescribedLift: v = u_D where
+ * that is given. A curved mesh is taken with straight edges.
+ */
+class EnergyMisfit {
+public:
+  /** Fits are compared with zero. */
+  static constexpr bool compares = false;
+  /** The works on v - c on a mesh of the stress. */
+  struct Work {
+    /** ∫ f_K.(v - c) (force x length per thickness). */
+    double load = 0.;
+    /** The integrals of (v - c)_n and (v - c)_t times Legendre's polynomials, by coefficients of
+     * edges on Γ. */
+    dealii::Vector<double> moments;
+  };
+  using Works = std::vector<Work>;
+
+  /** Integrates the energies of v. Collective. */
+  explicit EnergyMisfit(const BoundData &data);
+
+  /** Returns the works of both v. Collective. */
+  Works works(const EquilibrationMesh &mesh, const EquilibratedStress &stress) const;
+  static const dealii::Vector<double> &moments(const EquilibratedStress & /*stress*/,
+                                               const Works &works) {
+    return works[0].moments;
+  }
+  static double least(const CellFit & /*fit*/) {
+    return 0.;
+  }
+  double expected(const EquilibratedStress &stress) const;
+  double total(const EquilibratedStress &stress, const Works &works) const {
+    return distance(0, stress, works);
+  }
+  StressBound bound(const EquilibratedStress &stress, const Works &works) const;
+
+private:
+  using Cell = DoFHandler<2>::active_cell_iterator;
+
+  /** Returns whether every cell of u_h is a part of one cell of the stress. */
+  bool is_aligned() const {
+    return EquilibrationMesh::aligns(data_);
+  }
+  void integrate_energies();
+  void find_bubbles();
+  void add_lifts();
+  /** Returns ‖σ(v) - τ‖. */
+  double distance(std::size_t field, const EquilibratedStress &stress, const Works &works) const;
+  /** Returns f_K, or where cells are not aligned f, at points of a cell of u_h. */
+  std::vector<Tensor<1, 2>> force(const EquilibrationMesh &mesh, const EquilibratedStress &stress,
+                                  const Cell &cell, const std::vector<Point<2>> &points) const;
+  void add_load_works(const EquilibrationMesh &mesh, const EquilibratedStress &stress,
+                      Works &works) const;
+  void add_moments(const TractionSpace &space, Works &works) const;
+  /** Returns bounds of J*(τ) + ∫ τ_n d, d = u_{h,n} - g. */
+  Bracket complementary_energy(const EquilibratedStress &stress, const Works &works) const;
+  /** Returns an estimate of what a polygon in place of curved sides adds: shears turn on chords. */
+  double geometry() const;
+
+  const BoundData &data_;
+  /** The translation c. */
+  Tensor<1, 2> translation_;
+  /** What is known of one v: |||v|||², z and |||z|||. */
+  struct Field {
+    double strain = 0.;
+    PrescribedLift lift;
+    double lift_norm = 0.;
+  };
+  std::vector<Field> fields_;
+  /** The norms |||π^{2h} u_h - u_h|||_K by active cell; where cells have no parents |||u_h|||_K. */
+  dealii::Vector<double> distances_;
+  /** The values of π^{2h} u_h - u_h in the middles of boundary faces, by line. */
+  std::map<unsigned int, Tensor<1, 2>> bubbles_;
+};
+} // namespace Signorini

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/error_control/equilibration/cell_fit.h>
+#include <signorini/error_control/equilibration/tractions.h>
+#include <signorini/error_control/loads/edge_function.h>
+
+#include <map>
+#include <vector>
+
+namespace Signorini {
+/** A stress τ of degrees q_K on cells: for tractions that are in balance the one with div τ + f_K =
+ * 0 that is closest to σ(u_h), or to zero, see CellFit. */
+struct EquilibratedStress {
+  /** Returns ‖σ(u_h) - τ‖_K or ‖τ‖_K. */
+  double distance(std::size_t cell) const;
+  /** Returns a bound of the norm of a stress that balances f - f_K and t - t_h. */
+  double oscillation(std::size_t cell) const;
+  /** Returns the sum of the squares of either, over all cells. */
+  double distance_square() const;
+  double oscillation_square() const;
+
+  /** Returns ∫ τ_n over Γ_c. */
+  double contact_force(const Scene<2> &scene) const;
+  /** Returns the tractions on the faces of the contact surface, and what ũ is there.
+   * @param bubbles of ũ by line; none: ũ is u_h. */
+  std::vector<FaceField> face_fields(const ContactSurface<2> &surface,
+                                     const std::map<unsigned int, Tensor<1, 2>> &bubbles) const;
+
+  Tractions tractions;
+  std::vector<CellFit> fits;
+  /** What cells lack of balance, relative to the largest traction. */
+  double defect = 0.;
+};
+} // namespace Signorini

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/error_control/equilibration/traction_space.h>
+#include <signorini/error_control/loads/bound_data.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace Signorini {
+/** A condition row · x = value on the coefficients of edges, a row of length one, with the weight
+ * of its square. */
+struct TractionCondition {
+  std::vector<std::pair<unsigned int, double>> row;
+  double value = 0., weight = 0.;
+};
+
+/** The coefficients x of a space, with what the sides of a body prescribe of them. Those that are
+ * not free keep their values. */
+struct Tractions {
+  using Vector = dealii::Vector<double>;
+
+  /** Sets those on traction sides to the projection of t, and all others to zero; the tractions of
+   * clamped sides, of rollers along the normal, and inside the body are free. */
+  Tractions(const BoundData &data, const EquilibrationMesh &mesh);
+
+  /** Returns the coefficients of τ_n (component 0) or τ_t on an edge. */
+  std::vector<double> on_edge(unsigned int edge, unsigned int component) const;
+  /** Sets them, and fixes them. */
+  void fix(unsigned int edge, unsigned int component, const std::vector<double> &legendre);
+
+  TractionSpace space;
+  Vector x;
+  /** The norms of t - t_h by component and edge. */
+  std::array<std::vector<double>, 2> rests;
+  /** The forces and moments on plates. */
+  std::vector<TractionCondition> conditions;
+
+private:
+  void project_given(const BoundData &data);
+  void add_plates(const Scene<2> &scene);
+};
+} // namespace Signorini

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Functions on a cell, evaluated by sums along one direction after the other.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/discretization/elasticity/cell_field.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_tools.h>
+
+#include <map>
+
+namespace Signorini {
+namespace {
+/** Returns Σ_k A_qk v_k along one direction of an array, in which @p stride entries of the
+ * directions before follow one another. */
+template <int dim>
+std::vector<Tensor<1, dim>> along(const FullMatrix<double> &A, const std::vector<Tensor<1, dim>> &v,
+                                  const std::size_t stride) {
+  const std::size_t n_blocks = v.size() / (A.n() * stride);
+  std::vector<Tensor<1, dim>> sums(n_blocks * A.m() * stride);
+  for (std::size_t block = 0; block < n_blocks; ++block)
+    for (std::size_t q = 0; q < A.m(); ++q)
+      for (std::size_t k = 0; k < A.n(); ++k)
+        for (std::size_t i = 0; i < stride; ++i)
+          sums[(block * A.m() + q) * stride + i] += A(q, k) * v[(block * A.n() + k) * stride + i];
+  return sums;
+}
+} // namespace
+
+LineTable make_line_table(const std::vector<Polynomials::Polynomial<double>> &basis,
+                          const std::vector<double> &points) {
+  LineTable table = {{points.size(), basis.size()}, {points.size(), basis.size()}};
+  std::vector<double> value_and_derivative(2);
+  for (unsigned int q = 0; q < points.size(); ++q)
+    for (unsigned int i = 0; i < basis.size(); ++i) {
+      basis[i].value(points[q], value_and_derivative);
+      table.values(q, i) = value_and_derivative[0];
+      table.derivatives(q, i) = value_and_derivative[1];
+    }
+  return table;
+}
+
+template <int dim>
+FieldValues<dim> evaluate_products(std::vector<Tensor<1, dim>> nodal_values,
+                                   const std::array<const LineTable *, dim> &lines) {
+  // The field, and its derivatives along the directions so far.
+  std::vector<std::vector<Tensor<1, dim>>> fields = {std::move(nodal_values)};
+  std::size_t stride = 1;
+  for (const LineTable *const line : lines) {
+    std::vector<Tensor<1, dim>> derivative = along(line->derivatives, fields[0], stride);
+    for (std::vector<Tensor<1, dim>> &field : fields)
+      field = along(line->values, field, stride);
+    fields.push_back(std::move(derivative));
+    stride *= line->values.m();
+  }
+  FieldValues<dim> result = {fields[0], std::vector<Tensor<2, dim>>(stride)};
+  for (std::size_t q = 0; q < stride; ++q)
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        result.gradients[q][c][d] = fields[d + 1][q][c];
+  return result;
+}
+
+LineTable make_line_table(const unsigned int degree, const std::vector<double> &points) {
+  using Basis = std::vector<Polynomials::Polynomial<double>>;
+  // Newton's method finds the nodes in long double: once for every degree.
+  thread_local std::map<unsigned int, Basis> known;
+  Basis &basis = known[degree];
+  if (basis.empty())
+    basis =
+      Polynomials::generate_complete_Lagrange_basis(QGaussLobatto<1>(degree + 1).get_points());
+  return make_line_table(basis, points);
+}
+
+Tensor<2, 2> CellField::gradient(const LineTable &x, const LineTable &y,
+                                 const unsigned int q) const {
+  Tensor<2, 2> gradient;
+  for (unsigned int j = 0; j <= degree_; ++j) {
+    Tensor<1, 2> value, slope;
+    for (unsigned int i = 0; i <= degree_; ++i) {
+      const Tensor<1, 2> nodal = values_[i + (degree_ + 1) * j] - values_[0];
+      value += x.values(q, i) * nodal;
+      slope += x.derivatives(q, i) * nodal;
+    }
+    for (unsigned int c = 0; c < 2; ++c) {
+      gradient[c][0] += y.values(q, j) * slope[c];
+      gradient[c][1] += y.derivatives(q, j) * value[c];
+    }
+  }
+  return gradient;
+}
+
+Tensor<1, 2> CellField::on_face(const unsigned int face, const double s) const {
+  const LineTable line = make_line_table(degree_, {s});
+  const unsigned int fixed = face % 2 * degree_;
+  Tensor<1, 2> value;
+  for (unsigned int i = 0; i <= degree_; ++i)
+    value += line.values(0, i) *
+             (face < 2 ? values_[fixed + (degree_ + 1) * i] : values_[i + (degree_ + 1) * fixed]);
+  return value;
+}
+
+CellField::CellField(const DoFHandler<2>::active_cell_iterator &cell, const Displacement &U)
+  : degree_(cell->get_fe().degree) {
+  const FiniteElement<2> &element = cell->get_fe();
+  dealii::Vector<double> nodal(element.n_dofs_per_cell());
+  cell->get_dof_values(U, nodal);
+  values_.resize(nodal.size() / 2);
+  const auto numbers = FETools::hierarchic_to_lexicographic_numbering<2>(degree_);
+  for (unsigned int i = 0; i < nodal.size(); ++i) {
+    const auto [component, node] = element.system_to_component_index(i);
+    values_[numbers[node]][component] = nodal[i];
+  }
+}
+
+INSTANTIATE_FUNCTION(evaluate_products);
+} // namespace Signorini

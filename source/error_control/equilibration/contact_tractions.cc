@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Tractions on contact edges that do not pull, and shears within the bound of friction.
+
+#include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/error_control/equilibration/contact_tractions.h>
+#include <signorini/error_control/equilibration/edge_polynomials.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace Signorini {
+ContactTractions::ContactTractions(const BoundData &data, Tractions &tractions)
+  : data_(data)
+  , tractions_(tractions) {
+  for (const ContactFace<2> &face : data_.multipliers.surface().faces())
+    edges_.push_back(tractions_.space.edge_at(face.cell, face.face_no));
+  const std::vector<NodeState> states = patch_states(data_.multipliers, data_.P);
+  std::vector<bool> pressing;
+  for (const NodeState &state : states)
+    pressing.push_back(state.presses);
+  for (const auto &[edge, presses] : edges_inside(pressing)) {
+    press_by_multipliers(edge);
+    // With Coulomb's law the bound of friction needs a τ_n that is known.
+    tractions_.space.set_free(edge, 0, presses && !data_.P.is_coupled());
+  }
+  if (data_.has_friction())
+    give_friction(states);
+}
+
+std::map<unsigned int, bool>
+ContactTractions::edges_inside(const std::vector<bool> &patches) const {
+  std::map<unsigned int, bool> inside;
+  for (const Piece<2> &piece : data_.multipliers.surface().pieces()) {
+    bool &on_edge = inside.emplace(edges_[piece.face], true).first->second;
+    on_edge = on_edge && patches[piece.patch];
+  }
+  const std::map<unsigned int, bool> whole = inside;
+  for (std::size_t i = 0; i + 1 < edges_.size(); ++i)
+    if (const unsigned int here = edges_[i], next = edges_[i + 1];
+        tractions_.space.edges()[here].side == tractions_.space.edges()[next].side &&
+        !(whole.at(here) && whole.at(next)))
+      inside[here] = inside[next] = false;
+  return inside;
+}
+
+std::vector<double> ContactTractions::projection_of(const Pressure &P,
+                                                    const unsigned int number) const {
+  const TractionEdge &edge = tractions_.space.edges()[number];
+  const Side<2> &side = data_.scene.geometry.sides[edge.side];
+  std::vector<double> sum(edge.degree + 1, 0.);
+  for (const Piece<2> &piece : data_.multipliers.surface().pieces()) {
+    if (edges_[piece.face] != number)
+      continue;
+    const double from = edge.position_of(side.point(piece.lower[0])),
+                 to = edge.position_of(side.point(piece.upper[0]));
+    const std::vector<double> part = legendre_projection(
+      edge.degree,
+      split_quadrature(QGauss<1>(edge.degree + 1), {std::min(from, to), std::max(from, to)}),
+      [&](const double s) {
+        const double share = (s - from) / (to - from);
+        return data_.multipliers.value(P, piece.patch,
+                                       piece.lower + share * (piece.upper - piece.lower));
+      });
+    std::transform(part.begin(), part.end(), sum.begin(), sum.begin(), std::plus<>());
+  }
+  return sum;
+}
+
+void ContactTractions::press_by_multipliers(const unsigned int number) {
+  std::vector<double> p = projection_of(data_.P.normal(), number), b = bernstein_coefficients(p);
+  if (*std::max_element(b.begin(), b.end()) > 0.) {
+    // The same force, where it presses: the mean of the coefficients is that of the polynomial.
+    const double force = std::accumulate(b.begin(), b.end(), 0.);
+    for (double &value : b)
+      value = std::min(0., value);
+    const double pressing = std::accumulate(b.begin(), b.end(), 0.);
+    for (double &value : b)
+      value *= force < 0. ? force / pressing : 0.;
+    p = legendre_coefficients(b);
+  }
+  tractions_.fix(number, 0, p);
+}
+
+double ContactTractions::friction_bound(const unsigned int number, const double s) const {
+  const TractionEdge &edge = tractions_.space.edges()[number];
+  const double given =
+    data_.scene.boundary[edge.side].friction->value(edge.start + s * (edge.end - edge.start));
+  if (!data_.P.is_coupled())
+    return given;
+  return given *
+         std::abs(bernstein_value(bernstein_coefficients(tractions_.on_edge(number, 0)), s));
+}
+
+std::vector<double> ContactTractions::lower_friction_bound(const unsigned int number) {
+  const TractionEdge &edge = tractions_.space.edges()[number];
+  const std::vector<double> cuts = data_.scene.kinks.cut(edge.start, edge.end);
+  // About 20000 points on all edges; at a jump, on both sides of it.
+  const unsigned int degree = edge.degree,
+                     n = std::clamp<std::size_t>(20000 / edges_.size() / cuts.size(), 16, 256);
+  constexpr double inside = 1e-9;
+  std::vector<double> positions, samples;
+  for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
+    for (unsigned int i = 0; i <= n; ++i)
+      positions.push_back(cuts[k] + (cuts[k + 1] - cuts[k]) *
+                                      std::clamp(static_cast<double>(i) / n, inside, 1. - inside));
+  for (const double s : positions)
+    samples.push_back(friction_bound(number, s));
+  std::vector<double> b = bernstein_coefficients(
+    legendre_projection(degree, split_quadrature(QGauss<1>(2 * degree + 1), cuts),
+                        [&](const double s) { return friction_bound(number, s); }));
+  constexpr double rounding = 1e-13;
+  const auto [least, largest] = std::minmax_element(samples.begin(), samples.end());
+  double share = 1.;
+  for (double &value : b)
+    if (value < 0.) {
+      share = value < -rounding * *largest ? 0. : share;
+      value = 0.;
+    }
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (const double here = bernstein_value(b, positions[i]); here > (1. + rounding) * samples[i])
+      share = std::min(share, samples[i] / here);
+  const double mean = std::accumulate(b.begin(), b.end(), 0.) / b.size();
+  constexpr double far_below = 0.98;
+  if (std::max(share * mean, *least) < far_below * mean)
+    unresolved_.insert(number);
+  if (share * mean < *least)
+    return std::vector<double>(degree + 1, *least);
+  for (double &value : b)
+    value *= share;
+  return b;
+}
+
+void ContactTractions::give_friction(const std::vector<NodeState> &of_patches) {
+  std::vector<bool> sticks;
+  for (const NodeState &state : of_patches)
+    sticks.push_back(state.slip == State::inside);
+  for (const Piece<2> &piece : data_.multipliers.surface().pieces()) {
+    const State state = of_patches[piece.patch].slip;
+    State &on_edge = slips_.emplace(edges_[piece.face], state).first->second;
+    on_edge = on_edge == state ? state : State::mixed;
+  }
+  for (const auto &[edge, is_free] : edges_inside(sticks)) {
+    bounds_[edge] = lower_friction_bound(edge);
+    rub_by_multipliers(edge);
+    tractions_.space.set_free(edge, 1, is_free);
+  }
+}
+
+void ContactTractions::rub_by_multipliers(const unsigned int number) {
+  const std::vector<double> &bound = bounds_.at(number);
+  std::vector<double> b = bernstein_coefficients(projection_of(data_.P.tangential()[0], number));
+  const State state = slips_.at(number);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    b[i] = state == State::upper   ? bound[i]
+           : state == State::lower ? -bound[i]
+                                   : std::clamp(b[i], -bound[i], bound[i]);
+  tractions_.fix(number, 1, legendre_coefficients(b));
+}
+
+bool ContactTractions::is_admissible(const unsigned int number,
+                                     const unsigned int component) const {
+  const std::vector<double> b = bernstein_coefficients(tractions_.on_edge(number, component));
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (component == 0 ? b[i] > 0. : std::abs(b[i]) > bounds_.at(number)[i])
+      return false;
+  return true;
+}
+
+bool ContactTractions::fix_pulling_edges() {
+  bool fixed = false;
+  for (const unsigned int number : edges_)
+    for (unsigned int c = 0; c < 2; ++c)
+      if (tractions_.space.edges()[number].is_free[c] && !is_admissible(number, c)) {
+        if (c == 0)
+          press_by_multipliers(number);
+        else
+          rub_by_multipliers(number);
+        fixed = true;
+      }
+  return fixed;
+}
+} // namespace Signorini

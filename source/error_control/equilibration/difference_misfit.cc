@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The misfit on the mesh of u_h itself.
+
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/error_control/equilibration/difference_misfit.h>
+#include <signorini/error_control/loads/law.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini {
+DifferenceMisfit::DifferenceMisfit(const BoundData &data)
+  : data_(data)
+  , lift_(data)
+  , lift_norms_(data.space.mesh().triangulation().n_active_cells()) {
+  lift_.visit_cells(data, [&](const LiftedCell &cell) {
+    lift_norms_[cell.cell->active_cell_index()] = std::sqrt(cell.energy());
+  });
+}
+
+double DifferenceMisfit::expected(const EquilibratedStress &stress) const {
+  double square = 0.;
+  for (const CellFit &fit : stress.fits)
+    square += std::pow(least(fit), 2);
+  return std::sqrt(square);
+}
+
+double DifferenceMisfit::total(const EquilibratedStress &stress, const Works & /*works*/) const {
+  return std::sqrt(stress.distance_square());
+}
+
+StressBound DifferenceMisfit::bound(const EquilibratedStress &stress,
+                                    const Works & /*works*/) const {
+  StressBound result;
+  result.energy_norm = energy_norm(data_.space, data_.scene, data_.U);
+  result.lift_misfit = lift_.max_misfit();
+  result.lift = lift_norms_.l2_norm();
+  double smallest_square = 0.;
+  for (std::size_t c = 0; c < stress.fits.size(); ++c) {
+    // The misfit is that of u_h, which is at most |||z|||_K away from that of u_h + z.
+    const double mesh = stress.distance(c), rest = stress.oscillation(c) + lift_norms_[c];
+    result.misfit.push_back(mesh);
+    result.oscillation.push_back(rest);
+    result.square += std::pow(mesh + rest, 2);
+    result.oscillation_square += rest * rest;
+    smallest_square += std::pow(std::max(0., mesh - rest), 2);
+  }
+  // With η² = 2 J(u_h) + 2 J*(τ) - 2 ∫ τ_n d, J* loses no digits. J(u_h) must be that of a function
+  // with the boundary values of u, under loads that are resolved.
+  if (result.lift <= 1e-10 * result.energy_norm &&
+      result.oscillation_square <= 0.01 * result.square)
+    result.complementary_energy = {0.5 * smallest_square - data_.energy,
+                                   0.5 * result.square - data_.energy};
+  return result;
+}
+} // namespace Signorini

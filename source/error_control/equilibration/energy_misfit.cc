@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The misfit on a mesh of its own: the integrals of u_h and π^{2h} u_h that it needs.
+
+#include <signorini/discretization/elasticity/body_measure.h>
+#include <signorini/discretization/elasticity/cell_field.h>
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/error_control/equilibration/edge_polynomials.h>
+#include <signorini/error_control/equilibration/energy_misfit.h>
+#include <signorini/error_control/loads/law.h>
+#include <signorini/error_control/loads/oscillation.h>
+#include <signorini/error_control/loads/triangle_parts.h>
+#include <signorini/postprocessing/fields/patch_interpolation.h>
+
+#include <deal.II/fe/mapping_q1.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini {
+namespace {
+/** Visits the points of cells with u_h and, where cells have parents, π^{2h} u_h. */
+class FieldVisitor {
+public:
+  using Cell = DoFHandler<2>::active_cell_iterator;
+
+  FieldVisitor(const BoundData &data, const Kinks<2> &kinks)
+    : data_(data)
+    , kinks_(kinks)
+    , values_(StaticMappingQ1<2>::mapping, data.space.element(), QGauss<2>(n_points(data)),
+              update_values | update_gradients | update_inverse_jacobians | update_JxW_values |
+                update_quadrature_points) {
+    for (unsigned int k = 0; k < n_fields(data); ++k)
+      fields_.emplace_back(data.space, values_.get_quadrature(), k);
+  }
+  static unsigned int n_fields(const BoundData &data) {
+    return data.space.mesh().has_parents() ? 2 : 1;
+  }
+  /** Calls visit(values, weights, fields, is_rough) for the points of all smooth parts of a cell at
+   * once, and for those of each rough one. */
+  template <typename Visitor>
+  void operator()(const Cell &cell, const Visitor &visit) {
+    if (!needs_cuts<2>(kinks_, cell)) {
+      values_.reinit(cell);
+      visit(values_, values_.get_JxW_values(), fields_at(cell, values_), false);
+      return;
+    }
+    const auto visit_points = [&](const std::vector<Point<2>> &points,
+                                  const std::vector<double> &weights, const bool is_rough) {
+      if (points.empty())
+        return;
+      FEValues<2> values(StaticMappingQ1<2>::mapping, data_.space.element(), Quadrature<2>(points),
+                         values_.get_update_flags());
+      values.reinit(cell);
+      visit(values, weights, fields_at(cell, values), is_rough);
+    };
+    const QWitherdenVincentSimplex<2> rule(3);
+    const CellShape shape(corners_of(cell));
+    std::vector<Point<2>> smooth;
+    std::vector<double> smooth_weights;
+    for (const auto &triangle : triangle_parts(shape, kinks_))
+      for (const TrianglePart &part : triangle) {
+        std::vector<Point<2>> points;
+        std::vector<double> weights;
+        add_points(rule, part.corners, shape, part.is_rough ? points : smooth,
+                   part.is_rough ? weights : smooth_weights);
+        visit_points(points, weights, true);
+      }
+    visit_points(smooth, smooth_weights, false);
+  }
+
+private:
+  using Fields = std::vector<const FieldValues<2> *>;
+
+  /** Returns the number of points per direction: for products of functions of degree two on
+   * parallelograms; more where the law varies, or a load that is integrated itself. */
+  static unsigned int n_points(const BoundData &data) {
+    const unsigned int n = (data.space.element().degree << (n_fields(data) - 1)) +
+                           (data.scene.material->is_constant() ? 1 : 3);
+    return EquilibrationMesh::aligns(data) || data.scene.body_force == nullptr ? n : n + 6;
+  }
+  Fields fields_at(const Cell &cell, const FEValues<2> &values) {
+    Fields fields;
+    for (auto &field : fields_)
+      fields.push_back(&field.evaluate(data_.U, cell, values));
+    return fields;
+  }
+
+  const BoundData &data_;
+  const Kinks<2> kinks_;
+  FEValues<2> values_;
+  std::vector<PatchInterpolation<2>> fields_;
+};
+
+/** The energies on the cells of a chunk, and the norms of π^{2h} u_h - u_h or of u_h. */
+struct ChunkEnergies {
+  std::array<double, 2> strain = {{0., 0.}};
+  std::vector<std::pair<unsigned int, double>> distances;
+};
+
+/** Returns the energies of u_h, of the last field and of their difference, or of u_h, on a part of
+ * a cell; from above where the law is rough. */
+std::array<double, 3> energies(EnergyMeasure<2> &measure, const FEValues<2> &values,
+                               const std::vector<double> &weights,
+                               const std::vector<const FieldValues<2> *> &fields,
+                               const bool is_rough) {
+  std::array<double, 3> sums = {{0., 0., 0.}}, largest = sums;
+  double area = 0.;
+  for (std::size_t q = 0; q < weights.size(); ++q) {
+    measure.at(values.quadrature_point(q));
+    const Tensor<2, 2> &of_u = fields[0]->gradients[q], &of_last = fields.back()->gradients[q];
+    const std::array<Tensor<2, 2>, 3> gradients = {
+      {of_u, of_last, fields.size() == 2 ? of_last - of_u : of_u}};
+    area += weights[q];
+    for (unsigned int k = 0; k < 3; ++k) {
+      const double density = measure.density(strain_of(gradients[k]));
+      sums[k] += weights[q] * density;
+      largest[k] = std::max(largest[k], density);
+    }
+  }
+  for (unsigned int k = 0; k < 3 && is_rough; ++k)
+    sums[k] = area * largest[k];
+  return sums;
+}
+} // namespace
+
+EnergyMisfit::EnergyMisfit(const BoundData &data)
+  : data_(data)
+  , translation_(CellField(data.space.dofs().begin_active(), data.U).on_face(0, 0.))
+  , distances_(data.space.mesh().triangulation().n_active_cells()) {
+  find_bubbles();
+  for (unsigned int k = 0; k < FieldVisitor::n_fields(data); ++k)
+    fields_.push_back({0., k == 0 ? PrescribedLift(data) : PrescribedLift(data, bubbles_), 0.});
+  integrate_energies();
+  add_lifts();
+}
+
+void EnergyMisfit::find_bubbles() {
+  std::optional<PatchInterpolation<2>> post;
+  if (data_.space.mesh().has_parents())
+    post.emplace(data_.space, Quadrature<2>({{0., 0.5}, {1., 0.5}, {0.5, 0.}, {0.5, 1.}}));
+  const double rounding = 1e-13 * data_.U.linfty_norm();
+  for (const auto &cell : data_.space.dofs().active_cell_iterators())
+    for (const unsigned int f : cell->face_indices()) {
+      if (!cell->at_boundary(f))
+        continue;
+      Tensor<1, 2> &bubble = bubbles_[cell->face(f)->index()];
+      if (post)
+        bubble = post->values(data_.U, cell)[f] - CellField(cell, data_.U).on_face(f, 0.5);
+      if (bubble.norm() <= rounding)
+        bubble = 0.;
+    }
+}
+
+void EnergyMisfit::integrate_energies() {
+  const Material<2> &material = *data_.scene.material;
+  const Kinks<2> kinks = material.is_constant() ? Kinks<2>() : data_.scene.law_kinks;
+  integrate_by_chunks<ChunkEnergies, 2>(
+    data_.space,
+    [&](const Cells<2> &cells) {
+      FieldVisitor visit(data_, kinks);
+      EnergyMeasure<2> measure(material);
+      ChunkEnergies chunk;
+      for (const auto &cell : cells) {
+        double distance = 0.;
+        visit(cell, [&](const auto &values, const auto &weights, const auto &fields,
+                        const bool is_rough) {
+          const auto [first, last, difference] =
+            energies(measure, values, weights, fields, is_rough);
+          chunk.strain[0] += first;
+          chunk.strain[1] += last;
+          distance += difference;
+        });
+        chunk.distances.emplace_back(cell->active_cell_index(), std::sqrt(distance));
+      }
+      return chunk;
+    },
+    [this](const ChunkEnergies &chunk) {
+      for (std::size_t k = 0; k < fields_.size(); ++k)
+        fields_[k].strain += chunk.strain[k];
+      for (const auto &[cell, distance] : chunk.distances)
+        distances_[cell] = distance;
+    });
+  const MPI_Comm communicator = data_.space.mesh().communicator();
+  for (Field &field : fields_)
+    field.strain = Utilities::MPI::sum(field.strain, communicator);
+  Utilities::MPI::sum(distances_, communicator, distances_);
+}
+
+void EnergyMisfit::add_lifts() {
+  for (unsigned int k = 0; k < fields_.size(); ++k) {
+    double square = 0.;
+    fields_[k].lift.visit_cells(data_, [&](const LiftedCell &lifted) {
+      const auto gradients = PatchInterpolation<2>(data_.space, Quadrature<2>(), k)
+                               .evaluate(data_.U, lifted.cell, lifted.values)
+                               .gradients;
+      for (std::size_t q = 0; q < gradients.size(); ++q)
+        fields_[k].strain +=
+          lifted.places[q].weight *
+          ((components_of(strain_of(gradients[q])) * 2. + lifted.places[q].strain) *
+           lifted.places[q].stress);
+      square += lifted.energy();
+    });
+    fields_[k].lift_norm = std::sqrt(square);
+  }
+}
+
+std::vector<Tensor<1, 2>> EnergyMisfit::force(const EquilibrationMesh &mesh,
+                                              const EquilibratedStress &stress, const Cell &cell,
+                                              const std::vector<Point<2>> &points) const {
+  if (is_aligned()) {
+    const unsigned int number = mesh.find(cell)->active_cell_index();
+    return stress.fits[number].force(stress.tractions.space.cells()[number], points);
+  }
+  std::vector<Tensor<1, 2>> f;
+  dealii::Vector<double> value(2);
+  for (const Point<2> &x : points) {
+    data_.scene.body_force->vector_value(x, value);
+    f.push_back(Tensor<1, 2>({value[0], value[1]}));
+  }
+  return f;
+}
+
+EnergyMisfit::Works EnergyMisfit::works(const EquilibrationMesh &mesh,
+                                        const EquilibratedStress &stress) const {
+  Works works(fields_.size(), {0., dealii::Vector<double>(stress.tractions.x.size())});
+  if (data_.scene.body_force != nullptr)
+    add_load_works(mesh, stress, works);
+  add_moments(stress.tractions.space, works);
+  return works;
+}
+
+void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const EquilibratedStress &stress,
+                                  Works &works) const {
+  using Sums = std::array<double, 2>;
+  integrate_by_chunks<Sums, 2>(
+    data_.space,
+    [&](const Cells<2> &cells) {
+      FieldVisitor visit(data_, data_.scene.kinks);
+      Sums sums = {{0., 0.}};
+      for (const auto &cell : cells)
+        visit(cell, [&](const auto &values, const auto &weights, const auto &fields, bool) {
+          const auto f = force(mesh, stress, cell, values.get_quadrature_points());
+          for (std::size_t k = 0; k < fields.size(); ++k)
+            for (std::size_t q = 0; q < weights.size(); ++q)
+              sums[k] += weights[q] * (f[q] * (fields[k]->values[q] - translation_));
+        });
+      return sums;
+    },
+    [&works](const Sums &sums) {
+      for (std::size_t k = 0; k < works.size(); ++k)
+        works[k].load += sums[k];
+    });
+  for (std::size_t k = 0; k < works.size(); ++k) {
+    works[k].load = Utilities::MPI::sum(works[k].load, data_.space.mesh().communicator());
+    fields_[k].lift.visit_cells(data_, [&](const LiftedCell &lifted) {
+      const auto f = force(mesh, stress, lifted.cell, lifted.values.get_quadrature_points());
+      for (std::size_t q = 0; q < f.size(); ++q)
+        works[k].load += lifted.places[q].weight * (f[q] * lifted.places[q].z);
+    });
+  }
+}
+
+void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
+  FaceValues<2> face_values(StaticMappingQ1<2>::mapping, data_.space, data_.scene.kinks, 8,
+                            update_quadrature_points | update_JxW_values | update_normal_vectors);
+  dealii::Vector<double> u_D(2);
+  for (const auto &cell : data_.space.dofs().active_cell_iterators())
+    for (const unsigned int f : cell->face_indices()) {
+      if (!cell->at_boundary(f))
+        continue;
+      const CellField u(cell, data_.U);
+      const auto line = cell->face(f);
+      const BoundaryCondition<2> &condition = data_.scene.boundary[line->boundary_id()];
+      const TractionEdge &edge = space.edges()[space.edge_at(cell, f)];
+      const FEFaceValues<2> &values = face_values.reinit(cell, f);
+      const Tensor<1, 2> n = values.normal_vector(0), t({-n[1], n[0]});
+      for (const unsigned int q : values.quadrature_point_indices()) {
+        const Point<2> &x = values.quadrature_point(q);
+        const auto L = legendre_values(edge.degree, edge.position_of(x));
+        const double s = line->vertex(0).distance(x) / line->diameter();
+        for (std::size_t k = 0; k < works.size(); ++k) {
+          Tensor<1, 2> v = u.on_face(f, s) - translation_;
+          if (k == 1)
+            v += 4. * s * (1. - s) * bubbles_.at(line->index());
+          if (condition.role == Role::displacement) {
+            condition.data->vector_value(x, u_D);
+            v = Tensor<1, 2>({u_D[0], u_D[1]}) - translation_;
+          }
+          for (unsigned int i = 0; i <= edge.degree; ++i)
+            for (unsigned int c = 0; c < 2; ++c)
+              works[k].moments[edge.position(c, i)] +=
+                measure_at(values, q) * L[i] * (c == 0 ? n : t) * v;
+        }
+      }
+    }
+}
+
+double EnergyMisfit::expected(const EquilibratedStress & /*stress*/) const {
+  if (!data_.space.mesh().has_parents())
+    return std::numeric_limits<double>::infinity();
+  // Where cells of u_h are no parts of cells of the stress, osc_K counts with |||u_h|||_K.
+  const double distance = distances_.l2_norm();
+  return 0.03 * distance * (is_aligned() ? 1. : 5. * distance / std::sqrt(fields_[0].strain));
+}
+
+double EnergyMisfit::distance(const std::size_t k, const EquilibratedStress &stress,
+                              const Works &works) const {
+  const double of_stress = stress.distance_square(), strain = fields_[k].strain,
+               load = works[k].load;
+  double square = strain - 2. * load, size = strain + 2. * std::abs(load);
+  for (std::size_t i = 0; i < stress.tractions.x.size(); ++i) {
+    const double work = 2. * works[k].moments[i] * stress.tractions.x[i];
+    square -= work;
+    size += std::abs(work);
+  }
+  // The terms cancel, up to rounding and what cells lack of balance.
+  constexpr double rounding = 1e-14;
+  square = std::max(0., square + of_stress) + (rounding + stress.defect) * (size + of_stress);
+  // With f in place of f_K: ∫ (f - f_K).v ≤ Σ osc_K |||v|||_K.
+  if (!is_aligned())
+    square += 2. * std::sqrt(stress.oscillation_square() * strain);
+  return std::sqrt(square);
+}
+
+Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
+                                           const Works &works) const {
+  // 1/2 ‖τ‖² less the work of the tractions that are not given.
+  const auto &x = stress.tractions.x;
+  double work = 0.;
+  for (const TractionEdge &edge : stress.tractions.space.edges()) {
+    if (edge.side == TractionEdge::no_side ||
+        data_.scene.boundary[edge.side].role == Role::traction)
+      continue;
+    for (unsigned int i = edge.first; i < edge.first + edge.n_coefficients(); ++i)
+      work += x[i] * works[0].moments[i];
+    const auto [n, t] = edge.directions(data_.scene.geometry);
+    work +=
+      edge.length() * translation_ * (x[edge.position(0, 0)] * n + x[edge.position(1, 0)] * t);
+  }
+  Bracket energy = {-work, -work};
+  for (std::size_t c = 0; c < stress.fits.size(); ++c) {
+    const double norm = stress.distance(c), rest = stress.oscillation(c);
+    energy.lower += 0.5 * std::pow(std::max(0., norm - rest), 2);
+    energy.upper += 0.5 * std::pow(norm + rest, 2);
+  }
+  return energy;
+}
+
+double EnergyMisfit::geometry() const {
+  if (!data_.space.mesh().is_curved())
+    return 0.;
+  FEFaceValues<2> values(data_.space.mesh().mapping(), data_.space.element(), QMidpoint<1>(),
+                         update_gradients | update_quadrature_points);
+  double square = 0.;
+  std::vector<SymmetricTensor<2, 2>> strain(1);
+  for (const auto &cell : data_.space.dofs().active_cell_iterators())
+    for (const unsigned int f : cell->face_indices()) {
+      const auto face = cell->face(f);
+      if (!cell->at_boundary(f) ||
+          data_.scene.boundary[face->boundary_id()].role == Role::clamped ||
+          data_.scene.boundary[face->boundary_id()].role == Role::displacement)
+        continue;
+      values.reinit(cell, f);
+      const Point<2> &middle = values.quadrature_point(0);
+      const Tensor<1, 2> d = face->vertex(1) - face->vertex(0);
+      const double length = d.norm(), bulge = middle.distance(face->vertex(0) + 0.5 * d) / length;
+      values[FEValuesExtractors::Vector(0)].get_function_symmetric_gradients(data_.U.entries(),
+                                                                             strain);
+      const SymmetricTensor<4, 2> hooke = data_.scene.material->hooke(middle);
+      const double turned = (Tensor<2, 2>(hooke * strain[0]) * d).norm() / length;
+      square +=
+        std::pow(4. * bulge * turned * turning_constant(length, cell->measure() / length), 2) /
+        Law(hooke).min_eigenvalue;
+    }
+  return std::sqrt(square);
+}
+
+StressBound EnergyMisfit::bound(const EquilibratedStress &stress, const Works &works) const {
+  const double mesh = total(stress, works), rest = std::sqrt(stress.oscillation_square()),
+               geometry = this->geometry();
+  StressBound result;
+  result.energy_norm = std::sqrt(fields_[0].strain);
+  result.lift_misfit = fields_[0].lift.max_misfit();
+  result.lift = fields_[0].lift_norm;
+  result.square = std::pow(mesh + rest + geometry, 2);
+  result.oscillation_square = rest * rest;
+  result.geometry_square = geometry * geometry;
+  result.complementary_energy = complementary_energy(stress, works);
+  const double whole = distances_.l2_norm();
+  for (const double norm : distances_) {
+    const double share = whole > 0. ? norm / whole : 1. / std::sqrt(distances_.size());
+    result.misfit.push_back(share * mesh);
+    result.oscillation.push_back(share * rest);
+  }
+  if (fields_.size() > 1 && !data_.space.mesh().is_curved() &&
+      data_.space.max_element_degree() == 1)
+    result.interpolated_part = {std::pow(distance(1, stress, works) + rest, 2),
+                                fields_[1].lift_norm, bubbles_};
+  return result;
+}
+} // namespace Signorini

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The sums over cells of a stress in equilibrium, and its tractions on contact faces.
+
+#include <signorini/error_control/equilibration/equilibrated_stress.h>
+#include <signorini/error_control/loads/oscillation.h>
+
+#include <deal.II/base/polynomial.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini {
+double EquilibratedStress::distance(const std::size_t cell) const {
+  const CellFit &fit = fits[cell];
+  const dealii::Vector<double> y = fit.traces(tractions.space, cell, tractions.x);
+  return fit.size * std::sqrt(fit.rest * fit.rest + std::max(0., y * fit.airy->multiply(y)));
+}
+
+double EquilibratedStress::oscillation(const std::size_t cell) const {
+  const TractionCell &place = tractions.space.cells()[cell];
+  const CellFit &fit = fits[cell];
+  const auto &[normal, shear] = tractions.rests;
+  if (fit.load_rest == 0. &&
+      std::none_of(place.sides.begin(), place.sides.end(), [&](const TractionSide &side) {
+        return normal[side.edge] + shear[side.edge] > 0.;
+      }))
+    return 0.;
+  const OscillationConstants constants(CellShape(place.corners), fit.airy->degree() - 1);
+  double sum = constants.body * fit.load_rest;
+  for (unsigned int k = 0; k < 4; ++k)
+    sum += constants.normal[k] * normal[place.sides[k].edge] +
+           constants.edge[k] * shear[place.sides[k].edge];
+  return sum / std::sqrt(fit.min_eigenvalue);
+}
+
+double EquilibratedStress::distance_square() const {
+  double square = 0.;
+  for (std::size_t c = 0; c < fits.size(); ++c)
+    square += std::pow(distance(c), 2);
+  return square;
+}
+
+double EquilibratedStress::oscillation_square() const {
+  double square = 0.;
+  for (std::size_t c = 0; c < fits.size(); ++c)
+    square += std::pow(oscillation(c), 2);
+  return square;
+}
+
+double EquilibratedStress::contact_force(const Scene<2> &scene) const {
+  double force = 0.;
+  for (const TractionEdge &edge : tractions.space.edges())
+    if (edge.side != TractionEdge::no_side && scene.boundary[edge.side].role == Role::contact)
+      force += edge.length() * tractions.x[edge.position(0, 0)];
+  return force;
+}
+
+std::vector<FaceField> EquilibratedStress::face_fields(
+  const ContactSurface<2> &surface, const std::map<unsigned int, Tensor<1, 2>> &bubbles) const {
+  std::vector<FaceField> fields;
+  for (const ContactFace<2> &face : surface.faces()) {
+    const TractionEdge &edge =
+      tractions.space.edges()[tractions.space.edge_at(face.cell, face.face_no)];
+    const auto line = face.cell->face(face.face_no);
+    const double along =
+                   (edge.end - edge.start) * (line->vertex(1) - line->vertex(0)) > 0. ? 1. : -1.,
+                 share = along * line->vertex(0).distance(line->vertex(1)) / edge.length();
+    FaceField &field = fields.emplace_back();
+    for (unsigned int c = 0; c < 2; ++c) {
+      Polynomials::Polynomial<double> &sum = field.traction[c] = Polynomials::Polynomial<double>(0);
+      for (unsigned int k = 0; k <= edge.degree; ++k) {
+        Polynomials::Polynomial<double> term = Polynomials::Legendre(k);
+        term *= tractions.x[edge.position(c, k)];
+        sum += term;
+      }
+      sum.shift(edge.position_of(line->vertex(0)));
+      sum.scale(share);
+    }
+    if (const auto bubble = bubbles.find(line->index()); bubble != bubbles.end())
+      field.bubble = bubble->second;
+  }
+  return fields;
+}
+} // namespace Signorini

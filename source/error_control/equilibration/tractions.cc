@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The tractions that sides prescribe: those of traction sides, and the forces on plates.
+
+#include <signorini/discretization/elasticity/body_measure.h>
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/error_control/equilibration/edge_polynomials.h>
+#include <signorini/error_control/equilibration/tractions.h>
+#include <signorini/problem/scene/functions.h>
+
+#include <deal.II/fe/mapping_q1.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini {
+Tractions::Tractions(const BoundData &data, const EquilibrationMesh &mesh)
+  : space(mesh, data.scene)
+  , x(space.n_coefficients()) {
+  project_given(data);
+  add_plates(data.scene);
+}
+
+std::vector<double> Tractions::on_edge(const unsigned int edge,
+                                       const unsigned int component) const {
+  const auto first = x.begin() + space.edges()[edge].position(component, 0);
+  return {first, first + space.edges()[edge].degree + 1};
+}
+
+void Tractions::fix(const unsigned int edge, const unsigned int component,
+                    const std::vector<double> &legendre) {
+  space.set_free(edge, component, false);
+  std::copy(legendre.begin(), legendre.end(),
+            x.begin() + space.edges()[edge].position(component, 0));
+}
+
+void Tractions::project_given(const BoundData &data) {
+  // About 20000 points on all faces, unless t is constant: narrow tractions are seen.
+  const auto is_loaded = [&data](const auto &face) {
+    return face->at_boundary() && data.scene.boundary[face->boundary_id()].role == Role::traction;
+  };
+  unsigned int n_faces = 0;
+  for (const auto &face : data.space.mesh().triangulation().active_face_iterators())
+    if (is_loaded(face) && !is_constant(*data.scene.boundary[face->boundary_id()].data))
+      ++n_faces;
+  const unsigned int n_points = n_faces > 0 ? std::clamp(20000 / n_faces, 6U, 96U) : 6;
+  FaceValues<2> values(StaticMappingQ1<2>::mapping, data.space, data.scene.kinks, n_points,
+                       update_quadrature_points | update_JxW_values | update_normal_vectors);
+  Vector t(2);
+  rests.fill(std::vector<double>(space.edges().size(), 0.));
+  for (const auto &cell : data.space.mesh().triangulation().active_cell_iterators())
+    for (const unsigned int f : cell->face_indices()) {
+      if (!is_loaded(cell->face(f)))
+        continue;
+      const unsigned int number = space.edge_at(cell, f);
+      const TractionEdge &edge = space.edges()[number];
+      const FEFaceValues<2> &rule = values.reinit(cell, f);
+      for (const unsigned int q : rule.quadrature_point_indices()) {
+        data.scene.boundary[edge.side].data->vector_value(rule.quadrature_point(q), t);
+        const Tensor<1, 2> &n = rule.normal_vector(q);
+        const std::array<double, 2> parts = {
+          {n[0] * t[0] + n[1] * t[1], n[0] * t[1] - n[1] * t[0]}};
+        const auto L = legendre_values(edge.degree, edge.position_of(rule.quadrature_point(q)));
+        for (unsigned int c = 0; c < 2; ++c) {
+          rests[c][number] += measure_at(rule, q) * parts[c] * parts[c];
+          for (unsigned int i = 0; i <= edge.degree; ++i)
+            x[edge.position(c, i)] += measure_at(rule, q) / edge.length() * L[i] * parts[c];
+        }
+      }
+    }
+  for (unsigned int c = 0; c < 2; ++c)
+    for (std::size_t number = 0; number < space.edges().size(); ++number)
+      if (double &rest = rests[c][number]; rest > 0.) {
+        const double square = rest;
+        for (const double coefficient : on_edge(number, c))
+          rest -= space.edges()[number].length() * coefficient * coefficient;
+        // The root of rounding is not rounding.
+        rest = rest > 1e-14 * square ? std::sqrt(rest) : 0.;
+      }
+}
+
+void Tractions::add_plates(const Scene<2> &scene) {
+  for (const Plate &plate : scene.plates) {
+    TractionCondition force, moment;
+    for (const TractionEdge &edge : space.edges()) {
+      if (edge.side != plate.side)
+        continue;
+      const double length = edge.length();
+      const std::array<Tensor<1, 2>, 2> directions = edge.directions(scene.geometry);
+      const Tensor<1, 2> d = edge.end - edge.start, arm = edge.start + 0.5 * d - plate.centre;
+      for (unsigned int c = 0; c < 2; ++c) {
+        force.row.emplace_back(edge.position(c, 0), length * (directions[c] * plate.direction));
+        moment.row.emplace_back(edge.position(c, 0), length * cross(arm, directions[c]));
+      }
+      moment.row.emplace_back(edge.position(0, 1), -(directions[1] * d) / std::sqrt(12.) * length);
+    }
+    const auto add = [this](TractionCondition condition, const double value) {
+      double square = 0.;
+      for (const auto &entry : condition.row)
+        square += entry.second * entry.second;
+      for (auto &entry : condition.row)
+        entry.second /= std::sqrt(square);
+      condition.value = value / std::sqrt(square);
+      conditions.push_back(std::move(condition));
+    };
+    if (plate.is_pushed)
+      add(std::move(force), plate.force);
+    if (plate.turns)
+      add(std::move(moment), plate.moment);
+  }
+}
+} // namespace Signorini

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The misfits u_n - g where the body presses, u_t - g_t where it sticks, and penetration between
+// the nodes of the multipliers.
+
+#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/error_control/hp/contact_misfit.h>
+#include <signorini/postprocessing/fields/forces.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini {
+void add_contact_misfit(const DisplacementSpace<2> &space, const MultiplierSpace<2> &multipliers,
+                        const Scene<2> &scene, const Displacement &U,
+                        const std::vector<bool> &follows, const Component component,
+                        std::vector<CellIndicator> &indicators) {
+  const ContactSurface<2> &surface = multipliers.surface();
+  TraceValues<2> traces(space);
+  for (const Piece<2> &piece : surface.pieces()) {
+    if (!follows[piece.patch])
+      continue;
+    const ContactFace<2> &face = surface.faces()[piece.face];
+    const unsigned int p = space.element(face.cell).degree;
+    const SurfaceRule<2> rule = surface.rule(piece, p + 2);
+    const std::vector<double> depths = penetration(surface, piece, rule, U, traces, component);
+    double square = 0.;
+    for (std::size_t q = 0; q < rule.size(); ++q)
+      square += depths[q] * depths[q] * rule.weights[q];
+    const double waves = 0.5 * numbers::PI * p / surface.patches()[piece.patch].measure;
+    CellIndicator &indicator = indicators[face.cell->active_cell_index()];
+    indicator.error = std::sqrt(indicator.error * indicator.error +
+                                indicator_modulus(scene, face.cell->center()) * waves * square);
+  }
+}
+
+namespace {
+/** The extreme values of u_n - g on a patch, and whether a multiplier presses. */
+struct PatchState {
+  unsigned int cell = 0;
+  double deepest = 0., largest = 0.;
+  bool presses = false;
+};
+
+/** Adds samples of u_n - g on a piece to the state of its patch. Around the deepest point the next
+ * samples are closer to each other: a tip may touch between those of the whole face. */
+void add_samples(const ContactSurface<2> &surface, const Piece<2> &piece, const Displacement &U,
+                 TraceValues<2> &traces, PatchState &state) {
+  constexpr unsigned int n_zooms = 3, n_intervals = 32;
+  double from = 0., to = 1.;
+  for (unsigned int zoom = 0; zoom < n_zooms; ++zoom) {
+    std::vector<Point<1>> positions;
+    for (unsigned int i = 0; i <= n_intervals; ++i)
+      positions.emplace_back(from + (to - from) * i / n_intervals);
+    const SurfaceRule<2> rule = surface.at(piece, positions);
+    const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
+    const auto deepest = std::max_element(depths.begin(), depths.end());
+    state.deepest = std::max(state.deepest, *deepest);
+    for (const double depth : depths)
+      state.largest = std::max(state.largest, std::abs(depth));
+    const double middle = positions[deepest - depths.begin()][0], step = (to - from) / n_intervals;
+    from = std::max(0., middle - step);
+    to = std::min(1., middle + step);
+  }
+}
+
+std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
+                                     const MultiplierSpace<2> &multipliers, const Displacement &U,
+                                     const Pressure &P) {
+  const ContactSurface<2> &surface = multipliers.surface();
+  std::vector<PatchState> states(surface.patches().size());
+  TraceValues<2> traces(space);
+  for (const Piece<2> &piece : surface.pieces()) {
+    PatchState &state = states[piece.patch];
+    state.cell = surface.faces()[piece.face].cell->active_cell_index();
+    add_samples(surface, piece, U, traces, state);
+  }
+  const double threshold = pressing_threshold(P);
+  for (unsigned int k = 0; k < P.size(); ++k)
+    if (P[k] < threshold)
+      states[multipliers.patch_of(k)].presses = true;
+  return states;
+}
+} // namespace
+
+std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space,
+                                               const MultiplierSpace<2> &multipliers,
+                                               const Displacement &U, const Pressure &P) {
+  constexpr double rounding = 1e-10, noticeable = 1e-3;
+  const std::vector<PatchState> states = patch_states(space, multipliers, U, P);
+  double largest = 0.;
+  bool touches = false;
+  for (const PatchState &state : states) {
+    largest = std::max(largest, state.largest);
+    touches = touches || state.presses;
+  }
+  const double tolerance = largest * (touches ? noticeable : rounding);
+  std::vector<unsigned int> cells;
+  for (std::size_t patch = 0; patch < states.size(); ++patch) {
+    const auto presses = [&](const std::size_t other) {
+      return other < states.size() && states[other].presses;
+    };
+    if (states[patch].deepest > tolerance && !presses(patch) && !presses(patch + 1) &&
+        !(patch > 0 && presses(patch - 1)))
+      cells.push_back(states[patch].cell);
+  }
+  return cells;
+}
+} // namespace Signorini

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A pressure carried over to the patches or the nodes of another mesh.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/postprocessing/fields/pressure_transfer.h>
+
+#include <algorithm>
+
+namespace Signorini {
+namespace {
+/** The part of an interval that another one covers. */
+struct Overlap {
+  unsigned int number;
+  double share;
+};
+
+/** Returns for every interval between @p to its overlaps with those between @p from. */
+std::vector<std::vector<Overlap>> overlaps(const std::vector<double> &from,
+                                           const std::vector<double> &to) {
+  std::vector<std::vector<Overlap>> all(to.size() - 1);
+  std::size_t first = 0;
+  for (std::size_t t = 0; t + 1 < to.size(); ++t) {
+    while (first + 2 < from.size() && from[first + 1] <= to[t])
+      ++first;
+    for (std::size_t k = first; k + 1 < from.size() && from[k] < to[t + 1]; ++k) {
+      const double length = std::min(from[k + 1], to[t + 1]) - std::max(from[k], to[t]);
+      if (length > 0.)
+        all[t].push_back({static_cast<unsigned int>(k), length / (to[t + 1] - to[t])});
+    }
+  }
+  return all;
+}
+} // namespace
+
+template <int dim>
+Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Patch<dim>> &to) {
+  const std::vector<PatchGrid> given = patch_grids(from.patches);
+  Pressure transferred(to.size());
+  for (const PatchGrid &grid : patch_grids(to)) {
+    const auto known = std::find_if(
+      given.begin(), given.end(), [&](const PatchGrid &other) { return other.side == grid.side; });
+    if (known == given.end())
+      continue;
+    const auto columns = overlaps(known->ends[0], grid.ends[0]);
+    const auto rows = overlaps(known->ends[1], grid.ends[1]);
+    for (unsigned int j = 0; j < grid.n(1); ++j)
+      for (unsigned int i = 0; i < grid.n(0); ++i)
+        for (const Overlap &row : rows[j])
+          for (const Overlap &column : columns[i])
+            transferred[grid.at(i, j)] +=
+              row.share * column.share * from.P[known->at(column.number, row.number)];
+  }
+  return transferred;
+}
+
+Pressure transfer_pressure(const MultiplierSpace<2> &from, const Pressure &P,
+                           const MultiplierSpace<2> &to, const Interval &allowed) {
+  const std::vector<Patch<2>> &known = from.surface().patches();
+  Pressure transferred(to.n_multipliers());
+  std::size_t patch = 0;
+  for (unsigned int k = 0; k < transferred.size(); ++k) {
+    const unsigned int side = to.surface().patches()[to.patch_of(k)].side;
+    const Point<1> s = to.node(k);
+    // Patches and nodes are sorted by side and arc length.
+    while (patch + 1 < known.size() && (known[patch].side < side || (known[patch].side == side &&
+                                                                     known[patch].upper[0] < s[0])))
+      ++patch;
+    if (known[patch].side == side)
+      transferred[k] = std::clamp(from.value(P, patch, s), allowed.lower, allowed.upper);
+  }
+  return transferred;
+}
+
+template Pressure transfer_pressure(const PatchPressure<2> &, const std::vector<Patch<2>> &);
+template Pressure transfer_pressure(const PatchPressure<3> &, const std::vector<Patch<3>> &);
+} // namespace Signorini
