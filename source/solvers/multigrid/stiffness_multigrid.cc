@@ -373,7 +373,6 @@ void MultigridInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &
       throw ComputationError(message.str());
     }
     std::copy(u.begin(), u.end(), x[k].begin());
-    max_cycles_of_a_solve_ = std::max(max_cycles_of_a_solve_, control.last_step());
   }
 }
 

@@ -111,10 +111,6 @@ public:
   const StiffnessOperator *cycles() const override {
     return A_.get();
   }
-  /** Returns the largest number of V-cycles that a solve took so far. */
-  unsigned int max_cycles_of_a_solve() const {
-    return max_cycles_of_a_solve_;
-  }
 
 private:
   /** Solves. @throws ComputationError if the iteration does not converge. */
@@ -123,7 +119,6 @@ private:
 
   std::shared_ptr<const StiffnessOperator> A_;
   double tolerance_;
-  mutable unsigned int max_cycles_of_a_solve_ = 0;
 };
 
 /**
