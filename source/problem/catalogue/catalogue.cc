@@ -7,6 +7,7 @@
 #include <signorini/problem/scene/functions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <map>
@@ -55,36 +56,34 @@ public:
     , formulas_(text, {}, definitions) {}
 
   double value(const Point<dim> &x, const unsigned int component) const override {
-    return values({x})[component];
+    std::array<double, dim> all;
+    formulas_.values(&x, 1, all.data());
+    return all[component];
   }
-  Tensor<1, dim> gradient(const Point<dim> &x, const unsigned int component) const override {
-    return gradients({x})[component];
+  void vector_value(const Point<dim> &x, dealii::Vector<double> &values) const override {
+    formulas_.values(&x, 1, values.begin());
   }
   void vector_value_list(const Points &points,
                          std::vector<dealii::Vector<double>> &values) const override {
-    const std::vector<double> all = this->values(points);
+    std::vector<double> all(points.size() * this->n_components);
+    formulas_.values(points.data(), points.size(), all.data());
     for (std::size_t i = 0; i < all.size(); ++i)
       values[i % points.size()][i / points.size()] = all[i];
   }
+  Tensor<1, dim> gradient(const Point<dim> &x, const unsigned int component) const override {
+    Gradients all(this->n_components);
+    formulas_.gradients(&x, 1, all.data());
+    return all[component];
+  }
   void vector_gradient_list(const Points &points,
                             std::vector<Gradients> &gradients) const override {
-    const Gradients all = this->gradients(points);
+    Gradients all(points.size() * this->n_components);
+    formulas_.gradients(points.data(), points.size(), all.data());
     for (std::size_t i = 0; i < all.size(); ++i)
       gradients[i % points.size()][i / points.size()] = all[i];
   }
 
 private:
-  std::vector<double> values(const Points &points) const {
-    std::vector<double> all(points.size() * this->n_components);
-    formulas_.values(points.data(), points.size(), all.data());
-    return all;
-  }
-  Gradients gradients(const Points &points) const {
-    Gradients all(points.size() * this->n_components);
-    formulas_.gradients(points.data(), points.size(), all.data());
-    return all;
-  }
-
   FormulaTree<dim> formulas_;
 };
 

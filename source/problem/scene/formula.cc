@@ -42,8 +42,8 @@ Interval choose(const Interval &, const Interval &b, const Interval &c) {
 
 /** A product in which zero times infinity is zero. */
 double times(const double a, const double b) {
-  const bool is_zero = (a == 0.) | (b == 0.);
-  return is_zero ? 0. : a * b;
+  const double product = a * b;
+  return product == product || !(a == 0. || b == 0.) ? product : 0.;
 }
 Interval times(const Interval &a, const Interval &b) {
   return is_zero(a) || is_zero(b) ? 0. : zero_in(a) || zero_in(b) ? hull(a * b, 0.) : a * b;
