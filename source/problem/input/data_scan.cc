@@ -34,10 +34,9 @@ double mean_size(const Expression<2> &formula, const std::vector<Point<2>> &poin
   return sum / points.size();
 }
 
-/** Appends the components of a function that the parameter file gives by formulas. */
+/** Appends the components of a function that is given by formulas. */
 void append(const FunctionPointer<2> &function, std::vector<Expression<2>> &formulas) {
-  const auto given = std::dynamic_pointer_cast<const ExpressionFunction<2>>(function);
-  if (given != nullptr && given->is_data())
+  if (const auto given = std::dynamic_pointer_cast<const ExpressionFunction<2>>(function))
     formulas.insert(formulas.end(), given->components().begin(), given->components().end());
 }
 

@@ -123,7 +123,7 @@ Expression<dim>::Expression(const std::string &text, const Constants &constants,
                       "; allowed: a formula in x, y, the constants and pi.");
   try {
     check_syntax<dim>(text_, constants);
-    set_formula(constants, {});
+    formula_ = std::make_shared<const FormulaTree<dim>>(text_, constants);
   } catch (const mu::ParserError &error) {
     throw input_error(where_, ": the expression ", quote(text_),
                       " cannot be parsed: ", reason_of(error),
@@ -132,18 +132,6 @@ Expression<dim>::Expression(const std::string &text, const Constants &constants,
     throw input_error(where_, ": the expression ", quote(text_), " cannot be read",
                       "; allowed: a formula in x, y, the constants and pi.");
   }
-}
-
-template <int dim>
-Expression<dim>::Expression(const std::string &text, const Definitions &definitions)
-  : text_(text)
-  , where_("catalogue") {
-  set_formula({}, definitions);
-}
-
-template <int dim>
-void Expression<dim>::set_formula(const Constants &constants, const Definitions &definitions) {
-  formula_ = std::make_shared<const FormulaTree<dim>>(text_, constants, definitions);
   if (formula_->is_constant())
     constant_ = formula_->value(Point<dim>());
 }

@@ -42,8 +42,8 @@ Interval choose(const Interval &, const Interval &b, const Interval &c) {
 
 /** A product in which zero times infinity is zero. */
 double times(const double a, const double b) {
-  const bool is_zero = (a == 0.) | (b == 0.);
-  return is_zero ? 0. : a * b;
+  const double product = a * b;
+  return product == product || !(a == 0. || b == 0.) ? product : 0.;
 }
 Interval times(const Interval &a, const Interval &b) {
   return is_zero(a) || is_zero(b) ? 0. : zero_in(a) || zero_in(b) ? hull(a * b, 0.) : a * b;
@@ -438,7 +438,8 @@ void FormulaTree<dim>::values(const Point<dim> *const points, const std::size_t 
                               double *const values) const {
   evaluate(*formula_, points, n, formula_->n_values,
            [&](const std::size_t start, const std::size_t size, const PointRun &run) {
-             std::copy_n(run.data() + formula_->root * size, size, values + start);
+             for (std::size_t c = 0; c < formula_->roots.size(); ++c)
+               std::copy_n(run.data() + formula_->roots[c] * size, size, values + c * n + start);
            });
 }
 
@@ -447,9 +448,11 @@ void FormulaTree<dim>::gradients(const Point<dim> *const points, const std::size
                                  Tensor<1, dim> *const gradients) const {
   evaluate(*formula_, points, n, formula_->nodes.size(),
            [&](const std::size_t start, const std::size_t size, const PointRun &run) {
-             for (std::size_t q = 0; q < size; ++q)
-               for (int d = 0; d < dim; ++d)
-                 gradients[start + q][d] = run[formula_->slopes[formula_->root][d] * size + q];
+             for (std::size_t c = 0; c < formula_->roots.size(); ++c)
+               for (std::size_t q = 0; q < size; ++q)
+                 for (int d = 0; d < dim; ++d)
+                   gradients[c * n + start + q][d] =
+                     run[formula_->slopes[formula_->roots[c]][d] * size + q];
            });
 }
 

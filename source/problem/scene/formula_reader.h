@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/text.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -25,7 +27,9 @@ public:
     number(0.);
     for (Index d = 0; d < dim; ++d)
       known_names_[std::string(1, "xyz"[d])] = d;
-    formula.root = read(text.c_str(), known_names_);
+    for (const std::string &part : split_list(text, ';'))
+      formula.roots.push_back(read(part.c_str(), known_names_));
+    formula.root = formula.roots.at(0);
     formula.n_values = nodes_.size();
     for (Index i = 0; i < formula.n_values; ++i)
       for (Index d = 0; d < 3; ++d)

@@ -53,6 +53,8 @@ struct Node {
 struct Formula {
   std::vector<Node> nodes = std::vector<Node>(3);
   Index root = 0, n_values = 0;
+  /** The formulas of the text; the root is the first one. */
+  std::vector<Index> roots = {};
   /** The derivatives of all that the value needs. */
   std::vector<Indices> slopes = {};
   /** The steps that have a number. */

@@ -3,6 +3,7 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/postprocessing/norms/cosine_norm.h>
 #include <signorini/problem/parameters/options.h>

@@ -27,8 +27,6 @@ class Expression {
 public:
   /** Parses the text. @throws InputError beginning with @p where if the text cannot be parsed. */
   Expression(const std::string &text, const Constants &constants, const std::string &where);
-  /** Parses a text of the program, with definitions. */
-  Expression(const std::string &text, const Definitions &definitions);
 
   /** Returns the value at a point; it is not finite where the formula is not defined. */
   double operator()(const Point<dim> &x) const;
@@ -55,8 +53,6 @@ public:
   }
 
 private:
-  void set_formula(const Constants &constants, const Definitions &definitions);
-
   std::string text_, where_;
   std::shared_ptr<const FormulaTree<dim>> formula_;
   /** The value of a formula without coordinates. */

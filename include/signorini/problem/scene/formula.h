@@ -62,8 +62,9 @@ struct Enclosure {
 template <int dim>
 class FormulaTree {
 public:
-  /** Parses a text that muParser accepts; or one that may also name definitions, and derivatives
-   * dx(f), dy(f), dz(f). @throws std::invalid_argument if it cannot be read. */
+  /** Parses a text that muParser accepts; or formulas, separated by ';', that may also name
+   * definitions, and derivatives dx(f), dy(f), dz(f). @throws std::invalid_argument if it cannot be
+   * read. */
   FormulaTree(const std::string &text, const Constants &constants,
               const Definitions &definitions = {});
 
@@ -71,9 +72,10 @@ public:
   bool is_constant() const;
 
   double value(const Point<dim> &x) const;
-  /** Computes n values; not finite where the formula is not defined. */
+  /** Computes n values of each formula; not finite where it is not defined. */
   void values(const Point<dim> *points, std::size_t n, double *values) const;
-  /** Computes the exact derivatives at n points; at a switch, those of one branch. */
+  /** Computes the exact derivatives of each formula at n points; at a switch, those of one branch.
+   */
   void gradients(const Point<dim> *points, std::size_t n, Tensor<1, dim> *gradients) const;
   Tensor<1, dim> gradient(const Point<dim> &x) const {
     Tensor<1, dim> gradient;

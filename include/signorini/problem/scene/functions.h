@@ -46,13 +46,9 @@ public:
   /** Makes data of the problem: values must be finite and not beyond max_magnitude (scene.h), or
    * InputError is thrown. */
   explicit ExpressionFunction(std::vector<Expression<dim>> values);
-  /** Makes a part of the exact solution, with given derivatives or none, or of the catalogue. */
+  /** Makes a part of the exact solution, with given derivatives or none. */
   ExpressionFunction(std::vector<Expression<dim>> values, std::vector<Expression<dim>> gradients);
 
-  /** Returns whether the function is data of the problem that a parameter file describes. */
-  bool is_data() const {
-    return is_data_;
-  }
   /** Returns whether no component uses a coordinate. */
   bool is_constant() const;
 
@@ -89,7 +85,7 @@ template <int dim>
 void check_magnitude(double value, unsigned int component, const Point<dim> &x,
                      const std::string &where);
 
-/** Returns whether a function is data that is known to be the same everywhere. */
+/** Returns whether a function is known to be the same everywhere. */
 template <int dim>
 bool is_constant(const Function<dim> &function);
 } // namespace Signorini
