@@ -23,9 +23,16 @@
 class Checks {
 public:
   /** Starts without failures. @param speak false on ranks other than the first, whose lines would
-   * repeat. */
-  explicit Checks(const bool speak = true)
-    : speak_(speak) {}
+   * repeat. @param whole_table see whole_table(). */
+  explicit Checks(const bool speak = true, const bool whole_table = false)
+    : speak_(speak)
+    , whole_table_(whole_table) {}
+
+  /** Whether a long table is asked for as a whole, and not the rows that are enough for every day.
+   */
+  bool whole_table() const {
+    return whole_table_;
+  }
 
   /** The names of all checks that follow begin with @p subject. */
   void about(const std::string &subject) {
@@ -102,17 +109,17 @@ private:
       std::cout << subject_ << name << ": " << (passed ? "ok" : "FAILED, " + found) << std::endl;
   }
 
-  bool speak_;
+  bool speak_, whole_table_;
   std::string subject_;
   std::set<std::string> names_;
   unsigned int n_failures_ = 0;
 };
 
 /** Runs all tests of a file one after the other. @return the exit code of main. */
-inline int run_tests(const std::initializer_list<void (*)(Checks &)> tests,
-                     const bool speak = true) {
+inline int run_tests(const std::initializer_list<void (*)(Checks &)> tests, const bool speak = true,
+                     const bool whole_table = false) {
   dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks(speak);
+  Checks checks(speak, whole_table);
   for (const auto &test : tests) {
     checks.about("");
     test(checks);
@@ -120,10 +127,12 @@ inline int run_tests(const std::initializer_list<void (*)(Checks &)> tests,
   return checks.exit_code();
 }
 
-/** The same with MPI, on all processes; the first one speaks. */
+/** The same with MPI, on all processes; the first one speaks. The argument "long" asks for whole
+ * tables. */
 inline int run_tests(int argc, char **argv, const std::initializer_list<void (*)(Checks &)> tests) {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  return run_tests(tests, dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+  return run_tests(tests, dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0,
+                   argc > 1 && argv[1] == std::string("long"));
 }
 
 /** Returns the text of a file. */

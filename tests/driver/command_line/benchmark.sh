@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # The script of the benchmark on tiny levels: its tables are complete, and graded meshes reach the errors they are asked for.
 # Nothing is asserted about speed.
-# usage: benchmark.sh SCRIPT PROGRAM
+# usage: benchmark.sh PROGRAM ROOT
 
-script=$(realpath "$1")
-program=$(realpath "$2")
-. "$(dirname "$0")/checks.sh"
+program=$(realpath "$1")
+script=$(realpath "$2")/scripts/benchmark.py
+. "$(dirname "$0")/../../checks.bash"
 
 # every_row COLUMN CONDITION [TABLE]: every row satisfies an awk condition on the column's value v, the row, and the first
 # columns scene or strategy.

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # The same run gives the same digits, with any number of threads; with several ranks they differ by rounding.
-# usage: same_digits.sh SCENES PROGRAM MPIRUN
+# usage: same_digits.sh PROGRAM ROOT MPIRUN
 
-scenes=$(realpath "$1")
-program=$(realpath "$2")
+program=$(realpath "$1")
+scenes=$(realpath "$2")/prm
 mpirun=$3
-. "$(dirname "$0")/results.sh"
+. "$(dirname "$0")/results.bash"
 # The other tests keep the BLAS to one thread.
 unset OPENBLAS_NUM_THREADS OMP_WAIT_POLICY
 
