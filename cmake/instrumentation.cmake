@@ -24,6 +24,10 @@ endif()
 if(_flags)
   target_compile_options(signorini_library PUBLIC ${_flags})
   target_link_options(signorini_library PUBLIC ${_flags})
+  # deal.II asks for a linker that complains about every symbol of clang's runtime.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_link_options(signorini_library PUBLIC -fuse-ld=bfd)
+  endif()
 endif()
 
 if(SIGNORINI_INSTRUMENTATION STREQUAL "coverage")

@@ -23,15 +23,21 @@
 class Checks {
 public:
   /** Starts without failures. @param speak false on ranks other than the first, whose lines would
-   * repeat. @param whole_table see whole_table(). */
+   * repeat. @param whole_table see rows(). */
   explicit Checks(const bool speak = true, const bool whole_table = false)
     : speak_(speak)
     , whole_table_(whole_table) {}
 
-  /** Whether a long table is asked for as a whole, and not the rows that are enough for every day.
-   */
-  bool whole_table() const {
-    return whole_table_;
+  /** Returns @p n rows of a long table, evenly spread, which are enough for every day; all of them
+   * if the test was called with the argument "long". */
+  template <typename Row>
+  std::vector<Row> rows(const std::vector<Row> &table, const std::size_t n) const {
+    if (whole_table_ || n >= table.size())
+      return table;
+    std::vector<Row> some;
+    for (std::size_t i = 0; i < n; ++i)
+      some.push_back(table[i * table.size() / n]);
+    return some;
   }
 
   /** The names of all checks that follow begin with @p subject. */
@@ -128,7 +134,7 @@ inline int run_tests(const std::initializer_list<void (*)(Checks &)> tests, cons
 }
 
 /** The same with MPI, on all processes; the first one speaks. The argument "long" asks for whole
- * tables. */
+ * tables, see Checks::rows(). */
 inline int run_tests(int argc, char **argv, const std::initializer_list<void (*)(Checks &)> tests) {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   return run_tests(tests, dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0,

@@ -7,7 +7,9 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace Signorini {
@@ -60,10 +62,26 @@ double von_mises(const Stress3D &stress) {
   return std::sqrt(1.5) * deviator(stress).norm();
 }
 
-std::array<double, 3> principal_stresses(const Stress3D &stress) {
-  // Jacobi's method keeps all digits where eigenvalues are equal.
-  const auto pairs = eigenvectors(stress, SymmetricTensorEigenvectorMethod::jacobi);
-  return {pairs[0].first, pairs[1].first, pairs[2].first};
+std::array<double, 3> principal_stresses(Stress3D stress) {
+  // Jacobi's rotations keep all digits where eigenvalues are equal. (deal.II's have a name that
+  // clang++ does not link with.)
+  for (unsigned int k = 0; k < 30; ++k) {
+    const unsigned int r = k % 3, p = (r + 1) % 3, q = (r + 2) % 3;
+    const double a = stress[p][q], x = stress[r][p], y = stress[r][q];
+    if (a == 0.)
+      continue;
+    const double theta = (stress[q][q] - stress[p][p]) / (2. * a),
+                 t = std::copysign(1., theta) / (std::abs(theta) + std::hypot(theta, 1.)),
+                 c = 1. / std::hypot(t, 1.), s = t * c;
+    stress[p][p] -= t * a;
+    stress[q][q] += t * a;
+    stress[p][q] = 0.;
+    stress[r][p] = c * x - s * y;
+    stress[r][q] = s * x + c * y;
+  }
+  std::array<double, 3> values = {stress[0][0], stress[1][1], stress[2][2]};
+  std::sort(values.begin(), values.end(), std::greater<>());
+  return values;
 }
 
 INSTANTIATE_FUNCTION(mean_dilatations);

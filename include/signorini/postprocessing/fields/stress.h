@@ -36,5 +36,5 @@ Stress3D stress_in_3d(const Material<dim> &material, const Point<dim> &x, const 
 double von_mises(const Stress3D &stress);
 
 /** Returns the three eigenvalues of σ, the largest (the most tensile) first. */
-std::array<double, 3> principal_stresses(const Stress3D &stress);
+std::array<double, 3> principal_stresses(Stress3D stress);
 } // namespace Signorini
