@@ -57,6 +57,7 @@ public:
   Obstacle read(const std::string &text) const {
     const std::vector<Part> parts = split_at_words(text);
     std::vector<std::string> words;
+    words.reserve(parts.size());
     for (const Part &part : parts)
       words.push_back(part.word);
     const std::string kind = join(words, " ");
@@ -64,10 +65,12 @@ public:
       return Obstacle::plane(point(parts[0]), normal(parts[1]));
     if (kind == "parabola normal curvature")
       return Obstacle::parabola(point(parts[0]), normal(parts[1]), numbers(parts[2], 1)[0]);
-    if (kind == "circle radius")
-      return Obstacle::circle(point(parts[0]), radius(parts[1]), Body::outside);
-    if (kind == "circle radius inside" && trim(parts[2].text).empty())
-      return Obstacle::circle(point(parts[0]), radius(parts[1]), Body::inside);
+    const bool is_inside = kind == "circle radius inside" && trim(parts[2].text).empty();
+    if (is_inside || kind == "circle radius") {
+      // Compilers evaluate arguments in different orders.
+      const double r = radius(parts[1]);
+      return Obstacle::circle(point(parts[0]), r, is_inside ? Body::inside : Body::outside);
+    }
     refuse(quote(text),
            "plane x,y normal nx,ny; circle x,y radius r; circle x,y radius r inside; parabola x,y "
            "normal nx,ny curvature k");
