@@ -24,6 +24,13 @@ endif()
 if(_flags)
   target_compile_options(signorini_library PUBLIC ${_flags})
   target_link_options(signorini_library PUBLIC ${_flags})
+  # deal.II asks for a linker that complains about every symbol of clang's runtime, unless that is a shared library.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND SIGNORINI_INSTRUMENTATION MATCHES "memory|address")
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libclang_rt.asan-${CMAKE_SYSTEM_PROCESSOR}.so
+                    OUTPUT_VARIABLE _runtime OUTPUT_STRIP_TRAILING_WHITESPACE)
+    get_filename_component(_runtime ${_runtime} DIRECTORY)
+    target_link_options(signorini_library PUBLIC -shared-libsan LINKER:-rpath,${_runtime})
+  endif()
 endif()
 
 if(SIGNORINI_INSTRUMENTATION STREQUAL "coverage")

@@ -23,9 +23,22 @@
 class Checks {
 public:
   /** Starts without failures. @param speak false on ranks other than the first, whose lines would
-   * repeat. */
-  explicit Checks(const bool speak = true)
-    : speak_(speak) {}
+   * repeat. @param whole_table see rows(). */
+  explicit Checks(const bool speak = true, const bool whole_table = false)
+    : speak_(speak)
+    , whole_table_(whole_table) {}
+
+  /** Returns @p n rows of a long table, evenly spread, which are enough for every day; all of them
+   * if the test was called with the argument "long". */
+  template <typename Row>
+  std::vector<Row> rows(const std::vector<Row> &table, const std::size_t n) const {
+    if (whole_table_ || n >= table.size())
+      return table;
+    std::vector<Row> some;
+    for (std::size_t i = 0; i < n; ++i)
+      some.push_back(table[i * table.size() / n]);
+    return some;
+  }
 
   /** The names of all checks that follow begin with @p subject. */
   void about(const std::string &subject) {
@@ -102,17 +115,17 @@ private:
       std::cout << subject_ << name << ": " << (passed ? "ok" : "FAILED, " + found) << std::endl;
   }
 
-  bool speak_;
+  bool speak_, whole_table_;
   std::string subject_;
   std::set<std::string> names_;
   unsigned int n_failures_ = 0;
 };
 
 /** Runs all tests of a file one after the other. @return the exit code of main. */
-inline int run_tests(const std::initializer_list<void (*)(Checks &)> tests,
-                     const bool speak = true) {
+inline int run_tests(const std::initializer_list<void (*)(Checks &)> tests, const bool speak = true,
+                     const bool whole_table = false) {
   dealii::deal_II_exceptions::disable_abort_on_exception();
-  Checks checks(speak);
+  Checks checks(speak, whole_table);
   for (const auto &test : tests) {
     checks.about("");
     test(checks);
@@ -120,10 +133,12 @@ inline int run_tests(const std::initializer_list<void (*)(Checks &)> tests,
   return checks.exit_code();
 }
 
-/** The same with MPI, on all processes; the first one speaks. */
+/** The same with MPI, on all processes; the first one speaks. The argument "long" asks for whole
+ * tables, see Checks::rows(). */
 inline int run_tests(int argc, char **argv, const std::initializer_list<void (*)(Checks &)> tests) {
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
-  return run_tests(tests, dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0);
+  return run_tests(tests, dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0,
+                   argc > 1 && argv[1] == std::string("long"));
 }
 
 /** Returns the text of a file. */

@@ -7,8 +7,11 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
 
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace Signorini {
@@ -62,9 +65,15 @@ double von_mises(const Stress3D &stress) {
 }
 
 std::array<double, 3> principal_stresses(const Stress3D &stress) {
-  // Jacobi's method keeps all digits where eigenvalues are equal.
-  const auto pairs = eigenvectors(stress, SymmetricTensorEigenvectorMethod::jacobi);
-  return {pairs[0].first, pairs[1].first, pairs[2].first};
+  LAPACKFullMatrix<double> matrix(3);
+  for (unsigned int a = 0; a < 3; ++a)
+    for (unsigned int b = 0; b < 3; ++b)
+      matrix(a, b) = stress[a][b];
+  dealii::Vector<double> values;
+  FullMatrix<double> vectors;
+  const double above = 2. * stress.norm() + std::numeric_limits<double>::min();
+  matrix.compute_eigenvalues_symmetric(-above, above, 0., values, vectors);
+  return {values[2], values[1], values[0]};
 }
 
 INSTANTIATE_FUNCTION(mean_dilatations);

@@ -35,10 +35,12 @@ public:
       return Obstacle::plane(point(parts[1]), normal(parts[2]));
     if (form == "parabola normal curvature")
       return Obstacle::parabola(point(parts[1]), normal(parts[2]), numbers(parts[3], 1)[0]);
-    if (form == "circle radius")
-      return Obstacle::circle(point(parts[1]), radius(parts[2]), Body::outside);
-    if (form == "circle radius inside" && parts[3].text.empty())
-      return Obstacle::circle(point(parts[1]), radius(parts[2]), Body::inside);
+    const bool is_inside = form == "circle radius inside" && parts[3].text.empty();
+    if (is_inside || form == "circle radius") {
+      // Compilers evaluate arguments in different orders.
+      const double r = radius(parts[2]);
+      return Obstacle::circle(point(parts[1]), r, is_inside ? Body::inside : Body::outside);
+    }
     refuse(quote(text),
            "plane x,y normal nx,ny; circle x,y radius r; circle x,y radius r inside; parabola x,y "
            "normal nx,ny curvature k");

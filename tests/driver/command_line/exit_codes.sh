@@ -4,7 +4,7 @@
 # usage: exit_codes.sh PROGRAM
 
 program=$(realpath "$1")
-. "$(dirname "$0")/checks.sh"
+. "$(dirname "$0")/../../checks.bash"
 
 # run CODE ARGUMENTS...: runs the program and checks its exit code.
 run() {

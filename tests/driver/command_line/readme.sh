@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # The README's first run prints the numbers that stand there, times excepted.
-# usage: readme.sh PROGRAM README SCENE
+# usage: readme.sh PROGRAM ROOT
 
 program=$(realpath "$1")
-readme=$(realpath "$2")
-scene=$(realpath "$3")
-. "$(dirname "$0")/checks.sh"
+readme=$(realpath "$2")/README.md
+scene=$(realpath "$2")/prm/block_on_parabola.prm
+. "$(dirname "$0")/../../checks.bash"
 
 # table: its rows in the text on standard input, from its heading to the first empty line. numbers: all of the table and of what follows.
 table() { sed -n '/^ *level  *dofs/,/^ *$/p' | tr -s ' ' | sed 's/^ //'; }

@@ -4,7 +4,7 @@
 # usage: several_runs.sh PROGRAM
 
 program=$(realpath "$1")
-. "$(dirname "$0")/checks.sh"
+. "$(dirname "$0")/../../checks.bash"
 
 # run CODE ARGUMENTS...
 run() {

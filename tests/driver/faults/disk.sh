@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Disks that are full, read-only or gone, and outputs that nobody takes: an honest message, an exit code, no half files.
-# usage: disk.sh PROGRAM MPIRUN
+# usage: disk.sh PROGRAM ROOT MPIRUN
 
 # In a user namespace of its own a test may mount small disks.
 if [ -z "${SIGNORINI_MAY_MOUNT:-}" ]; then
@@ -12,8 +12,8 @@ if [ -z "${SIGNORINI_MAY_MOUNT:-}" ]; then
   fi
 fi
 program=$(realpath "$1")
-mpirun=$2
-. "$(dirname "$0")/results.sh"
+mpirun=$3
+. "$(dirname "$0")/results.bash"
 
 write_scene 5
 run() {

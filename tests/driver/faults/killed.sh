@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Runs that are killed by a signal at any stage leave complete files that say so, and harm no later run.
-# usage: killed.sh PROGRAM MPIRUN
+# usage: killed.sh PROGRAM ROOT MPIRUN
 
 program=$(realpath "$1")
-mpirun=$2
-. "$(dirname "$0")/results.sh"
+mpirun=$3
+. "$(dirname "$0")/results.bash"
 
 write_scene 6
 run() { "$program" scene.prm --set "Discretization/Finest level=$1" --output "$2" >stdout 2>stderr; }

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # What stops a run before it has begun, or is taken away from it: one sentence and an exit code, and nothing of the user is lost.
-# usage: start.sh PROGRAM MPIRUN
+# usage: start.sh PROGRAM ROOT MPIRUN
 
 program=$(realpath "$1")
-mpirun=$2
-. "$(dirname "$0")/results.sh"
+mpirun=$3
+. "$(dirname "$0")/results.bash"
 
 write_scene 4
 # run CODE ARGUMENTS...: one sentence unless the code is 0.

@@ -33,7 +33,7 @@ const std::vector<Expectation> expectations = {{"T1", 1.9, 2.1},
                                                {"CM", 1.4, 1.9, 0.7, 1.3}};
 
 void test_orders(Checks &checks) {
-  for (const Expectation &expected : expectations) {
+  for (const Expectation &expected : checks.rows(expectations, 3)) {
     checks.about(expected.scene);
     const StudyResult<2> found = solve(named_scene(expected.scene), levels(3, 6));
     // Tresca's law has a guaranteed bound.
@@ -53,8 +53,8 @@ void test_orders(Checks &checks) {
 /** The end of stick or contact lies somewhere in its patch: the order 1 + e is that of a line
  * through the errors on many meshes. */
 void test_singular_orders(Checks &checks) {
-  for (const auto &[name, order] : {std::tuple("TS", 1.5), std::tuple("KS", 1.5526),
-                                    std::tuple("KSr", 1.4474), std::tuple("KO", 1.4474)}) {
+  for (const auto &[name, order] : checks.rows<std::pair<std::string, double>>(
+         {{"TS", 1.5}, {"KS", 1.5526}, {"KSr", 1.4474}, {"KO", 1.4474}}, 1)) {
     const Parameters parameters = parse_parameters(named_scene(name), "test");
     Scene<2> scene = make_scene<2>(parameters);
     std::vector<double> x, y;
@@ -67,8 +67,7 @@ void test_singular_orders(Checks &checks) {
       x.push_back(-std::log(2. * half));
       y.push_back(std::log(*value(solution.record, "u_superclose_h1")));
     }
-    checks.between(std::string(name) + ": order of |Iu-uh|1", fit(x, y).slope, order - 0.15,
-                   order + 0.15);
+    checks.between(name + ": order of |Iu-uh|1", fit(x, y).slope, order - 0.15, order + 0.15);
   }
 }
 

@@ -1,15 +1,19 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Installs the program and uses what was installed.
-# usage: install.sh CMAKE BUILD_FOLDER VERSION
+# Installs the program and uses what was installed. Skipped where the library is made for its tests: in Debug, and watched.
+# usage: install.sh PROGRAM ROOT
 
-cmake=$1
-build=$(realpath "$2")
-version=$3
+build=$(realpath "$(dirname "$1")/..")
+version=$(sed -n 's/^project(signorini VERSION \([0-9.]*\) .*/\1/p' "$2/CMakeLists.txt")
+setting() { sed -n "s/^$1:[A-Z]*=//p" "$build/CMakeCache.txt"; }
+if [ "$(setting CMAKE_BUILD_TYPE) $(setting SIGNORINI_INSTRUMENTATION)" != "Release " ]; then
+  echo "SKIP this is not what is installed"
+  exit 77
+fi
 project=$(dirname "$(realpath "$0")")/project
-. "$(dirname "$0")/../../driver/command_line/checks.sh"
+. "$(dirname "$0")/../../checks.bash"
 
-"$cmake" --install "$build" --prefix "$directory/there" >stdout 2>stderr
+cmake --install "$build" --prefix "$directory/there" >stdout 2>stderr
 check "installs" [ $? -eq 0 ]
 there/bin/signorini --version >stdout 2>stderr
 check "the program starts" [ $? -eq 0 ]
@@ -22,10 +26,10 @@ check "a scene runs" [ $? -eq 0 ]
 check "documents" [ -s there/share/doc/signorini/README.md ]
 check "  with their pictures" [ -s there/share/doc/signorini/doc/pictures/block_deformed.png ]
 
-"$cmake" -S "$project" -B outside -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE=-O0 \
+cmake -S "$project" -B outside -G Ninja -D CMAKE_BUILD_TYPE=Release -D CMAKE_CXX_FLAGS_RELEASE=-O0 \
   -D CMAKE_PREFIX_PATH="$directory/there" >stdout 2>stderr
 check "another project finds the library" [ $? -eq 0 ]
-"$cmake" --build outside >stdout 2>&1
+cmake --build outside >stdout 2>&1
 check "  and is built" [ $? -eq 0 ] || tail -n 20 stdout
 outside/outside there/share/signorini/prm/patch_test.prm >stdout 2>stderr
 check "  and solves a scene" [ $? -eq 0 ]

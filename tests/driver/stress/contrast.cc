@@ -12,7 +12,7 @@ using namespace Signorini;
 namespace {
 void smooth(Checks &checks, StabilityTable &table) {
   for (const bool along : {true, false})
-    for (const char *exponent : {"2", "4", "6", "8", "-8"}) {
+    for (const std::string &exponent : checks.rows<std::string>({"2", "4", "6", "8", "-8"}, 2)) {
       Family family;
       (along ? family.contrast_x : family.contrast_y) = exponent;
       const Measured measured = measure(text_of(family), levels(3, 5));
@@ -25,7 +25,7 @@ void smooth(Checks &checks, StabilityTable &table) {
 /** nu = 0, E = M for y < 1/4 and 1 above, pressed down by 0.01: p = -0.01/(1/(4 M) + 3/4), u linear
  * in each layer. */
 void layers(Checks &checks, StabilityTable &table) {
-  for (const double modulus : {1e-8, 1e-4, 1e2, 1e4, 1e6, 1e8, 1e10}) {
+  for (const double modulus : checks.rows<double>({1e-8, 1e-4, 1e2, 1e4, 1e6, 1e8, 1e10}, 2)) {
     const std::string M = number_text(modulus);
     const Measured measured = measure(
       "", levels(3, 5,

@@ -16,7 +16,7 @@ Measured measure_with(Checks &checks, StabilityTable &table, const std::string &
 }
 
 void ratios(Checks &checks, StabilityTable &table) {
-  for (const unsigned int ratio : {1, 2, 3, 4, 8, 16, 32, 64}) {
+  for (const unsigned int ratio : checks.rows<unsigned int>({1, 2, 3, 4, 8, 16, 32, 64}, 2)) {
     const std::string k = std::to_string(ratio);
     const Measured measured =
       measure_with(checks, table, "H/h = " + k, 6, {"Discretization/Patch ratio=" + k});
@@ -27,7 +27,7 @@ void ratios(Checks &checks, StabilityTable &table) {
 
 /** 32 faces: more patches than nodes cannot be told apart. */
 void unaligned(Checks &checks, StabilityTable &table) {
-  for (const unsigned int n : {1, 3, 7, 13, 21, 31, 33, 64, 100}) {
+  for (const unsigned int n : checks.rows<unsigned int>({1, 3, 7, 13, 21, 31, 33, 64, 100}, 3)) {
     const std::string k = std::to_string(n);
     const Measured measured = measure_with(checks, table, k + " equal patches on 32 faces", 5,
                                            {"Discretization/Patches=" + k});
@@ -38,8 +38,8 @@ void unaligned(Checks &checks, StabilityTable &table) {
 
 void relaxations(Checks &checks, StabilityTable &table) {
   double force = 0.;
-  for (const std::string omega :
-       {"1.1", "0.02", "0.1", "1", "1.5", "1.95", "1.99", "1e-6", "1.9999999"}) {
+  for (const std::string &omega : checks.rows<std::string>(
+         {"1.1", "0.02", "0.1", "1", "1.5", "1.95", "1.99", "1e-6", "1.9999999"}, 2)) {
     const Measured measured =
       measure_with(checks, table, "omega = " + omega, 5,
                    {"Solver/Contact solver=psor", "Solver/Relaxation=" + omega});

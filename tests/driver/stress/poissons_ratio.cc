@@ -8,7 +8,8 @@ using namespace Signorini;
 
 namespace {
 void bilinear(Checks &checks, StabilityTable &table) {
-  for (const std::string nu : {"0.3", "0.49", "0.499", "0.4999", "0.499999"}) {
+  for (const std::string &nu :
+       checks.rows<std::string>({"0.3", "0.49", "0.499", "0.4999", "0.499999"}, 2)) {
     const Measured q1 = measure(text_of({nu}), levels(3, 5));
     table.add("Q1, ν = " + nu, q1);
     checks.that("Q1, nu = " + nu + ": certified, or locking is named",
@@ -18,7 +19,8 @@ void bilinear(Checks &checks, StabilityTable &table) {
 
 void b_bar(Checks &checks, StabilityTable &table) {
   double p_error_at_0_3 = 0.;
-  for (const std::string nu : {"0.3", "0.49", "0.499", "0.4999", "0.499999", "0.49999999"}) {
+  for (const std::string &nu :
+       checks.rows<std::string>({"0.3", "0.49", "0.499", "0.4999", "0.499999", "0.49999999"}, 2)) {
     const Measured bar = measure(text_of({nu}), levels(3, 5, {"Discretization/Element=Q1 B-bar"}));
     table.add("Q1 B-bar, ν = " + nu, bar);
     checks.about("B-bar, nu = " + nu);

@@ -8,19 +8,21 @@ using namespace Signorini;
 namespace {
 void aspect(Checks &checks) {
   StabilityTable table("aspect_ratio", "height / width of cells");
-  for (const char *height : {"1e-4", "1e-3", "1e-2", "0.1", "1", "10", "100", "1e3", "1e4"}) {
+  for (const std::string &height : checks.rows<std::string>(
+         {"1e-4", "1e-3", "1e-2", "0.1", "1", "10", "100", "1e3", "1e4"}, 3)) {
     Family family;
     family.height = height;
     const Measured measured = measure(text_of(family), levels(3, 4));
     table.add(height, measured);
-    checks.that(std::string("aspect ratio ") + height + ": certified, or rounding is named",
+    checks.that("aspect ratio " + height + ": certified, or rounding is named",
                 measured.is_certified() || measured.names("rounding"));
   }
 }
 
 void distortion(Checks &checks) {
   StabilityTable table("distortion", "distortion of the coarsest level");
-  for (const std::string share : {"0", "0.1", "0.2", "0.3", "0.4", "0.45"}) {
+  for (const std::string &share :
+       checks.rows<std::string>({"0", "0.1", "0.2", "0.3", "0.4", "0.45"}, 2)) {
     checks.about("distortion " + share);
     const Measured measured = measure(text_of({}), levels(2, 5, {"Geometry/Distortion=" + share}));
     table.add(share, measured);

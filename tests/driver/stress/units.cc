@@ -9,12 +9,13 @@ namespace {
 void test_units(Checks &checks) {
   const Measured reference = measure(text_of({}), levels(2, 6));
   for (const auto &[length, stress] :
-       std::vector<std::pair<std::string, std::string>>{{"1", "1e9"},
-                                                        {"1", "1e-9"},
-                                                        {"1e6", "1"},
-                                                        {"1e-6", "1"},
-                                                        {"1e-6", "1e9"},
-                                                        {"1e6", "1e-9"}}) {
+       checks.rows<std::pair<std::string, std::string>>({{"1", "1e9"},
+                                                         {"1", "1e-9"},
+                                                         {"1e6", "1"},
+                                                         {"1e-6", "1e9"},
+                                                         {"1e-6", "1"},
+                                                         {"1e6", "1e-9"}},
+                                                        2)) {
     checks.about("lengths times " + length + ", stresses times " + stress);
     Family family;
     family.length = length;

@@ -58,7 +58,7 @@ void check_b1(Checks &checks) {
   for (const bool is_known : {false, true}) {
     std::vector<std::vector<GradedStep>> runs;
     std::vector<double> unknowns;
-    for (const double xi : {0.29, 0.38, 0.52, 0.63}) {
+    for (const double xi : checks.rows<double>({0.29, 0.38, 0.52, 0.63}, 2)) {
       checks.about((is_known ? "kink, xi = " : "xi = ") + std::to_string(xi));
       runs.push_back(solve_b1(xi, is_known));
       unknowns.push_back(unknowns_between(runs.back(), 1e-6));

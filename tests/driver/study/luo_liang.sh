@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # The paper as one program and the library compute the same numbers, by different code.
-# usage: luo_liang.sh LUO_LIANG SOURCE PROGRAM SCENE
+# usage: luo_liang.sh PROGRAM ROOT
 
-luo_liang=$(realpath "$1")
-source=$(realpath "$2")
-program=$(realpath "$3")
-scene=$(realpath "$4")
-. "$(dirname "$0")/../../driver/command_line/checks.sh"
+program=$(realpath "$1")
+luo_liang=$(dirname "$program")/luo_liang
+source=$(realpath "$2")/source/luo_liang.cc
+scene=$(realpath "$2")/prm/a1_psor.prm
+. "$(dirname "$0")/../../checks.bash"
 
 # errors_of: the rows of the table of errors in the text on standard input, which may be a comment.
 errors_of() { sed 's,^// *,,' | awk '$1 == "level" && $2 == "u_h1" { inside = 1; next } inside && !/^ *[0-9]/ { exit } inside { $1 = $1; print }'; }

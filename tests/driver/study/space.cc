@@ -43,7 +43,7 @@ void check_exact_scenes(Checks &checks) {
 
 /** Orders one, two, and three halves to two. */
 void check_last_orders(Checks &checks) {
-  for (const char *name : {"d3", "v3"}) {
+  for (const std::string &name : checks.rows<std::string>({"d3", "v3"}, 1)) {
     const StudyResult<3> result = solve_prm(checks, name);
     check_orders(checks, Levels(result.levels.end() - 2, result.levels.end()),
                  {{"u_h1", 0.9, 1.1},

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Wrong input over the program itself: exit code 1, one line, nothing left behind. Every twentieth block of the table, and
 # what only the program meets.
-# usage: binary.sh PROGRAM WRONG_FILES
+# usage: binary.sh PROGRAM
 
 program=$(realpath "$1")
-table=$(realpath "$2")
-. "$(dirname "$0")/../../driver/command_line/checks.sh"
+table=$(dirname "$(realpath "$0")")/wrong_files.txt
+. "$(dirname "$0")/../../checks.bash"
 
 # Where something was set is the business of wrong_files.cc.
 without_place() {

@@ -2,15 +2,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # One part in the formats that Gmsh reads has one contact force; files that are no part are refused with one sentence, and
 # nothing is left behind. Skipped without the program gmsh.
-# usage: gmsh.sh PROGRAM PRM_FOLDER
+# usage: gmsh.sh PROGRAM ROOT
 
 program=$(realpath "$1")
-prm=$(realpath "$2")
+prm=$(realpath "$2")/prm
 if ! command -v gmsh >/dev/null; then
   echo "SKIP there is no gmsh"
   exit 77
 fi
-. "$(dirname "$0")/../../driver/command_line/checks.sh"
+. "$(dirname "$0")/../../checks.bash"
 mkdir left
 export TMPDIR=$PWD/left
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Every file of a run, every column, key and field in it stands in doc/output.md.
-# usage: documented.sh PROGRAM DOCUMENT SCENE
+# usage: documented.sh PROGRAM ROOT
 
 program=$(realpath "$1")
-document=$(realpath "$2")
-scene=$(realpath "$3")
-. "$(dirname "$0")/../../driver/command_line/checks.sh"
+document=$(realpath "$2")/doc/output.md
+scene=$(realpath "$2")/prm/a1.prm
+. "$(dirname "$0")/../../checks.bash"
 
 # all_named WORDS...: each stands in backticks.
 all_named() {

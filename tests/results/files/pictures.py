@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the pictures of runs show: a narrow zone, graded meshes, a body in 3-D; skipped (127) where matplotlib is missing.
-usage: pictures.py SCRIPT PROGRAM PRM_FOLDER"""
+usage: pictures.py PROGRAM ROOT"""
 import importlib.machinery
 import importlib.util
 import json
@@ -9,7 +9,8 @@ import subprocess
 import sys
 import tempfile
 
-script, program, scenes = map(os.path.realpath, sys.argv[1:4])
+program, root = map(os.path.realpath, sys.argv[1:3])
+script, scenes = root + "/scripts/signorini-plot", root + "/prm"
 loader = importlib.machinery.SourceFileLoader("plot", script)
 plot = importlib.util.module_from_spec(importlib.util.spec_from_loader("plot", loader))
 sys.dont_write_bytecode = True

@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Another program solves the dual problem of the files and finds the same pressure. Skipped without scipy.
-# usage: solve_dual.sh PROGRAM SCRIPT SCENES
+# usage: solve_dual.sh PROGRAM ROOT
 
 program=$(realpath "$1")
-script=$(realpath "$2")
-scenes=$(realpath "$3")
+script=$(realpath "$2")/scripts/solve_dual.py
+scenes=$(realpath "$2")/prm
 python=
 for candidate in python3 /usr/bin/python3; do
   if "$candidate" -c 'import scipy' 2>/dev/null; then python=$candidate; break; fi
@@ -14,7 +14,7 @@ if [ -z "$python" ]; then
   echo "SKIP there is no python3 with scipy (package python3-scipy)"
   exit 77
 fi
-. "$(dirname "$0")/../../driver/command_line/checks.sh"
+. "$(dirname "$0")/../../checks.bash"
 
 for scene in block_on_parabola two_contact_sides patch_test_distorted o1; do
   "$program" "$scenes/$scene.prm" --set 'Discretization/Finest level=3' --set Output/Compliance=true \

@@ -35,7 +35,7 @@ MotionProblem indenter(const unsigned int m, const double curvature, const doubl
 void indenters(Checks &checks) {
   for (const double e : {0., 0.1, 0.3})
     for (const double curvature : {0., 50., 2000.}) {
-      const unsigned int m = 128;
+      const unsigned int m = 64;
       const MotionProblem problem = indenter(m, curvature, 1., e);
       const MotionResult found = solve(problem);
       // The same with the motions prescribed.

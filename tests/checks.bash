@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Sourced by the tests of this folder: an empty directory to work in, and a check with a count of failures.
+# Sourced by the tests in bash: an empty directory to work in, and a check with a count of failures.
 
 directory=$(mktemp -d)
 trap 'rm -rf "$directory"' EXIT

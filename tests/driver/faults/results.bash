@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Sourced by the tests of this folder: what the files of a run look like, finished or not.
 
-. "$(dirname "${BASH_SOURCE[0]}")/../../driver/command_line/checks.sh"
+. "$(dirname "${BASH_SOURCE[0]}")/../../checks.bash"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 
 # write_scene LEVEL: scene.prm, A1 up to that level with all files that a run can write.
