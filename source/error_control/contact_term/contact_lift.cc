@@ -8,11 +8,13 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/hp/mapping_collection.h>
+#include <deal.II/hp/q_collection.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
 #include <sstream>
 
 namespace Signorini {
@@ -266,12 +268,17 @@ dealii::Vector<double> LiftField::cell_energies() const {
              ? static_cast<unsigned int>(std::clamp(n, 1., 24.))
              : 1;
   };
-  const auto make_values = [&](const FiniteElement<2> &element, const Quadrature<2> &rule) {
-    return std::make_unique<FEValues<2>>(data_.space.mesh().mapping(), element, rule,
-                                         update_gradients | update_quadrature_points |
-                                           update_inverse_jacobians | update_JxW_values);
+  const UpdateFlags flags =
+    update_gradients | update_quadrature_points | update_inverse_jacobians | update_JxW_values;
+  // Products of derivatives of w_h, or of r_F, which has the degree two; more where E varies.
+  const auto n_points = [&](const unsigned int degree, const bool is_cut) {
+    return constant ? std::max(is_cut ? 2U : 1U, degree) + 1 : degree + 3;
   };
-  std::vector<std::unique_ptr<FEValues<2>>> plain(data_.space.elements().size());
+  hp::QCollection<2> rules;
+  for (unsigned int number = 0; number < data_.space.elements().size(); ++number)
+    rules.push_back(QGauss<2>(n_points(data_.space.elements()[number].degree, false)));
+  const hp::MappingCollection<2> mappings(data_.space.mesh().mapping());
+  hp::FEValues<2> plain(mappings, data_.space.elements(), rules, flags);
   dealii::Vector<double> energies(n_cells), nodal;
   for (const auto &cell : data_.space.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned())
@@ -283,18 +290,18 @@ dealii::Vector<double> LiftField::cell_energies() const {
       continue;
     const unsigned int n_equal = n_equal_parts(cell);
     const std::vector<double> x = cuts(cell, 0, n_equal), y = cuts(cell, 1, n_equal);
-    const bool is_cut = x.size() > 2 || y.size() > 2;
-    std::unique_ptr<FEValues<2>> on_parts,
-      &here = is_cut ? on_parts : plain[cell->active_fe_index()];
-    if (here == nullptr) {
-      // Products of derivatives of w_h, or of r_F, which has the degree two; more where E varies.
-      const unsigned int degree = is_cut ? std::max(2U, element.degree) : element.degree;
-      const QGauss<1> gauss(constant ? degree + 1 : element.degree + 3);
-      here = make_values(element,
-                         QAnisotropic<2>(split_quadrature(gauss, x), split_quadrature(gauss, y)));
+    double &energy_of_cell = energies[cell->active_cell_index()];
+    if (x.size() == 2 && y.size() == 2) {
+      plain.reinit(cell);
+      energy_of_cell = energy(cell, plain.get_present_fe_values());
+      continue;
     }
-    here->reinit(cell);
-    energies[cell->active_cell_index()] = energy(cell, *here);
+    const QGauss<1> gauss(n_points(element.degree, true));
+    FEValues<2> on_parts(data_.space.mesh().mapping(), element,
+                         QAnisotropic<2>(split_quadrature(gauss, x), split_quadrature(gauss, y)),
+                         flags);
+    on_parts.reinit(cell);
+    energy_of_cell = energy(cell, on_parts);
   }
   return energies;
 }

@@ -20,8 +20,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
-#include <memory>
 
 namespace Signorini {
 namespace {
@@ -247,8 +245,16 @@ template <int dim>
 CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
   const DisplacementSpace<dim> &space = field.space;
   const bool at_nodes = space.has_several_elements();
-  std::map<unsigned int, std::unique_ptr<FEValues<dim>>> values_by_degree;
   const Quadrature<dim> corners = middle_and(FE_Q<dim>(1).get_unit_support_points());
+  hp::QCollection<dim> rules;
+  for (unsigned int number = 0; number < space.elements().size(); ++number)
+    rules.push_back(
+      at_nodes ? middle_and(space.elements()[number].base_element(0).get_unit_support_points())
+               : corners);
+  const hp::MappingCollection<dim> mappings(space.mesh().mapping());
+  hp::FEValues<dim> values_by_element(mappings, space.elements(), rules,
+                                      update_gradients | update_inverse_jacobians |
+                                        update_quadrature_points);
   std::optional<PatchInterpolation<dim>> interpolation;
   if (!at_nodes)
     interpolation.emplace(space, corners, space.mesh().has_parents() ? 1 : 0);
@@ -256,19 +262,14 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
   std::vector<SymmetricTensor<2, dim>> strains;
   for (const auto &cell : cells) {
     const FiniteElement<dim> &element = cell->get_fe();
-    std::unique_ptr<FEValues<dim>> &values = values_by_degree[element.degree];
-    if (values == nullptr)
-      values = std::make_unique<FEValues<dim>>(
-        space.mesh().mapping(), element,
-        at_nodes ? middle_and(element.base_element(0).get_unit_support_points()) : corners,
-        update_gradients | update_inverse_jacobians | update_quadrature_points);
-    values->reinit(cell);
-    strains.resize(values->n_quadrature_points);
+    values_by_element.reinit(cell);
+    const FEValues<dim> &values = values_by_element.get_present_fe_values();
+    strains.resize(values.n_quadrature_points);
     if (at_nodes)
-      (*values)[FEValuesExtractors::Vector(0)].get_function_symmetric_gradients(field.U.entries(),
-                                                                                strains);
+      values[FEValuesExtractors::Vector(0)].get_function_symmetric_gradients(field.U.entries(),
+                                                                             strains);
     else {
-      const FieldValues<dim> &u = interpolation->evaluate(field.U, cell, *values);
+      const FieldValues<dim> &u = interpolation->evaluate(field.U, cell, values);
       for (unsigned int q = 0; q < strains.size(); ++q) {
         strains[q] = strain_of(u.gradients[q]);
         if (!field.dilatation.empty())
@@ -282,7 +283,7 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
     const MeshAt mesh = at_nodes ? MeshAt{cell->diameter(), element.degree} : MeshAt();
     for (unsigned int q = at_nodes ? 1 : 0; q < strains.size(); ++q)
       try {
-        const Point<dim> &x = values->quadrature_point(q);
+        const Point<dim> &x = values.quadrature_point(q);
         const double value = von_mises(stress_in_3d(field.material, x, cell->center(), strains[q]));
         // Most stresses are smaller, and nothing is stored for them.
         const auto matters = [&](const StressMaximum &largest) {

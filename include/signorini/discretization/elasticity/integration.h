@@ -13,10 +13,14 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/hp/mapping_collection.h>
+#include <deal.II/hp/q_collection.h>
 
 #include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace Signorini {
@@ -50,9 +54,10 @@ void integrate_by_chunks(const DisplacementSpace<dim> &space,
     [&](const std::size_t i) { return integrate(chunks[i]); }, consume);
 }
 
-/** The FEValues or FEFaceValues with Gauss' rules, one object for every element of a space. Cells
- * of degree p have p - 1 points per direction more than those of degree one. */
-template <int dim, int rule_dim, typename Values>
+/** The FEValues of cells (@p rule_dim = dim) or FEFaceValues with Gauss' rules, one object for
+ * every element of a space. Cells of degree p have p - 1 points per direction more than those of
+ * degree one. */
+template <int dim, int rule_dim>
 class ValuesByElement {
 public:
   /**
@@ -62,44 +67,59 @@ public:
   ValuesByElement(const Mapping<dim> &mapping, const DisplacementSpace<dim> &space,
                   const Kinks<dim> &kinks, const unsigned int n_points, const UpdateFlags flags)
     : kinks_(kinks)
-    , mapping_(mapping)
+    , mappings_(mapping)
     , space_(space)
     , n_points_(n_points)
-    , flags_(flags)
-    , plain_(space.elements().size()) {}
+    , plain_(mappings_, space.elements(), gauss_rules(), flags) {}
 
 protected:
+  using Values =
+    std::conditional_t<rule_dim == dim, dealii::FEValues<dim>, dealii::FEFaceValues<dim>>;
+
   /** Returns the values with Gauss' rule, or with cut_rule(n_points); those are valid until the
-   * next call. */
-  template <typename CellIterator, typename CutRule>
-  Values &select(const CellIterator &cell, const bool is_cut, const CutRule &cut_rule) {
-    std::unique_ptr<Values> &values = is_cut ? cut_ : plain_[space_.element_number(cell)];
-    const FiniteElement<dim> &element = space_.element(cell);
-    const unsigned int n = n_points_ + element.degree - 1;
-    if (is_cut)
-      values = std::make_unique<Values>(mapping_, element, cut_rule(n), flags_);
-    else if (values == nullptr)
-      values = std::make_unique<Values>(mapping_, element, QGauss<rule_dim>(n), flags_);
-    return *values;
+   * next call. @param face_no for faces of the cell. */
+  template <typename CutRule, typename CellIterator, typename... FaceNumber>
+  const Values &reinit_at(const bool is_cut, const CutRule &cut_rule, const CellIterator &cell,
+                          const FaceNumber... face_no) {
+    const unsigned int number = space_.element_number(cell);
+    if (!is_cut) {
+      plain_.reinit(cell, face_no..., number, 0, number);
+      return plain_.get_present_fe_values();
+    }
+    cut_ = std::make_unique<Values>(mappings_[0], space_.elements()[number],
+                                    cut_rule(n_points(number)), plain_.get_update_flags());
+    cut_->reinit(cell, face_no...);
+    return *cut_;
   }
 
   const Kinks<dim> &kinks_;
 
 private:
-  const Mapping<dim> &mapping_;
+  using HpValues = std::conditional_t<rule_dim == dim, hp::FEValues<dim>, hp::FEFaceValues<dim>>;
+
+  unsigned int n_points(const unsigned int element_number) const {
+    return n_points_ + space_.elements()[element_number].degree - 1;
+  }
+  hp::QCollection<rule_dim> gauss_rules() const {
+    hp::QCollection<rule_dim> rules;
+    for (unsigned int number = 0; number < space_.elements().size(); ++number)
+      rules.push_back(QGauss<rule_dim>(n_points(number)));
+    return rules;
+  }
+
+  const hp::MappingCollection<dim> mappings_;
   const DisplacementSpace<dim> &space_;
   unsigned int n_points_;
-  UpdateFlags flags_;
-  std::vector<std::unique_ptr<Values>> plain_;
+  HpValues plain_;
   std::unique_ptr<Values> cut_;
 };
 
 /** The shape functions at the Gauss points of a cell; on the pieces of a cell that a kink crosses,
  * at the Gauss points of each piece. */
 template <int dim>
-class CellValues : public ValuesByElement<dim, dim, FEValues<dim>> {
+class CellValues : public ValuesByElement<dim, dim> {
 public:
-  using ValuesByElement<dim, dim, FEValues<dim>>::ValuesByElement;
+  using ValuesByElement<dim, dim>::ValuesByElement;
 
   /**
    * Computes the values on a cell.
@@ -114,19 +134,17 @@ public:
       return QGauss<dim>(n);
     };
     const bool is_cut = dim == 2 && needs_cuts<dim>(this->kinks_, cell);
-    FEValues<dim> &values = this->select(cell, is_cut, cut_rule);
-    values.reinit(cell);
-    return values;
+    return this->reinit_at(is_cut, cut_rule, cell);
   }
 };
 
 /** The shape functions at the Gauss points of a face; where a kink cuts the face, at the Gauss
  * points of its parts. */
 template <int dim>
-class FaceValues : public ValuesByElement<dim, dim - 1, FEFaceValues<dim>> {
+class FaceValues : public ValuesByElement<dim, dim - 1> {
 public:
   using CellIterator = typename Triangulation<dim>::active_cell_iterator;
-  using ValuesByElement<dim, dim - 1, FEFaceValues<dim>>::ValuesByElement;
+  using ValuesByElement<dim, dim - 1>::ValuesByElement;
 
   const FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no) {
     const auto face = cell->face(face_no);
@@ -139,9 +157,7 @@ public:
         return split_quadrature(QGauss<1>(n), cuts);
       return QGauss<dim - 1>(n);
     };
-    FEFaceValues<dim> &values = this->select(cell, cuts.size() > 2, cut_rule);
-    values.reinit(cell, face_no);
-    return values;
+    return this->reinit_at(cuts.size() > 2, cut_rule, cell, face_no);
   }
 };
 
@@ -206,29 +222,26 @@ template <int dim>
 class NodePositions {
 public:
   explicit NodePositions(const DisplacementSpace<dim> &space)
-    : space_(space)
-    , values_(space.elements().size()) {}
+    : mappings_(space.mesh().mapping())
+    , values_(mappings_, space.elements(), nodes_of(space.elements()), update_quadrature_points) {}
 
   /** Returns the positions, valid until the next call. */
   const std::vector<Point<dim>> &
-  operator()(const typename DisplacementSpace<dim>::CellIterator &cell) {
-    const unsigned int number = space_.element_number(cell);
-    std::unique_ptr<FEValues<dim>> &values = values_[number];
-    if (values == nullptr) {
-      const FiniteElement<dim> &element = space_.elements()[number];
-      values = std::make_unique<FEValues<dim>>(
-        space_.mesh().mapping(), element,
-        Quadrature<dim>(element.base_element(0).get_unit_support_points()),
-        update_quadrature_points);
-    }
-    values->reinit(cell);
-    return values->get_quadrature_points();
+  operator()(const typename DoFHandler<dim>::active_cell_iterator &cell) {
+    values_.reinit(cell);
+    return values_.get_present_fe_values().get_quadrature_points();
   }
 
 private:
-  const DisplacementSpace<dim> &space_;
-  /** The values by element. */
-  std::vector<std::unique_ptr<FEValues<dim>>> values_;
+  static hp::QCollection<dim> nodes_of(const hp::FECollection<dim> &elements) {
+    hp::QCollection<dim> nodes;
+    for (unsigned int number = 0; number < elements.size(); ++number)
+      nodes.push_back(Quadrature<dim>(elements[number].base_element(0).get_unit_support_points()));
+    return nodes;
+  }
+
+  const hp::MappingCollection<dim> mappings_;
+  hp::FEValues<dim> values_;
 };
 
 /** Returns I^h u: the values of u at the nodes of V^h, all of them on every rank. */
