@@ -11,7 +11,6 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace Signorini {
@@ -71,7 +70,7 @@ std::array<double, 3> principal_stresses(const Stress3D &stress) {
       matrix(a, b) = stress[a][b];
   dealii::Vector<double> values;
   FullMatrix<double> vectors;
-  const double above = 2. * stress.norm() + std::numeric_limits<double>::min();
+  const double size = stress.norm(), above = size > 0. ? 2. * size : 1.;
   matrix.compute_eigenvalues_symmetric(-above, above, 0., values, vectors);
   return {values[2], values[1], values[0]};
 }
