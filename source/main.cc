@@ -8,6 +8,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <new>
 #include <system_error>
@@ -99,9 +100,17 @@ std::string describe(const std::exception &error) {
 }
 
 /** Starts MPI and runs all scenes. @return the exit code. */
-int start_and_run(int argc, char **argv, const CommandLine &command_line) {
+int start_and_run(const CommandLine &command_line) {
   const std::vector<int> signals = ending_signals();
   configure_single_process();
+  // deal.II starts PETSc, too, which would take the program's options for its own. It warns at the
+  // end of what it did not use, also of a user's settings for other programs.
+  std::array<std::string, 4> words = {{"signorini", "-skip_petscrc", "-options_left", "no"}};
+  std::array<char *, 5> pointers = {};
+  std::transform(words.begin(), words.end(), pointers.begin(),
+                 [](std::string &word) { return word.data(); });
+  int argc = words.size();
+  char **argv = pointers.data();
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
   handle_signals(signals);
   try {
@@ -122,7 +131,7 @@ int main(int argc, char **argv) {
       return flush_standard_output(0);
     }
     check_surroundings();
-    return start_and_run(argc, argv, command_line);
+    return start_and_run(command_line);
   } catch (const InputError &error) {
     complain(error.what());
     return 1;
