@@ -19,7 +19,7 @@ double EquilibratedStress::distance(const std::size_t cell) const {
 double EquilibratedStress::oscillation(const std::size_t cell) const {
   const TractionCell &place = tractions.space.cells()[cell];
   const CellFit &fit = fits[cell];
-  const auto &[normal, shear] = tractions.rests;
+  const std::vector<double> &normal = tractions.rests[0], &shear = tractions.rests[1];
   if (fit.load_rest == 0. &&
       std::none_of(place.sides.begin(), place.sides.end(), [&](const TractionSide &side) {
         return normal[side.edge] + shear[side.edge] > 0.;
