@@ -97,7 +97,7 @@ std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
   if (Utilities::MPI::min(rigid ? 1 : 0, space.mesh().communicator()) == 0)
     return {};
   // A body at rest, too, has a size that rounding is compared with.
-  return std::max(motion, 1e-8 * size) * std::sqrt(stiffness_unit(space, *scene.material));
+  return std::max(motion, 1e-6 * size) * std::sqrt(stiffness_unit(space, *scene.material));
 }
 
 template <int dim>

@@ -133,10 +133,13 @@ struct SampledInterval {
       largest = std::max(largest, size(i));
     return largest <= 1.2 * at_quarters ? at_quarters : largest;
   }
+  double largest() const {
+    return *std::max_element(f.begin(), f.end());
+  }
   /** Returns the rise of the parabola, or of the chord where f is rough, at the end with the value
    * @p value. */
   double lift(const double value) const {
-    return rough ? *std::max_element(f.begin(), f.end()) - value : 1.25 * max_excess(false);
+    return rough ? largest() - value : 1.25 * max_excess(false);
   }
 };
 
@@ -165,39 +168,6 @@ void take_limit(const std::function<double(double)> &f, const double t, const do
     value = limit;
 }
 
-/** Halves intervals where f is far from a parabola, and marks those where it stays so. Where f
- * comes close to zero and the parabola is raised by more than that, halves follow up to rounding: a
- * body that merely touches does not move. */
-void refine(const std::function<double(double)> &f, const double allowed, const double rounding,
-            unsigned int n_scanned, std::vector<SampledInterval> &intervals) {
-  constexpr unsigned int n_passes = 6, n_touching_passes = 20;
-  const auto is_rough = [allowed](const SampledInterval &interval) {
-    return interval.max_excess(true) > allowed;
-  };
-  const auto only_touches = [rounding](const SampledInterval &interval) {
-    const double largest = *std::max_element(interval.f.begin(), interval.f.end());
-    return interval.lift(largest) > std::max(std::abs(largest), rounding);
-  };
-  for (unsigned int pass = 0; pass < n_touching_passes; ++pass) {
-    // The halves have the points of the whole, and not less than four each.
-    n_scanned = n_scanned == 0 ? 0 : std::max(4U, n_scanned / 2);
-    std::vector<SampledInterval> finer;
-    for (const SampledInterval &whole : intervals)
-      if ((pass < n_passes && is_rough(whole)) || only_touches(whole)) {
-        const double middle = 0.5 * (whole.start + whole.end);
-        finer.push_back(sample(f, whole.start, middle, n_scanned));
-        finer.push_back(sample(f, middle, whole.end, n_scanned));
-        // The limits at breaks stay.
-        finer[finer.size() - 2].f.front() = whole.f.front();
-        finer.back().f.back() = whole.f.back();
-      } else
-        finer.push_back(whole);
-    intervals = std::move(finer);
-  }
-  for (SampledInterval &interval : intervals)
-    interval.rough = is_rough(interval);
-}
-
 /** Returns parabolas with what raises them above f. */
 EdgeFunction raised(const std::vector<SampledInterval> &intervals, const Pinned &pinned) {
   const std::size_t n = intervals.size();
@@ -219,6 +189,46 @@ EdgeFunction raised(const std::vector<SampledInterval> &intervals, const Pinned 
     parts.push_back({intervals[i].start, intervals[i].end, values[i] + lifts[i],
                      values[i + 1] + lifts[i + 1], intervals[i].rough ? 0. : intervals[i].bulge()});
   return EdgeFunction(std::move(parts));
+}
+
+/** Halves intervals where f is far from a parabola, and marks those where it stays so. Where raised
+ * parabolas are above zero by more than twice what samples of f are, halves of these and of their
+ * neighbours, which raise their ends, follow up to rounding: a body that merely touches does not
+ * move. */
+void refine(const std::function<double(double)> &f, const double allowed, const double rounding,
+            unsigned int n_scanned, std::vector<SampledInterval> &intervals) {
+  constexpr unsigned int n_passes = 6, n_touching_passes = 20, many = 4000;
+  const auto is_rough = [allowed](const SampledInterval &interval) {
+    return interval.max_excess(true) > allowed;
+  };
+  for (unsigned int pass = 0;
+       pass < n_passes || (pass < n_touching_passes && intervals.size() < many); ++pass) {
+    // The halves have the points of the whole, and not less than four each.
+    n_scanned = n_scanned == 0 ? 0 : std::max(4U, n_scanned / 2);
+    const EdgeFunction q = raised(intervals, {});
+    std::vector<bool> is_halved(intervals.size() + 2);
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+      const double seen = std::max(0., intervals[i].largest());
+      if (q.parts()[i].largest() - seen > std::max(seen, rounding))
+        is_halved[i] = is_halved[i + 1] = is_halved[i + 2] = true;
+      else if (pass < n_passes && is_rough(intervals[i]))
+        is_halved[i + 1] = true;
+    }
+    std::vector<SampledInterval> finer;
+    for (std::size_t i = 0; i < intervals.size(); ++i)
+      if (const SampledInterval &whole = intervals[i]; is_halved[i + 1]) {
+        const double middle = 0.5 * (whole.start + whole.end);
+        finer.push_back(sample(f, whole.start, middle, n_scanned));
+        finer.push_back(sample(f, middle, whole.end, n_scanned));
+        // The limits at breaks stay.
+        finer[finer.size() - 2].f.front() = whole.f.front();
+        finer.back().f.back() = whole.f.back();
+      } else
+        finer.push_back(whole);
+    intervals = std::move(finer);
+  }
+  for (SampledInterval &interval : intervals)
+    interval.rough = is_rough(interval);
 }
 } // namespace
 

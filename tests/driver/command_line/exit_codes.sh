@@ -221,6 +221,13 @@ test_accuracy() {
   run 0 plate.prm
   run 0 plate.prm --sweep 'Load/Plate travel=top: 0, top: 0.1, top: 0.15' --set 'Load cases/Cases=travel 0 | travel 1'
 
+  # A circle that touches the body in one point, without loads: what is left is the rounding of the gap.
+  printf 'subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n' >touching.prm
+  for x in 0.5 0.3 0.37; do
+    run 0 touching.prm --set Discretization/Strategy=hp --set "Contact/Foundation=circle $x,-1 radius 1"
+    check "  touching at $x: nothing touches" says 'nothing touches'
+  done
+
   # The last V-cycle takes nearly all of the residual.
   described '0; -0.02*x' 0.01 >cycles.prm
   sed -i 's/Rollers/Clamped/' cycles.prm
