@@ -19,6 +19,7 @@ ContactTractions::ContactTractions(const BoundData &data, Tractions &tractions)
     edges_.push_back(tractions_.space.edge_at(face.cell, face.face_no));
   const std::vector<NodeState> states = patch_states(data_.multipliers, data_.P);
   std::vector<bool> pressing;
+  pressing.reserve(states.size());
   for (const NodeState &state : states)
     pressing.push_back(state.presses);
   for (const auto &[edge, presses] : edges_inside(pressing)) {
@@ -135,6 +136,7 @@ std::vector<double> ContactTractions::lower_friction_bound(const unsigned int nu
 
 void ContactTractions::give_friction(const std::vector<NodeState> &of_patches) {
   std::vector<bool> sticks;
+  sticks.reserve(of_patches.size());
   for (const NodeState &state : of_patches)
     sticks.push_back(state.slip == State::inside);
   for (const Piece<2> &piece : data_.multipliers.surface().pieces()) {

@@ -25,12 +25,12 @@ double share_of(const LoadCase &load_case, const LoadKind kind) {
 } // namespace
 
 CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &scene,
-                       const ContactSolution<2> &contact, DualSolverOptions options,
+                       const ContactSolution<2> &contact, const DualSolverOptions &options,
                        const bool are_steps)
   : discretization_(discretization)
   , scene_(scene)
   , contact_(contact)
-  , options_(std::move(options))
+  , options_(options)
   , are_steps_(are_steps)
   , C_(make_compliance(*contact_.inverse, discretization_.condensed_D))
   , B_(contact_.modes.couple(discretization_.D))

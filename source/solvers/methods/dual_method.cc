@@ -288,12 +288,12 @@ private:
       recover_displacement(*state.inverse, discretization.space, discretization.condensed_D,
                            state.P.values(), state.system->f);
     state.modes.add_to(U, state.q);
-    set_displacement(discretization, std::move(U), state);
+    set_displacement(discretization, U, state);
   }
 
-  void set_displacement(const Discretization<dim> &discretization, Displacement U,
+  void set_displacement(const Discretization<dim> &discretization, const Displacement &U,
                         ContactSolution<dim> &state) const {
-    state.U = std::move(U);
+    state.U = U;
     state.W = discretization.gap_residual(state.U);
   }
 

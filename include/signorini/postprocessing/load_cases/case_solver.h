@@ -60,7 +60,8 @@ public:
    * @param are_steps whether each case goes on from the slip of the one before.
    */
   CaseSolver(const Discretization<2> &discretization, const Scene<2> &scene,
-             const ContactSolution<2> &contact, DualSolverOptions options, bool are_steps = false);
+             const ContactSolution<2> &contact, const DualSolverOptions &options,
+             bool are_steps = false);
   CaseSolver(const CaseSolver &) = delete;
   CaseSolver &operator=(const CaseSolver &) = delete;
 
