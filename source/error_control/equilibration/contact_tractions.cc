@@ -47,8 +47,8 @@ ContactTractions::edges_inside(const std::vector<bool> &patches) const {
   return inside;
 }
 
-std::vector<double> ContactTractions::projection_of(const Pressure &P,
-                                                    const unsigned int number) const {
+std::vector<double> ContactTractions::projection_of(const unsigned int number,
+                                                    const unsigned int component) const {
   const TractionEdge &edge = tractions_.space.edges()[number];
   const Side<2> &side = data_.scene.geometry.sides[edge.side];
   std::vector<double> sum(edge.degree + 1, 0.);
@@ -62,8 +62,9 @@ std::vector<double> ContactTractions::projection_of(const Pressure &P,
       split_quadrature(QGauss<1>(edge.degree + 1), {std::min(from, to), std::max(from, to)}),
       [&](const double s) {
         const double share = (s - from) / (to - from);
-        return data_.multipliers.value(P, piece.patch,
-                                       piece.lower + share * (piece.upper - piece.lower));
+        return data_.multipliers.value(data_.P.values(), piece.patch,
+                                       piece.lower + share * (piece.upper - piece.lower),
+                                       component);
       });
     std::transform(part.begin(), part.end(), sum.begin(), sum.begin(), std::plus<>());
   }
@@ -71,7 +72,7 @@ std::vector<double> ContactTractions::projection_of(const Pressure &P,
 }
 
 void ContactTractions::press_by_multipliers(const unsigned int number) {
-  std::vector<double> p = projection_of(data_.P.normal(), number), b = bernstein_coefficients(p);
+  std::vector<double> p = projection_of(number, 0), b = bernstein_coefficients(p);
   if (*std::max_element(b.begin(), b.end()) > 0.) {
     // The same force, where it presses: the mean of the coefficients is that of the polynomial.
     const double force = std::accumulate(b.begin(), b.end(), 0.);
@@ -153,7 +154,7 @@ void ContactTractions::give_friction(const std::vector<NodeState> &of_patches) {
 
 void ContactTractions::rub_by_multipliers(const unsigned int number) {
   const std::vector<double> &bound = bounds_.at(number);
-  std::vector<double> b = bernstein_coefficients(projection_of(data_.P.tangential()[0], number));
+  std::vector<double> b = bernstein_coefficients(projection_of(number, 1));
   const State state = slips_.at(number);
   for (std::size_t i = 0; i < b.size(); ++i)
     b[i] = state == State::upper   ? bound[i]

@@ -253,6 +253,7 @@ private:
       state.undetermined.push_back(motion.rigid->name());
   }
 
+  /** Makes C. */
   void form_compliance(const Discretization<dim> &discretization, const Progress &progress,
                        ContactSolution<dim> &state) const {
     const Coupling &D = discretization.condensed_D;
@@ -291,6 +292,7 @@ private:
     set_displacement(discretization, U, state);
   }
 
+  /** Stores U with its W. */
   void set_displacement(const Discretization<dim> &discretization, const Displacement &U,
                         ContactSolution<dim> &state) const {
     state.U = U;

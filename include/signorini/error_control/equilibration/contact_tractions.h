@@ -42,8 +42,8 @@ private:
    * are in a state: next to others the best traction would leave the admissible ones. */
   std::map<unsigned int, bool> edges_inside(const std::vector<bool> &patches) const;
   void give_friction(const std::vector<NodeState> &of_patches);
-  /** Returns the coefficients of Legendre's polynomials of p_H or q_H on an edge. */
-  std::vector<double> projection_of(const Pressure &P, unsigned int edge) const;
+  /** Returns the coefficients of Legendre's polynomials of p_H (component 0) or q_H on an edge. */
+  std::vector<double> projection_of(unsigned int edge, unsigned int component) const;
   /** Sets τ_n of an edge to p_H, without positive coefficients of Bernstein. */
   void press_by_multipliers(unsigned int edge);
   /** Sets τ_t to q_H, between the bounds of friction; where the edge slips, to one of them. */
