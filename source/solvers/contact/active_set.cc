@@ -3,6 +3,9 @@
 
 #include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/contact/dual_solver.h>
+#include <signorini/solvers/contact/projected_methods.h>
+
+#include <deal.II/lac/exceptions.h>
 
 #include <algorithm>
 #include <limits>
@@ -13,15 +16,21 @@ namespace Signorini {
 namespace {
 using Vector = dealii::Vector<double>;
 
-/** Returns the states of P - W/diag C, which the solution x for @p states predicts. In x, W
- * vanishes on active unknowns. */
-States improve(const BoundConstrainedQP &qp, const States &states, const Iterate &x) {
+/** Returns P - W/diag C. @param solved the states for which x is the solution, so that W vanishes
+ * on active unknowns; may be empty. */
+Vector predict(const BoundConstrainedQP &qp, const States &solved, const Iterate &x) {
   const Vector W = qp.gradient(x.P, x.z);
-  Vector predicted(x.P);
+  Vector a(x.P);
   for (unsigned int i = 0; i < qp.size(); ++i)
-    if (states[i] != State::inside)
-      predicted[i] -= W[i] / qp.diagonal[i];
-  States next = states_of(qp.K.at(predicted), predicted);
+    if (solved.empty() || solved[i] != State::inside)
+      a[i] -= W[i] / qp.diagonal[i];
+  return a;
+}
+
+/** Returns the states that the solution x for @p states predicts. */
+States improve(const BoundConstrainedQP &qp, const States &states, const Iterate &x) {
+  const Vector a = predict(qp, states, x);
+  States next = states_of(qp.K.at(a), a);
   if (x.stopping)
     next[*x.stopping] = State::inside;
   return next;
@@ -93,8 +102,94 @@ bool join_deepest(const BoundConstrainedQP &qp, const Iterate &x, States &states
 }
 } // namespace
 
+// Discs.
+
+namespace {
+/** Performs a step of Newton's method, shorter where that decreases the residual and the whole step
+ * does not. @throws LACExceptions::ExcSingular */
+void newton_step(const BoundConstrainedQP &qp, Vector &P) {
+  const Vector a = predict(qp, {}, {P, {}}),
+               wanted = solve_on_set(qp, states_of(qp.K.at(a), a), a).P;
+  const double before = qp.kkt_residual(P);
+  const auto at = [&](const double part) {
+    Vector there(P);
+    there.sadd(1. - part, part, wanted);
+    qp.K.at(there).project(there);
+    return there;
+  };
+  const Vector whole = at(1.);
+  constexpr double shortest = 1e-2;
+  for (double part = 1.; part > shortest; part *= 0.5)
+    if (const Vector there = at(part); qp.kkt_residual(there) < before) {
+      P = there;
+      return;
+    }
+  P = whole;
+}
+
+/** Performs sweeps of projected SOR. */
+void sweep(const BoundConstrainedQP &qp, const unsigned int n_sweeps, Vector &P) {
+  for (unsigned int i = 0; i < n_sweeps; ++i)
+    psor_sweep(qp, 1., P);
+  qp.K.at(P).project(P);
+}
+
+/** Returns a random P. */
+Vector random_start(const BoundConstrainedQP &qp, const double size, std::minstd_rand &random) {
+  Vector P(qp.size());
+  std::uniform_real_distribution<double> share(-1., 1.);
+  for (double &p : P)
+    p = size * share(random);
+  qp.K.at(P).project(P);
+  return P;
+}
+
+/** Solves a problem with discs. */
+QPResult solve_with_discs(const BoundConstrainedQP &qp, const Vector &start,
+                          const IterationOptions &options) {
+  constexpr unsigned int patience = 4;
+  QPResult result;
+  std::minstd_rand random;
+  unsigned int n_sweeps = 10, all_sweeps = 0, idle = 0;
+  Vector P = start.size() > 0 ? start : Vector(qp.size());
+  sweep(qp, n_sweeps, P);
+  result.P = P;
+  result.kkt_residual = qp.kkt_residual(P);
+  while (result.kkt_residual > rounding_level(qp) && all_sweeps < options.maximum_iterations) {
+    if (idle < patience)
+      try {
+        ++idle;
+        ++result.iterations;
+        newton_step(qp, P);
+      } catch (const LACExceptions::ExcSingular &) {
+        idle = patience;
+      }
+    else {
+      idle = 0;
+      n_sweeps += 10;
+      all_sweeps += n_sweeps;
+      if (qp.K.moves() && random() % 2 == 0)
+        P = random_start(qp, result.P.linfty_norm(), random);
+      else
+        sweep(qp, n_sweeps, P = result.P);
+    }
+    if (const double residual = qp.kkt_residual(P); residual < 0.9 * result.kkt_residual) {
+      result.P = P;
+      result.kkt_residual = residual;
+      idle = 0;
+    } else if (result.kkt_residual <= options.tolerance)
+      // What is left is rounding.
+      break;
+  }
+  result.converged = result.kkt_residual <= options.tolerance;
+  return result;
+}
+} // namespace
+
 QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
                              const IterationOptions &options) {
+  if (qp.K.n_discs() > 0)
+    return solve_with_discs(qp, start, options);
   const bool moves = qp.balances.size() > 0;
   QPResult result;
   Iterate x;

@@ -196,18 +196,18 @@ bool BoundConstrainedQP::has_unique_solution(const Vector &P, const Vector &z) c
   return true;
 }
 
-MotionResistance::MotionResistance(const Balances &balances, const Indices &A,
+MotionResistance::MotionResistance(const Matrix &K, const Matrix &B_A, const Matrix &B_trial,
                                    const LAPACKFullMatrix<double> &C_AA)
-  : S(balances.K) {
-  for (unsigned int j = 0; j < balances.size(); ++j) {
-    Vector column(A.size());
-    for (unsigned int r = 0; r < A.size(); ++r)
-      column[r] = balances.B(A[r], j);
-    if (!A.empty())
+  : S(K) {
+  for (unsigned int j = 0; j < K.n(); ++j) {
+    Vector column(B_A.m());
+    for (unsigned int r = 0; r < column.size(); ++r)
+      column[r] = B_A(r, j);
+    if (column.size() > 0)
       C_AA.solve(column);
-    for (unsigned int i = 0; i < balances.size(); ++i)
-      for (unsigned int r = 0; r < A.size(); ++r)
-        S(i, j) += balances.B(A[r], i) * column[r];
+    for (unsigned int i = 0; i < K.m(); ++i)
+      for (unsigned int r = 0; r < column.size(); ++r)
+        S(i, j) += B_trial(r, i) * column[r];
     X.push_back(column);
   }
 }

@@ -28,8 +28,7 @@ QPResult by_chosen_method(const BoundConstrainedQP &qp, const Vector &start,
   if (options.method == ContactSolver::psor && qp.size() > 0)
     return solve_by_psor(qp, start, options);
   try {
-    return qp.K.n_discs() > 0 ? solve_by_disc_newton(qp, start, options)
-                              : solve_by_active_set(qp, start, options);
+    return solve_by_active_set(qp, start, options);
   } catch (const ExceptionBase &exception) {
     QPResult result = solve_by_psor(qp, start, options);
     result.active_set_failure = message_of(exception);

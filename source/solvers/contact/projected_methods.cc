@@ -86,9 +86,10 @@ FullMatrix<double> resistance_of(const BoundConstrainedQP &qp,
   constexpr double regular = 1e-8;
   FullMatrix<double> C_AA = submatrix(*qp.C, A);
   C_AA.diagadd(regular * C_AA.trace() / A.size());
-  FullMatrix<double> S = MotionResistance(qp.balances, A, cholesky(C_AA)).S;
-  S.add(-1., qp.balances.K);
-  return S;
+  const unsigned int n = qp.balances.size();
+  FullMatrix<double> B_A(A.size(), n);
+  B_A.extract_submatrix_from(qp.balances.B, A, all_indices(n));
+  return MotionResistance(FullMatrix<double>(n, n), B_A, B_A, cholesky(C_AA)).S;
 }
 
 /** Returns E: part of the stiffness of the patches that press, or of all; motions that it does not

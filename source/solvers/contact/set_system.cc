@@ -6,6 +6,9 @@
 
 #include <deal.II/lac/exceptions.h>
 
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
 #include <limits>
 
 namespace Signorini {
@@ -13,50 +16,111 @@ namespace {
 using Vector = dealii::Vector<double>;
 using Indices = ComplianceOperator::Indices;
 
-/** A bound that follows a pressure: P_t changes by the factor times the change of P_n. */
-struct Follower {
-  unsigned int P_t;
-  /** The place of P_n among the active unknowns. */
-  unsigned int P_n;
-  double factor;
-};
+/** A direction of few unknowns: their numbers and its components. */
+using Direction = boost::container::small_vector<std::pair<unsigned int, double>, 2>;
 
-/** The active unknowns A, the bounds that follow them, and the rest of P. */
+double product(const Direction &direction, const Vector &v) {
+  double sum = 0.;
+  for (const auto &[unknown, component] : direction)
+    sum += component * v[unknown];
+  return sum;
+}
+
+/**
+ * The linear system of a set: P = P_0 + Σ_j y_j trial_j with test_j·W + stiffness_j y_j = 0. With
+ * Coulomb's law bounds follow P_n: there trial_j has a part more than test_j, in the direction of
+ * P_t.
+ */
 struct ActiveSet {
-  ActiveSet(const AdmissibleSet &K, const States &states)
-    : P(K.size()) {
-    std::vector<unsigned int> place(K.size());
-    const unsigned int n_patches = K.size() / 2;
-    for (unsigned int i = 0; i < K.size(); ++i)
+  ActiveSet(const BoundConstrainedQP &qp, const States &states, const Vector &a)
+    : P_0(qp.size()) {
+    const AdmissibleSet &K = qp.K;
+    std::vector<unsigned int> place(states.size());
+    for (unsigned int i = 0; i < states.size(); ++i) {
+      const unsigned int second = i + K.n_discs();
+      const double end = states[i] == State::lower ? K[i].lower : K[i].upper, f = K.coefficient(i);
+      Direction e = {{i, 1.}};
       if (states[i] == State::inside) {
-        place[i] = A.size();
-        A.push_back(i);
-      } else {
-        P[i] = states[i] == State::upper ? K[i].upper : K[i].lower;
-        if (const double f = K.coefficient(i); f > 0. && states[i - n_patches] == State::inside)
-          followers.push_back({i, place[i - n_patches], states[i] == State::upper ? -f : f});
+        place[i] = test.size();
+        add(e);
+        if (K.is_disc(i))
+          add({{second, 1.}});
+        continue;
       }
-  }
-  /** Adds a change of the active unknowns to a P. */
-  void add(const double factor, const Vector &change, Vector &to) const {
-    for (unsigned int r = 0; r < A.size(); ++r)
-      to[A[r]] += factor * change[r];
-    for (const Follower &follower : followers)
-      to[follower.P_t] += factor * follower.factor * change[follower.P_n];
+      if (K.is_disc(i)) {
+        const double size = K.length(i, a), s = end + f * std::max(0., -a[i - K.n_normal()]);
+        if (!(s > 0.))
+          continue;
+        e = {{i, a[i] / size}, {second, a[second] / size}};
+        add({{i, -e[1].second}, {second, e[0].second}}, (size / s - 1.) * qp.diagonal[i]);
+      }
+      for (const auto &[unknown, component] : e) {
+        P_0[unknown] = end * component;
+        if (f > 0. && states[i - K.n_normal()] == State::inside)
+          trial[place[i - K.n_normal()]].emplace_back(
+            unknown, (states[i] == State::upper ? -f : f) * component);
+      }
+    }
   }
 
-  Indices A;
-  std::vector<Follower> followers;
-  Vector P;
+  unsigned int size() const {
+    return test.size();
+  }
+  Vector P(const Vector &y) const {
+    Vector P(P_0);
+    for (unsigned int j = 0; j < size(); ++j)
+      for (const auto &[unknown, component] : trial[j])
+        P[unknown] += component * y[j];
+    return P;
+  }
+  /** Returns the numbers of the unknowns that bounds follow. */
+  Indices followed() const {
+    Indices numbers;
+    for (unsigned int j = 0; j < size(); ++j)
+      if (trial[j].size() > test[j].size())
+        numbers.push_back(j);
+    return numbers;
+  }
+  /** Returns the matrix for the given trial directions. */
+  FullMatrix<double> matrix(const FullMatrix<double> &C,
+                            const std::vector<Direction> &directions) const {
+    FullMatrix<double> result = tested(C, directions);
+    for (unsigned int j = 0; j < size(); ++j)
+      result(j, j) += stiffness[j];
+    return result;
+  }
+  /** Returns test_i·M d_j. */
+  FullMatrix<double> tested(const FullMatrix<double> &M,
+                            const std::vector<Direction> &directions) const {
+    FullMatrix<double> result(size(), directions.size());
+    for (unsigned int i = 0; i < size(); ++i)
+      for (unsigned int j = 0; j < directions.size(); ++j)
+        for (const auto &[row, weight] : test[i])
+          for (const auto &[column, component] : directions[j])
+            result(i, j) += weight * component * M(row, column);
+    return result;
+  }
+
+  Vector P_0;
+  std::vector<Direction> test, trial;
+  std::vector<double> stiffness;
+
+private:
+  void add(const Direction &direction, const double with_stiffness = 0.) {
+    test.push_back(direction);
+    trial.push_back(direction);
+    stiffness.push_back(with_stiffness);
+  }
 };
 
-/** Returns C_AA, which contains the columns of followers. */
-FullMatrix<double> matrix_of(const ComplianceOperator &C, const ActiveSet &set) {
-  FullMatrix<double> C_AA = submatrix(C, set.A);
-  for (const Follower &follower : set.followers)
-    for (unsigned int r = 0; r < set.A.size(); ++r)
-      C_AA(r, follower.P_n) += follower.factor * C.dense()(set.A[r], follower.P_t);
-  return C_AA;
+/** Returns d_j·B for directions d_j. */
+FullMatrix<double> rows_of(const FullMatrix<double> &B, const std::vector<Direction> &directions) {
+  FullMatrix<double> rows(directions.size(), B.n());
+  for (unsigned int j = 0; j < directions.size(); ++j)
+    for (const auto &[unknown, component] : directions[j])
+      for (unsigned int k = 0; k < B.n(); ++k)
+        rows(j, k) += component * B(unknown, k);
+  return rows;
 }
 
 /** Factorises a matrix that is not symmetric. @throws LACExceptions::ExcSingular */
@@ -127,41 +191,36 @@ void move_until_one_stops(const BoundConstrainedQP &qp, const States &states,
 }
 } // namespace
 
-Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
+Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states, const Vector &a) {
   const unsigned int n = qp.balances.size();
-  const ActiveSet set(qp.K, states);
-  const Indices &A = set.A;
-  Iterate x = {set.P, Vector(n)};
-  if (A.empty() && n == 0)
+  const ActiveSet set(qp, states, a);
+  Iterate x = {set.P_0, Vector(n)};
+  if (set.size() == 0 && n == 0)
     return x;
-  const LAPACKFullMatrix<double> C_AA =
-    set.followers.empty() ? cholesky(matrix_of(*qp.C, set)) : lu(matrix_of(*qp.C, set));
-  MotionResistance resistance(qp.balances, A, C_AA);
-  for (const Follower &follower : set.followers)
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int j = 0; j < n; ++j)
-        resistance.S(i, j) +=
-          qp.balances.B(follower.P_t, i) * follower.factor * resistance.X[j][follower.P_n];
+  const bool follows = !set.followed().empty();
+  const FullMatrix<double> matrix = set.matrix(qp.C->dense(), set.trial);
+  const LAPACKFullMatrix<double> factor = follows ? lu(matrix) : cholesky(matrix);
+  const MotionResistance resistance(qp.balances.K, rows_of(qp.balances.B, set.test),
+                                    rows_of(qp.balances.B, set.trial), factor);
   const InvertedResistance S(resistance.S);
-  const unsigned int n_passes = n > 0 || !set.followers.empty() ? 4 : 1;
+  const unsigned int n_passes = n > 0 || follows ? 4 : 1;
+  Vector y(set.size()), dy(y), dz(n);
   for (unsigned int pass = 0; pass < n_passes; ++pass) {
     const Vector W = qp.gradient(x.P, x.z);
-    Vector dP(A.size()), dz(n);
-    for (unsigned int r = 0; r < A.size(); ++r)
-      dP[r] = -W[A[r]];
-    if (!A.empty())
-      C_AA.solve(dP);
-    set.add(1., dP, x.P);
+    for (unsigned int j = 0; j < y.size(); ++j)
+      dy[j] = -product(set.test[j], W) - set.stiffness[j] * y[j];
+    if (y.size() > 0)
+      factor.solve(dy);
+    y += dy;
+    x.P = set.P(y);
     if (n == 0)
       continue;
     S.inverse.vmult(dz, qp.imbalance(x.P, x.z));
     x.z += dz;
     for (unsigned int j = 0; j < n; ++j)
-      set.add(-dz[j], resistance.X[j], x.P);
+      y.add(-dz[j], resistance.X[j]);
+    x.P = set.P(y);
   }
-  // Sums over the passes round: exactly at their bounds, followers slip.
-  for (const Follower &follower : set.followers)
-    x.P[follower.P_t] = set.P[follower.P_t] + follower.factor * x.P[A[follower.P_n]];
   if (S.free.m() > 0 && qp.size() > 0)
     move_until_one_stops(qp, states, S.free, x);
   return x;
@@ -172,31 +231,37 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states) {
 namespace {
 /** Returns the slipping part of -H_0⁻¹ H_1, where H_0 + λ H_1 is the linear system of a set with
  * the balances. @throws ExceptionBase if H_0 is singular. */
-FullMatrix<double> slipping_part(const BoundConstrainedQP &qp, const ActiveSet &set) {
-  const unsigned int n = qp.balances.size(), n_slip = set.followers.size();
-  const LAPACKFullMatrix<double> C_AA = cholesky(submatrix(*qp.C, set.A));
-  const MotionResistance resistance(qp.balances, set.A, C_AA);
+FullMatrix<double> slipping_part(const BoundConstrainedQP &qp, const ActiveSet &set,
+                                 const Indices &slipping) {
+  const unsigned int n = qp.balances.size(), n_slip = slipping.size();
+  const LAPACKFullMatrix<double> factor = cholesky(set.matrix(qp.C->dense(), set.test));
+  std::vector<Direction> followers;
+  for (const unsigned int j : slipping)
+    followers.emplace_back(set.trial[j].begin() + set.test[j].size(), set.trial[j].end());
+  const FullMatrix<double> B_A = rows_of(qp.balances.B, set.test),
+                           B_F = rows_of(qp.balances.B, followers),
+                           C_F = set.tested(qp.C->dense(), followers);
+  const MotionResistance resistance(qp.balances.K, B_A, B_A, factor);
   FullMatrix<double> inverse(resistance.S);
   if (n > 0)
     inverse.gauss_jordan();
   FullMatrix<double> part(n_slip, n_slip);
   for (unsigned int j = 0; j < n_slip; ++j) {
-    const Follower &follower = set.followers[j];
-    Vector y(set.A.size()), rest(n), z(n);
-    for (unsigned int r = 0; r < set.A.size(); ++r)
-      y[r] = follower.factor * qp.C->dense()(set.A[r], follower.P_t);
-    C_AA.solve(y);
+    Vector y(set.size()), rest(n), z(n);
+    for (unsigned int r = 0; r < y.size(); ++r)
+      y[r] = C_F(r, j);
+    factor.solve(y);
     for (unsigned int i = 0; i < n; ++i) {
-      rest[i] = -follower.factor * qp.balances.B(follower.P_t, i);
-      for (unsigned int r = 0; r < set.A.size(); ++r)
-        rest[i] += qp.balances.B(set.A[r], i) * y[r];
+      rest[i] = -B_F(j, i);
+      for (unsigned int r = 0; r < y.size(); ++r)
+        rest[i] += B_A(r, i) * y[r];
     }
     if (n > 0)
       inverse.vmult(z, rest);
     for (unsigned int i = 0; i < n; ++i)
       y.add(-z[i], resistance.X[i]);
     for (unsigned int i = 0; i < n_slip; ++i)
-      part(i, j) = -y[set.followers[i].P_n];
+      part(i, j) = -y[slipping[i]];
   }
   return part;
 }
@@ -205,13 +270,14 @@ FullMatrix<double> slipping_part(const BoundConstrainedQP &qp, const ActiveSet &
 std::optional<Regularity> examine_regularity(const BoundConstrainedQP &qp, const Vector &P) {
   if (!qp.K.moves())
     return {};
-  const ActiveSet set(qp.K, states_of(qp.K.at(P), P));
+  const ActiveSet set(qp, states_of(qp.K.at(P), P), P);
+  const Indices slipping = set.followed();
   Regularity regularity;
-  if (set.followers.empty())
+  if (slipping.empty())
     return regularity;
-  LAPACKFullMatrix<double> part(set.followers.size());
+  LAPACKFullMatrix<double> part(slipping.size());
   try {
-    part = slipping_part(qp, set);
+    part = slipping_part(qp, set, slipping);
   } catch (const ExceptionBase &) {
     return {};
   }

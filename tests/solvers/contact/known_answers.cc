@@ -70,7 +70,7 @@ void solve_in_space(Checks &checks) {
        {AdmissibleSet::with_friction(one, none, 2), AdmissibleSet::with_friction(none, one, 2)}) {
     const BoundConstrainedQP qp = make_qp(disc, K);
     for (const QPResult &result :
-         {solve_by_psor(qp, {}, {1e-12, 1000, 1.1}), solve_by_disc_newton(qp, {}, {1e-12, 1000})}) {
+         {solve_by_psor(qp, {}, {1e-12, 1000, 1.1}), solve_by_active_set(qp, {}, {1e-12, 1000})}) {
       checks.near("disc: P", std::vector<double>(result.P.begin(), result.P.end()), disc.P, 1e-10);
       checks.near("disc: dissipation", K.at(result.P).dissipation(qp.gradient(result.P)), 5., 1e-9);
     }

@@ -7,14 +7,14 @@
 #include <vector>
 
 namespace Signorini {
-/** The states of all unknowns. */
+/** The states of all blocks. */
 using States = std::vector<State>;
 
 /** Returns the states of P in a set that does not move. */
 inline States states_of(const AdmissibleSet &K, const dealii::Vector<double> &P) {
-  States states(K.size());
-  for (unsigned int i = 0; i < K.size(); ++i)
-    states[i] = K.state(i, P[i]);
+  States states(K.n_blocks());
+  for (unsigned int i = 0; i < states.size(); ++i)
+    states[i] = K.state(i, K.length(i, P));
   return states;
 }
 
@@ -31,9 +31,14 @@ struct Iterate {
  * rounding leaves: rows of patches on tiny faces are small, and LU does not scale rows. In a motion
  * that neither K nor patches of A resist the body moves until a slipping patch stops, or not at
  * all.
+ *
+ * A disc that slips along e = a_t/|a_t| has P_t = s e + y e⊥, and the derivative of the projection
+ * onto the disc gives one equation more:  W_t·e⊥ + (|a_t|/s - 1) C_tt y = 0.
+ * @param a the point P - W/diag C that has the states; read with discs only.
  * @throws ExceptionBase if C_AA is not positive definite.
  */
-Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states);
+Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states,
+                     const dealii::Vector<double> &a = {});
 
 /**
  * Solves the problem of Coulomb's friction in the plane by Lemke's method (R. Cottle, J.-S. Pang,

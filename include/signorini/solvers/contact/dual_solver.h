@@ -69,31 +69,17 @@ QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<
  * the set; else the patch with the largest penetration joins. The energy falls in every step, so no
  * set comes back (J. Nocedal, S. Wright: Numerical Optimization, 2006, section 16.5).
  *
+ * With discs (friction in space, without balances) slip turns, which Newton's method finds
+ * quadratically. There it begins with ten sweeps of projected SOR. Steps are shortened where that
+ * decreases the residual and the whole step does not. Where four steps in a row do not decrease it,
+ * the method begins anew at the best P so far, with more sweeps each time: for Tresca's law they
+ * converge in any case. With Coulomb's law it may also begin anew at a random P (a fixed sequence
+ * of numbers).
+ *
  * @param start a pressure that gives the first states; empty: every unknown is active.
  */
 QPResult solve_by_active_set(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
                              const IterationOptions &options);
-
-/**
- * Solves the dual problem of friction in space by the same semi-smooth Newton method with discs,
- * without balances. With a = P - W/diag C a patch is open (a_n ≥ 0), sticks (|a_t| < s), or slips
- * along e = a_t/|a_t|. There P_t = s e + y e⊥, and the derivative of the projection onto the disc
- * gives
- *
- *     W_t·e⊥ + (|a_t|/s - 1) C_tt y = 0.
- *
- * So the unknowns are P_n of pressing patches, P_t of sticking ones and y of slipping ones; for
- * Tresca's law the system is symmetric and positive definite. Slip that turns is found
- * quadratically.
- *
- * It begins with ten sweeps of projected SOR. Steps are shortened where that decreases the residual
- * and the whole step does not. Where four steps in a row do not decrease it, the method begins anew
- * at the best P so far, with more sweeps each time: for Tresca's law they converge in any case.
- * With Coulomb's law it may also begin anew at a random P (a fixed sequence of numbers).
- * @param start may be empty.
- */
-QPResult solve_by_disc_newton(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
-                              const IterationOptions &options);
 
 /**
  * How the linear system of the states of P depends on Coulomb's coefficient: with λ f in the place
