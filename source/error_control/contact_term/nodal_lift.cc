@@ -3,6 +3,7 @@
 
 #include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/contact_term/contact_lift.h>
+#include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>
 #include <signorini/solvers/multigrid/stiffness_multigrid.h>
@@ -143,10 +144,10 @@ Displacement relaxed_displacement(const BoundData &data, const Coupling &E, cons
     if (n_sets > 0)
       n_steps = std::min(max_steps, 2 * n_steps);
     last_J = J;
-    g -= f;
-    const Vector w_n = E.transpose_product(w), Q = E.transpose_product(g);
-    for (unsigned int k = 0; k < held.size(); ++k)
-      held[k] = held[k] ? Q[k] > 0. : w_n[k] < required[k];
+    g.sadd(-1., 1., f);
+    Vector closing = required;
+    closing -= E.transpose_product(w);
+    held = next_set(held, E.transpose_product(g), closing);
   }
   Displacement result = data.space.zero();
   std::copy(w.begin(), w.end(), result.begin());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The residuals of U and P in (5).
 
+#include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/cycles/saddle_point.h>
 
 #include <deal.II/lac/block_vector.h>
@@ -118,16 +119,6 @@ Indices indices_of(const std::vector<bool> &active) {
   return set;
 }
 
-/** Returns the set that follows a set in the primal-dual active set method: {P < 0} within it and
- * {W > 0} outside. @param joins whether {W > 0} joins from inside, too: the first set of a P. */
-std::vector<bool> predicted_set(const std::vector<bool> &set, const Vector &P, const Vector &W,
-                                const bool joins = false) {
-  std::vector<bool> next(set.size());
-  for (unsigned int i = 0; i < next.size(); ++i)
-    next[i] = (set[i] && P[i] < 0.) || ((joins || !set[i]) && W[i] > 0.);
-  return next;
-}
-
 /** Returns d with (W + Ĉ d)_S = 0 and d = -P elsewhere. */
 Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &P,
                      const Indices &S) {
@@ -149,13 +140,13 @@ Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &
 
 Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const Vector &P) {
   constexpr unsigned int max_steps = 30;
-  std::vector<bool> active = predicted_set(std::vector<bool>(P.size(), true), P, W, true);
+  std::vector<bool> active = next_set(std::vector<bool>(P.size(), true), P, W, true);
   for (unsigned int k = 0;; ++k) {
     const Vector d = change_on_set(model, W, P, indices_of(active));
     Vector Q(P), V = model.apply(d);
     Q += d;
     V += W;
-    const std::vector<bool> next = predicted_set(active, Q, V);
+    const std::vector<bool> next = next_set(active, Q, V);
     if (next == active || k == max_steps) {
       for (unsigned int i = 0; i < Q.size(); ++i)
         Q[i] = active[i] ? std::min(Q[i], 0.) : 0.;
@@ -245,13 +236,13 @@ void solve_on(const ContactSystem &system, const Indices &set, const double redu
 void solve_by_minres(const ContactSystem &system, const ContactIterationOptions &options,
                      ContactIterationResult &result) {
   constexpr double reduction = 1e-3;
-  std::vector<bool> active = predicted_set(std::vector<bool>(result.P.size(), true), result.P,
-                                           system.opening(result.U), true);
+  std::vector<bool> active =
+    next_set(std::vector<bool>(result.P.size(), true), result.P, system.opening(result.U), true);
   while (result.cycles < options.maximum_cycles) {
     solve_on(system, indices_of(active), reduction, options.maximum_cycles - result.cycles, result);
     // A set without a residual needs no cycle.
     ++result.cycles;
-    active = predicted_set(active, result.P, system.opening(result.U));
+    active = next_set(active, result.P, system.opening(result.U));
     for (double &p : result.P)
       p = std::min(p, 0.);
     measure(system, options, result);

@@ -18,6 +18,17 @@ inline States states_of(const AdmissibleSet &K, const dealii::Vector<double> &P)
   return states;
 }
 
+/** Returns the set that follows a set of active unknowns over {P ≤ 0}, for P and W that may be
+ * inexact: {P < 0} within it and {W > 0} outside. @param joins whether {W > 0} joins from inside,
+ * too: the first set of a P. */
+inline std::vector<bool> next_set(const std::vector<bool> &set, const dealii::Vector<double> &P,
+                                  const dealii::Vector<double> &W, const bool joins = false) {
+  std::vector<bool> next(set.size());
+  for (unsigned int i = 0; i < next.size(); ++i)
+    next[i] = (set[i] && P[i] < 0.) || ((joins || !set[i]) && W[i] > 0.);
+  return next;
+}
+
 /** A pressure and free motions, and the slipping unknown that stops first in a motion that the
  * states leave free. */
 struct Iterate {
