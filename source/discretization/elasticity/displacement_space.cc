@@ -131,12 +131,6 @@ AffineConstraints<double> continuity_conditions(const DoFHandler<dim> &dofs) {
   return conditions;
 }
 
-/** Copies the owned rows of a vector that is distributed like A. */
-void copy_rows(const IndexSet &owned, const DistributedVector &from, DualVector &to) {
-  for (const auto i : owned)
-    to(i) = from(i);
-}
-
 /** Sets the constrained values of w = T w_free. */
 void set_constrained(const AffineConstraints<double> &constraints, Displacement &w) {
   w.update_ghost_values();
@@ -218,14 +212,10 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
 }
 
 template <int dim>
-DistributedVector DisplacementSpace<dim>::make_vector() const {
-  return DistributedVector(locally_owned(), mesh_.communicator());
-}
-
-template <int dim>
-Displacement DisplacementSpace<dim>::complete(const DistributedVector &free_values) const {
+Displacement DisplacementSpace<dim>::complete(const DualVector &free_values) const {
   Displacement values(rows_);
-  copy_rows(locally_owned(), free_values, values);
+  values = free_values;
+  values.zero_out_ghost_values();
   constraints_.distribute(values.entries());
   values.update_ghost_values();
   return values;
@@ -250,18 +240,11 @@ void DisplacementSpace<dim>::distribute_without_pins(Displacement &w) const {
 }
 
 template <int dim>
-Displacement DisplacementSpace<dim>::displacement(const DistributedVector &rows) const {
+Displacement DisplacementSpace<dim>::displacement(const DualVector &rows) const {
   Displacement U(rows_);
-  copy_rows(locally_owned(), rows, U);
+  U = rows;
   U.update_ghost_values();
   return U;
-}
-
-template <int dim>
-DualVector DisplacementSpace<dim>::dual(const DistributedVector &rows) const {
-  DualVector functional(rows_);
-  copy_rows(locally_owned(), rows, functional);
-  return functional;
 }
 
 namespace {

@@ -49,7 +49,7 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const S
                   result.magnitudes.add(indices, magnitudes);
                   return true;
                 });
-  for (DistributedVector *const vector : {&result.forces, &result.magnitudes}) {
+  for (DualVector *const vector : {&result.forces, &result.magnitudes}) {
     vector->compress(VectorOperation::add);
     *vector *= stiffness_unit(space, *scene.material);
   }

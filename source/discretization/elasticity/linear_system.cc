@@ -79,7 +79,7 @@ private:
 template <int dim>
 void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cell_matrix,
               const std::vector<types::global_dof_index> &indices,
-              TrilinosWrappers::SparseMatrix &matrix, DistributedVector &reduction) {
+              TrilinosWrappers::SparseMatrix &matrix, DualVector &reduction) {
   const auto add_to = [&](auto &rows) {
     space.constraints().distribute_local_to_global(
       cell_matrix, dealii::Vector<double>(indices.size()), indices, rows, reduction);
@@ -159,7 +159,7 @@ private:
  */
 template <int dim>
 Resultant<dim> add_loads(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                         const unsigned int n_points, DistributedVector &loads) {
+                         const unsigned int n_points, DualVector &loads) {
   CellLoads<dim> cell_loads(space, scene, n_points);
   Resultant<dim> resultant;
   dealii::Vector<double> cell_data;
@@ -177,7 +177,7 @@ Resultant<dim> add_loads(const DisplacementSpace<dim> &space, const Scene<dim> &
  * threads integrate them. */
 template <int dim>
 void add_stiffness(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                   TrilinosWrappers::SparseMatrix &matrix, DistributedVector &reduction) {
+                   TrilinosWrappers::SparseMatrix &matrix, DualVector &reduction) {
   using Matrices = std::vector<
     std::pair<std::vector<types::global_dof_index>, typename CellStiffness<dim>::Matrix>>;
   integrate_by_chunks<Matrices, dim>(
@@ -208,10 +208,7 @@ LinearSystem<dim> begin_system(const DisplacementSpace<dim> &space, const Scene<
   agree(communicator, [&]() { system.applied = add_loads(space, scene, n_points, system.loads); });
   system.loads.compress(VectorOperation::add);
   system.applied = sum_over_ranks(system.applied, communicator);
-  const DualVector f = space.condense(space.dual(system.loads));
-  for (const auto i : space.locally_owned())
-    system.f(i) = f(i);
-  system.f.compress(VectorOperation::insert);
+  system.f = space.condense(system.loads);
   return system;
 }
 } // namespace
@@ -220,7 +217,7 @@ template <int dim>
 LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
                                          const Scene<dim> &scene, const unsigned int n_points) {
   LinearSystem<dim> system = begin_system(space, scene, n_points, make_matrix(space));
-  DistributedVector reduction = space.make_vector();
+  DualVector reduction = space.make_vector();
   agree(space.mesh().communicator(),
         [&]() { add_stiffness(space, scene, system.matrix, reduction); });
   system.matrix.compress(VectorOperation::add);
@@ -237,10 +234,7 @@ LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
   const Displacement k = space.prescribed(scene);
   if (k.linfty_norm() == 0.)
     return system;
-  const DualVector reduction = space.condense(space.dual(internal_forces(space, scene, k).forces));
-  for (const auto i : space.locally_owned())
-    system.f(i) += -reduction(i);
-  system.f.compress(VectorOperation::add);
+  system.f -= space.condense(internal_forces(space, scene, k).forces);
   return system;
 }
 

@@ -144,7 +144,7 @@ INSTANTIATE_FUNCTION(assemble_gap);
 
 // D of (22): the normal trace B tested with the basis of Q^H.
 
-void Coupling::add_product(const dealii::Vector<double> &P, DistributedVector &vector) const {
+void Coupling::add_product(const dealii::Vector<double> &P, DualVector &vector) const {
   AssertDimension(P.size(), n_columns());
   for (unsigned int tau = 0; tau < n_columns(); ++tau)
     if (P[tau] != 0.)
@@ -166,7 +166,7 @@ dealii::Vector<double> Coupling::transpose_product(const VectorType &U) const {
 }
 
 template dealii::Vector<double> Coupling::transpose_product(const dealii::Vector<double> &) const;
-template dealii::Vector<double> Coupling::transpose_product(const DistributedVector &) const;
+template dealii::Vector<double> Coupling::transpose_product(const DualVector &) const;
 template dealii::Vector<double> Coupling::transpose_product(const Displacement &) const;
 
 template <int dim>

@@ -164,6 +164,8 @@ RunInput read_input(const std::string &file_name, const std::vector<std::string>
 
 RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &run) {
   const auto fail = [&](const std::exception &error, const int code, const char *verdict) {
+    // When one rank has ended, mpirun ends the others by a signal, which needs no sentence.
+    describe_interruption("");
     screen.complain(error.what());
     return RunSummary{code, verdict, {}};
   };

@@ -158,14 +158,13 @@ Displacement relaxed_displacement(const BoundData &data, const Coupling &E, cons
  * which w_n is what is required; rounding of A⁻¹ may lift them. */
 Displacement pressed_displacement(const BoundData &data, const ContactTrace &trace,
                                   std::vector<bool> &touches) {
-  DistributedVector forces = data.space.make_vector();
+  DualVector forces = data.space.make_vector();
   // Where friction slips, its force does the work that s |ũ_t - g_t - w_t| loses.
   const Pressure &P_n = data.P.normal();
   Vector P(P_n);
   if (data.has_friction())
     P = join(P_n, Vector(P_n.size()));
   data.condensed_D.add_product(P, forces);
-  forces.compress(VectorOperation::add);
   const MovingNodes nodes(data.space, trace, false);
   Vector required(nodes.numbers.size()), start(required.size());
   std::vector<bool> held;
@@ -183,7 +182,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
     return relaxed_displacement(data, nodes.E, required, Vector(forces.begin(), forces.end()), held,
                                 10);
   if (!held.empty()) {
-    DistributedVector pressure_forces = forces;
+    DualVector pressure_forces = forces;
     Vector F =
       nodes.E.transpose_product(solve_homogeneous(data.inverse, data.space, pressure_forces));
     F -= required;
@@ -207,7 +206,7 @@ Displacement pushed_displacement(const BoundData &data, const Coupling &E, const
     return relaxed_displacement(data, E, targets, Vector(data.space.dofs().n_dofs()),
                                 std::vector<bool>(targets.size(), true), 1);
   const auto pushed_by = [&](const Vector &Q_E) {
-    DistributedVector forces = data.space.make_vector();
+    DualVector forces = data.space.make_vector();
     E.add_product(Q_E, forces);
     return solve_homogeneous(data.inverse, data.space, forces);
   };

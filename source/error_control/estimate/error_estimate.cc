@@ -167,13 +167,13 @@ PressureCorrection correct_by(const Coupling &load, const Discretization<dim> &d
   const DisplacementSpace<dim> &space = discretization.space;
   dealii::Vector<double> minus_P(contact.P.values());
   minus_P *= -1.;
-  DistributedVector forces = space.make_vector();
+  DualVector forces = space.make_vector();
   load.add_product(dealii::Vector<double>{1.}, forces);
   discretization.condensed_D.add_product(minus_P, forces);
   PressureCorrection correction;
   correction.z = solve_homogeneous(*contact.inverse, space, forces);
   // b.z = a(z, z): z is in V^h with homogeneous conditions.
-  const double work = space.dual(forces) * correction.z;
+  const double work = forces * correction.z;
   correction.energy_norm = std::sqrt(std::max(0., work));
   return correction;
 }

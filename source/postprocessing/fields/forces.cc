@@ -170,16 +170,14 @@ double NodalForces::largest() const {
 
 template <int dim>
 NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                         const DistributedVector &loads, const Coupling &D, const Displacement &U,
+                         const DualVector &loads, const Coupling &D, const Displacement &U,
                          const dealii::Vector<double> &P) {
   NodalForces forces;
   const InternalForces<dim> internal = internal_forces(space, scene, U);
-  forces.internal = space.dual(internal.forces);
-  forces.loads = space.dual(loads);
-  DistributedVector contact = space.make_vector();
-  D.add_product(P, contact);
-  contact.compress(VectorOperation::add);
-  forces.contact = space.dual(contact);
+  forces.internal = internal.forces;
+  forces.loads = loads;
+  forces.contact = space.make_vector();
+  D.add_product(P, forces.contact);
   forces.residual = forces.internal;
   forces.residual -= forces.loads;
   forces.residual -= forces.contact;

@@ -44,11 +44,10 @@ CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &
 CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const {
   const Scene<2> scene = with_only(scene_, kind);
   const DisplacementSpace<2> &space = discretization_.space;
-  const DualVector loads =
-    space.dual(assemble_right_hand_side(space, scene, discretization_.n_points).loads);
+  const DualVector loads = assemble_right_hand_side(space, scene, discretization_.n_points).loads;
   const Displacement k = space.prescribed(scene);
   DualVector r = loads;
-  r -= space.dual(internal_forces(space, scene, k).forces);
+  r -= internal_forces(space, scene, k).forces;
   LoadResponse response;
   response.kind = kind;
   response.U = solve_prescribed(*contact_.inverse, space, k, r);
@@ -145,7 +144,7 @@ CaseResult CaseSolver::solve(const LoadCase &load_case) {
 }
 
 Displacement CaseSolver::displacement() const {
-  DistributedVector forces = discretization_.space.make_vector();
+  DualVector forces = discretization_.space.make_vector();
   discretization_.condensed_D.add_product(P_.values(), forces);
   Displacement U = solve_homogeneous(*contact_.inverse, discretization_.space, forces);
   for (const LoadResponse &response : responses_)

@@ -80,7 +80,7 @@ private:
 template <int dim>
 TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space) {
   TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
-  DistributedVector unused = space.make_vector();
+  DualVector unused = space.make_vector();
   ValuesByShape<dim> values_by_shape(space.mesh().mapping());
   FullMatrix<double> cell_matrix;
   for (const auto &cell : space.dofs().active_cell_iterators()) {

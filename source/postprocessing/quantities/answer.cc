@@ -8,6 +8,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini {
 namespace {
@@ -47,12 +48,14 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
   const QIterated<dim - 1> positions(QTrapezoid<1>(), dim == 2 ? 16 : 4);
   const ContactSurface<dim> &surface = multipliers.surface();
   TraceValues<dim> traces(space);
+  // Of equal ones, the first: rounding must not choose.
+  constexpr double rounding = 1e-9;
   std::optional<Penetration> largest;
   for (const Piece<dim> &piece : surface.pieces()) {
     const SurfaceRule<dim> rule = surface.at(piece, positions.get_points());
     const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
     for (std::size_t q = 0; q < rule.size(); ++q)
-      if (!largest || depths[q] > largest->value)
+      if (!largest || depths[q] > largest->value + rounding * std::abs(largest->value))
         largest = {depths[q],
                    {surface.side(surface.patches()[piece.patch]).name(),
                     dim == 2 ? rule.on_side[q][0] : 0., rule.points[q]}};

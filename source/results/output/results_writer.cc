@@ -139,7 +139,10 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   const DualData &dual = *contact.dual;
   const std::vector<std::string> A =
     gather_texts(lower_triangle(system.matrix, system.unit), communicator_);
-  const dealii::Vector<double> f(system.f);
+  dealii::Vector<double> f(system.f.size());
+  for (const auto i : space.locally_owned())
+    f[i] = system.f(i);
+  Utilities::MPI::sum(f, communicator_, f);
   // F = G - Dᵀ A⁻¹ f for unconstrained unknowns: prescribed displacements count as gap.
   dealii::Vector<double> G = discretization.G;
   G -= discretization.D.transpose_product(space.complete(space.make_vector()));

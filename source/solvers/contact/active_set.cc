@@ -36,11 +36,6 @@ States improve(const BoundConstrainedQP &qp, const States &states, const Iterate
   return next;
 }
 
-/** Returns the residual that rounding leaves after a solve with C_AA. */
-double rounding_level(const BoundConstrainedQP &qp) {
-  return (qp.size() + 10) * std::numeric_limits<double>::epsilon();
-}
-
 /** Moves P towards the wanted one; where an unknown would leave its interval, only to the first end
  * that is met, which that unknown keeps. @return whether P is the wanted one. */
 bool step_to_first_end(const BoundConstrainedQP &qp, const Vector &wanted, Vector &P,
@@ -155,7 +150,7 @@ QPResult solve_with_discs(const BoundConstrainedQP &qp, const Vector &start,
   sweep(qp, n_sweeps, P);
   result.P = P;
   result.kkt_residual = qp.kkt_residual(P);
-  while (result.kkt_residual > rounding_level(qp) && all_sweeps < options.maximum_iterations) {
+  while (result.kkt_residual > qp.rounding() && all_sweeps < options.maximum_iterations) {
     if (idle < patience)
       try {
         ++idle;
@@ -215,7 +210,7 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
       visited.insert(states);
       const States next = improve(qp, states, x);
       const bool came_back = visited.count(next) > 0;
-      settled = residual <= rounding_level(qp) ||
+      settled = residual <= qp.rounding() ||
                 (next == states && (!moves || residual <= options.tolerance)) ||
                 (came_back && residual <= 1e-3 * options.tolerance);
       result.cycled = came_back && !settled;
@@ -235,7 +230,7 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
         states = states_of(qp.K, x.P);
       }
     } else {
-      settled = residual <= std::max(rounding_level(qp), 1e-3 * options.tolerance);
+      settled = residual <= std::max(qp.rounding(), 1e-3 * options.tolerance);
       if (settled || step_to_first_end(qp, wanted.P, x.P, states)) {
         x = wanted;
         settled = settled || !join_deepest(qp, x, states);

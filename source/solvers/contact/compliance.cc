@@ -27,13 +27,12 @@ ComplianceOperator::Matrix ColumnCompliance::solve_for(const Indices &numbers) c
   dealii::Vector<double> unit(size());
   for (std::size_t first = 0; first < numbers.size(); first += block_size) {
     const std::size_t last = std::min(first + block_size, numbers.size());
-    std::vector<DistributedVector> right_hand_sides, solutions;
+    std::vector<DualVector> right_hand_sides, solutions;
     for (std::size_t j = first; j < last; ++j) {
       unit = 0.;
       unit[numbers[j]] = 1.;
       right_hand_sides.push_back(inverse_.make_vector());
       D_.add_product(unit, right_hand_sides.back());
-      right_hand_sides.back().compress(VectorOperation::add);
       solutions.push_back(inverse_.make_vector());
     }
     inverse_.solve(solutions, right_hand_sides);
@@ -115,9 +114,9 @@ bool FreeState::nothing_touches(const AdmissibleSet &K) const {
 
 template <int dim>
 FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
-                           const DistributedVector &f, const Coupling &D,
+                           const DualVector &f, const Coupling &D,
                            const dealii::Vector<double> &G) {
-  DistributedVector U_0 = space.make_vector();
+  DualVector U_0 = space.make_vector();
   inverse.solve(U_0, f);
   FreeState state;
   state.U = space.complete(U_0);
@@ -140,22 +139,19 @@ FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSp
 template <int dim>
 Displacement recover_displacement(const StiffnessInverse &inverse,
                                   const DisplacementSpace<dim> &space, const Coupling &condensed_D,
-                                  const dealii::Vector<double> &P, const DistributedVector &f) {
-  DistributedVector DP_plus_f(f);
+                                  const dealii::Vector<double> &P, const DualVector &f) {
+  DualVector DP_plus_f(f);
   condensed_D.add_product(P, DP_plus_f);
-  DP_plus_f.compress(VectorOperation::add);
-  DistributedVector U = space.make_vector();
+  DualVector U = space.make_vector();
   inverse.solve(U, DP_plus_f);
   return space.complete(U);
 }
 
 template <int dim>
 Displacement solve_homogeneous(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
-                               DistributedVector &b) {
-  b.compress(VectorOperation::add);
-  DistributedVector x = space.make_vector();
-  inverse.solve(x, b);
-  Displacement w = space.displacement(x);
+                               const DualVector &b) {
+  Displacement w = space.zero();
+  inverse.solve(w, b);
   space.distribute_homogeneous(w);
   return w;
 }
@@ -163,11 +159,7 @@ Displacement solve_homogeneous(const StiffnessInverse &inverse, const Displaceme
 template <int dim>
 Displacement solve_prescribed(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
                               const Displacement &k, const DualVector &r) {
-  const DualVector condensed = space.condense(r);
-  DistributedVector b = space.make_vector();
-  for (const auto i : space.locally_owned())
-    b(i) += condensed(i);
-  Displacement U = solve_homogeneous(inverse, space, b);
+  Displacement U = solve_homogeneous(inverse, space, space.condense(r));
   U += k;
   return U;
 }

@@ -199,7 +199,7 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states, const V
     return x;
   const bool follows = !set.followed().empty();
   const FullMatrix<double> matrix = set.matrix(qp.C->dense(), set.trial);
-  const LAPACKFullMatrix<double> factor = follows ? lu(matrix) : cholesky(matrix);
+  const LAPACKFullMatrix<double> factor = follows ? lu(matrix) : cholesky(matrix, qp.rounding());
   const MotionResistance resistance(qp.balances.K, rows_of(qp.balances.B, set.test),
                                     rows_of(qp.balances.B, set.trial), factor);
   const InvertedResistance S(resistance.S);

@@ -39,11 +39,10 @@ DualVector forces_of_mode(const Displacement &z, const DisplacementSpace<2> &spa
                           const Scene<2> &scene) {
   constexpr double rounding = 10. * std::numeric_limits<double>::epsilon();
   const InternalForces<2> internal = internal_forces(space, scene, z);
-  const DualVector forces = space.dual(internal.forces);
-  DualVector sizes = space.dual(internal.magnitudes);
+  DualVector sizes = internal.magnitudes;
   for (unsigned int i = 0; i < sizes.locally_owned_size(); ++i)
     sizes.local_element(i) *= z.local_element(i);
-  return z * forces <= rounding * sizes.l1_norm() ? DualVector() : forces;
+  return z * internal.forces <= rounding * sizes.l1_norm() ? DualVector() : internal.forces;
 }
 
 /** Returns b.c and the sum of the absolute values of its terms. */
@@ -65,7 +64,7 @@ std::array<double, 2> work_in(const FreeMotion &motion, const Displacement &z,
 /** Returns k - A⁻¹ A k. */
 Displacement extend(const Displacement &k, const DisplacementSpace<2> &space, const Scene<2> &scene,
                     const StiffnessInverse &inverse) {
-  DualVector r = space.dual(internal_forces(space, scene, k).forces);
+  DualVector r = internal_forces(space, scene, k).forces;
   r *= -1.;
   return solve_prescribed(inverse, space, k, r);
 }

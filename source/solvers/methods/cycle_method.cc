@@ -43,10 +43,8 @@ Vector free_part(const DisplacementSpace<dim> &space, const Displacement &U) {
 /** Returns U = T U_free + k. */
 template <int dim>
 Displacement complete_free_part(const DisplacementSpace<dim> &space, const Vector &U_free) {
-  DistributedVector free = space.make_vector();
-  for (const auto i : space.locally_owned())
-    free(i) = U_free[i];
-  free.compress(VectorOperation::insert);
+  DualVector free = space.make_vector();
+  std::copy(U_free.begin(), U_free.end(), free.begin());
   return space.complete(free);
 }
 
@@ -87,13 +85,13 @@ private:
                const ContactStart &start, ContactSolution<dim> &state) const {
     const DisplacementSpace<dim> &space = discretization.space;
     const auto model = make_boundary_model(discretization.multipliers);
-    const Vector f = serial(space.dual(state.system->f));
+    const Vector f = serial(state.system->f);
     Vector gap(discretization.G);
     gap -= discretization.D.transpose_product(space.prescribed(scene_));
     const ContactIterationOptions options = options_for(start);
     const ContactIterationResult result = solve_contact_by_cycles(
       {A, f, discretization.condensed_D, gap, *model,
-       space.condense(space.dual(state.system->loads)).l2_norm()},
+       space.condense(state.system->loads).l2_norm()},
       free_part(space, start.U), start.P.size() > 0 ? start.P : Vector(gap.size()), options);
     state.P = Multiplier(result.P, discretization.K);
     state.U = complete_free_part(space, result.U);

@@ -240,7 +240,7 @@ private:
     dual.F = dual.free.F;
     state.modes = make_motion_modes(space, scene_, *state.inverse);
     const MotionModes<dim> &modes = state.modes;
-    const DualVector loads = space.dual(state.system->loads);
+    const DualVector &loads = state.system->loads;
     if (modes.size() > 0) {
       const MotionWork work = modes.work(scene_.plates, loads, dual.free.U);
       dual.motions = {modes.couple(discretization.D), modes.K, work.value, work.magnitude};

@@ -381,7 +381,7 @@ std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace
                                                          const Scene<dim> &scene,
                                                          const double goal) {
   const auto A = std::make_shared<const StiffnessMultigrid<dim>>(space, scene);
-  DistributedVector diagonal = space.make_vector();
+  DualVector diagonal = space.make_vector();
   const dealii::Vector<double> entries = A->diagonal();
   std::copy(entries.begin(), entries.end(), diagonal.begin());
   return std::make_unique<MultigridInverse>(A, diagonal, goal);

@@ -73,7 +73,6 @@ StiffnessInverse::Vector diagonal_of(const TrilinosWrappers::SparseMatrix &matri
                                     matrix.get_mpi_communicator());
   for (const auto i : matrix.locally_owned_range_indices())
     diagonal(i) = matrix.diag_element(i);
-  diagonal.compress(VectorOperation::insert);
   return diagonal;
 }
 
@@ -113,7 +112,6 @@ StiffnessInverse::StiffnessInverse(const Vector &diagonal, const double unit,
   , scaling_(diagonal) {
   for (const auto i : diagonal.locally_owned_elements())
     scaling_(i) = 1. / std::sqrt(diagonal(i));
-  scaling_.compress(VectorOperation::insert);
 }
 
 StiffnessInverse::Vector StiffnessInverse::make_vector() const {
@@ -140,23 +138,26 @@ MatrixInverse::MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, const
 
 void MatrixInverse::residual(Vector &r, const Vector &x, const Vector &b,
                              const bool accurate) const {
-  if (accurate)
+  if (accurate) {
     accurate_residual(r, x, b);
-  else
-    matrix_.residual(r, x, b);
+    return;
+  }
+  matrix_.vmult(r, x);
+  r.sadd(-1., 1., b);
 }
 
 void MatrixInverse::accurate_residual(Vector &r, const Vector &x, const Vector &b) const {
   const Epetra_CrsMatrix &A = matrix_.trilinos_matrix();
   // The entries of x that the rows of this rank need.
   Epetra_Vector columns(A.ColMap());
+  const Epetra_Vector owned(View, A.DomainMap(), const_cast<double *>(x.begin()));
   if (A.Importer() != nullptr)
-    columns.Import(*x.trilinos_vector()(0), *A.Importer(), Insert);
+    columns.Import(owned, *A.Importer(), Insert);
   else
-    columns.Update(1., *x.trilinos_vector()(0), 0.);
+    columns.Update(1., owned, 0.);
   const double *const x_values = columns.Values();
-  const double *const right_hand_side = b.trilinos_vector()[0];
-  double *const result = r.trilinos_vector()[0];
+  const double *const right_hand_side = b.begin();
+  double *const result = r.begin();
   for (int row = 0; row < A.NumMyRows(); ++row) {
     int n_entries = 0;
     double *values = nullptr;
@@ -227,7 +228,6 @@ void StiffnessInverse::refuse_singular_matrix() const {
   Vector b = make_vector();
   for (const auto i : b.locally_owned_elements())
     b(i) = irregular_number(i);
-  b.compress(VectorOperation::insert);
   std::vector<Vector> x = {b};
   apply(x, {b});
   improve(x[0], b);

@@ -27,7 +27,7 @@ struct System {
     , system(assemble_linear_system(space, scene, 3)) {}
 
   Displacement solve() const {
-    DistributedVector U = space.make_vector();
+    DualVector U = space.make_vector();
     factorise(system.matrix, system.unit, LinearSolver::automatic)->solve(U, system.f);
     return space.complete(U);
   }
@@ -41,7 +41,7 @@ struct System {
 /** The resultant by quadrature, and the work of f_j on rigid motions. */
 void check_resultant(Checks &checks, const std::string &name, const System &body,
                      const Point<2> &force, const double moment) {
-  const DualVector loads = body.space.dual(body.system.loads);
+  const DualVector loads = body.system.loads;
   const auto work = [&](const Field &field) { return loads * nodal_values(body.space, field); };
   const auto &applied = body.system.applied;
   checks.near(name,
@@ -92,8 +92,8 @@ void matrix(Checks &checks) {
   const auto &A = body.system.matrix;
   const auto &constraints = body.space.constraints();
   RandomNumbers random(2);
-  const DistributedVector x = random_rows(body.space, random), y = random_rows(body.space, random);
-  DistributedVector Ax = x, Ay = x;
+  const DualVector x = random_rows(body.space, random), y = random_rows(body.space, random);
+  DualVector Ax = x, Ay = x;
   A.vmult(Ax, x);
   A.vmult(Ay, y);
   const double xAx = Ax * x;

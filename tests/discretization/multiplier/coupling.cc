@@ -121,7 +121,7 @@ void condensed(Checks &checks, const std::string &name, const OneLevel &level) {
   checks.about(name);
   const auto &space = level.space();
   RandomNumbers random(5);
-  DistributedVector free_values = random_rows(space, random);
+  DualVector free_values = random_rows(space, random);
   space.constraints().set_zero(free_values);
   const Displacement U_free = space.displacement(free_values), U = space.complete(free_values);
   const Coupling &condensed_D = level.discretization.condensed_D;

@@ -36,8 +36,8 @@ struct GramMatrix {
     , space(mesh, scene)
     , A_1(assemble_h1_gram_matrix(space)) {}
 
-  DistributedVector distribute(const Displacement &values) const {
-    DistributedVector vector = space.make_vector();
+  DualVector distribute(const Displacement &values) const {
+    DualVector vector = space.make_vector();
     for (const auto i : space.locally_owned())
       vector(i) = values[i];
     vector.compress(dealii::VectorOperation::insert);
@@ -45,7 +45,7 @@ struct GramMatrix {
   }
   /** v^T A_1 w. */
   double product(const Displacement &v, const Displacement &w) const {
-    DistributedVector image = space.make_vector();
+    DualVector image = space.make_vector();
     A_1.vmult(image, distribute(w));
     return distribute(v) * image;
   }

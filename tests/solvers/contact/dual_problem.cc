@@ -29,7 +29,7 @@ struct DualProblem {
     , free(solve_free_state(*inverse, level.space(), system.f, level.discretization.D,
                             level.discretization.G)) {}
 
-  Displacement recover(const dealii::Vector<double> &P, const DistributedVector &f) const {
+  Displacement recover(const dealii::Vector<double> &P, const DualVector &f) const {
     return recover_displacement(*inverse, level.space(), level.discretization.condensed_D, P, f);
   }
   dealii::Vector<double> transpose_product(const Displacement &U) const {
@@ -50,9 +50,9 @@ void equilibrium(Checks &checks, const std::string &name, const DualProblem &pro
   const auto &space = problem.level.space();
   const auto P = RandomNumbers(8).vector(problem.C.m());
   const Displacement U = problem.recover(P, problem.system.f);
-  DualVector residual = space.dual(internal_forces(space, problem.level.scene, U).forces);
+  DualVector residual = internal_forces(space, problem.level.scene, U).forces;
   const double scale = residual.l2_norm();
-  residual -= space.dual(problem.system.loads);
+  residual -= problem.system.loads;
   for (unsigned int tau = 0; tau < P.size(); ++tau)
     for (const auto &entry : problem.level.discretization.D.column(tau))
       residual[entry.first] -= entry.second * P[tau];

@@ -19,8 +19,8 @@ struct Iterated {
     , contact{A, f, condensed_D, gap, *model} {
     // f = T^T (loads - a(k, .)), and the gap that k leaves.
     const Signorini::Displacement k = space.prescribed(scene);
-    Signorini::DualVector r = space.dual(assemble_right_hand_side(space, scene, 2).loads);
-    r -= space.dual(internal_forces(space, scene, k).forces);
+    Signorini::DualVector r = assemble_right_hand_side(space, scene, 2).loads;
+    r -= internal_forces(space, scene, k).forces;
     r = space.condense(r);
     f = dealii::Vector<double>(r.begin(), r.end());
     gap -= D.transpose_product(k);
@@ -34,7 +34,7 @@ struct Iterated {
   }
   /** U = T U_free + k. */
   Signorini::Displacement complete(const dealii::Vector<double> &U_free) const {
-    Signorini::DistributedVector free = space.make_vector();
+    Signorini::DualVector free = space.make_vector();
     for (unsigned int i = 0; i < U_free.size(); ++i)
       free(i) = U_free[i];
     return space.complete(free);

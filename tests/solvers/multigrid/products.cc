@@ -16,7 +16,7 @@ template <int dim>
 double distance_to_matrix(const HeldBody<dim> &body) {
   const LinearSystem<dim> system = assemble_linear_system(body.space, body.scene, 2);
   const dealii::Vector<double> x = body.random_vector(1);
-  DistributedVector x_distributed = body.space.make_vector(), product = x_distributed;
+  DualVector x_distributed = body.space.make_vector(), product = x_distributed;
   for (unsigned int i = 0; i < x.size(); ++i)
     x_distributed(i) = x[i];
   system.matrix.vmult(product, x_distributed);

@@ -23,7 +23,7 @@ void compare(Checks &checks, const std::string &name, const MeshPlan &plan) {
   const Coupling &D = level.discretization.condensed_D;
   const auto condensed = factorise(A, 1., LinearSolver::condensed, contact_unknowns(D));
   const auto klu = factorise(A, 1., LinearSolver::amesos_klu);
-  std::vector<DistributedVector> exact, b, x;
+  std::vector<DualVector> exact, b, x;
   double error = 0.;
   for (const unsigned int seed : {1U, 2U, 3U}) {
     const dealii::Vector<double> values = RandomNumbers(seed).vector(A.m());

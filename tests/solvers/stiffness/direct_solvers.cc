@@ -32,7 +32,7 @@ struct System {
     , space(mesh, scene)
     , A(std::move(assemble_linear_system(space, scene, 3).matrix)) {}
 
-  DistributedVector random_vector(const unsigned int seed) const {
+  DualVector random_vector(const unsigned int seed) const {
     RandomNumbers random(seed);
     return random_rows(space, random);
   }
@@ -62,8 +62,8 @@ Scene<2> sliding() {
 
 void known_answers(Checks &checks) {
   const System system(scene_of(clamped), 3);
-  const DistributedVector exact = system.random_vector(1);
-  DistributedVector b = system.space.make_vector(), x = b;
+  const DualVector exact = system.random_vector(1);
+  DualVector b = system.space.make_vector(), x = b;
   system.A.vmult(b, exact);
   for (const LinearSolver solver : solvers()) {
     checks.about(to_text(solver));
@@ -81,13 +81,13 @@ void known_answers(Checks &checks) {
 
 /** Whether two answers agree: bit by bit on one rank; on several ranks MUMPS adds contributions in
  * the order in which they arrive, and last digits differ. */
-bool same(const DistributedVector &a, const DistributedVector &b, const double tolerance) {
+bool same(const DualVector &a, const DualVector &b, const double tolerance) {
   return relative_distance(a, b) <= (one_rank() ? 0. : tolerance);
 }
 
 /** Loads as smooth and as rough as they come, very large and very small ones. */
-std::vector<DistributedVector> different_loads(const System &system) {
-  std::vector<DistributedVector> loads;
+std::vector<DualVector> different_loads(const System &system) {
+  std::vector<DualVector> loads;
   for (const unsigned int seed : {11U, 12U, 13U})
     loads.push_back(system.random_vector(seed));
   loads[1] *= 1e12;
@@ -106,12 +106,12 @@ std::vector<DistributedVector> different_loads(const System &system) {
  * @param is_refined whether steps of refinement are needed. */
 void without_history(Checks &checks, const std::string &body, const System &system,
                      const bool is_refined, const double tolerance) {
-  const std::vector<DistributedVector> loads = different_loads(system);
+  const std::vector<DualVector> loads = different_loads(system);
   for (const LinearSolver solver : solvers()) {
     const std::string name = body + ", " + to_text(solver);
     const auto inverse = factorise(system.A, 1., solver);
-    std::vector<DistributedVector> first;
-    for (const DistributedVector &b : loads) {
+    std::vector<DualVector> first;
+    for (const DualVector &b : loads) {
       first.push_back(inverse->make_vector());
       inverse->solve(first.back(), b);
     }
@@ -119,13 +119,13 @@ void without_history(Checks &checks, const std::string &body, const System &syst
                 (inverse->rounding_error() > 0.) == is_refined);
     bool unchanged = true;
     for (std::size_t k = loads.size(); k-- > 0;) {
-      DistributedVector x = inverse->make_vector();
+      DualVector x = inverse->make_vector();
       x = 1e5;
       inverse->solve(x, loads[k]);
       unchanged = unchanged && same(x, first[k], tolerance);
     }
     checks.that(name + ": the same answer after other loads", unchanged);
-    std::vector<DistributedVector> several(loads.size(), inverse->make_vector());
+    std::vector<DualVector> several(loads.size(), inverse->make_vector());
     const unsigned int n_solves = inverse->n_solves();
     inverse->solve(several, loads);
     double largest = 0.;

@@ -75,10 +75,10 @@ double stiffness_unit(const DisplacementSpace<dim> &space, const Material<dim> &
 template <int dim>
 struct InternalForces {
   /** The forces (a(φ_j, φ_i))_ij U for all i, constrained or not (force per thickness). */
-  DistributedVector forces;
+  DualVector forces;
   /** The sums |A| |U|, cell by cell. Times the unit roundoff they bound the rounding errors of the
    * forces. */
-  DistributedVector magnitudes;
+  DualVector magnitudes;
 };
 
 /** Integrates the forces. Collective. */

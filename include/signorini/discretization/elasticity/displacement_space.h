@@ -11,16 +11,13 @@
 #include <deal.II/hp/fe_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
-#include <deal.II/lac/trilinos_vector.h>
 #include <deal.II/lac/vector.h>
 
 namespace Signorini {
-/** A vector whose rows are distributed over the ranks like those of A. */
-using DistributedVector = TrilinosWrappers::MPI::Vector;
-
 /**
- * A functional r on V^h by its values r_j = r(φ_j), such as forces at nodes. A rank stores the rows
- * that it owns; the products r·U and the norms are sums over all ranks.
+ * A vector with the rows of A: a functional r on V^h by its values r_j = r(φ_j), such as forces at
+ * nodes, or x = A⁻¹ r. A rank stores the rows that it owns, and collects what it adds to rows of
+ * others; the products r·U and the norms are sums over all ranks.
  */
 using DualVector = LinearAlgebra::distributed::Vector<double>;
 
@@ -166,7 +163,9 @@ public:
     return dofs_.locally_owned_dofs();
   }
   /** Returns a zero vector with the distribution of the rows of A. */
-  DistributedVector make_vector() const;
+  DualVector make_vector() const {
+    return DualVector(rows_);
+  }
   /** Returns U = 0 with the ghosts of this rank. */
   Displacement zero() const {
     Displacement U(rows_);
@@ -174,11 +173,9 @@ public:
     return U;
   }
   /** Returns U with the values of a vector that is distributed like A, as they are. */
-  Displacement displacement(const DistributedVector &rows) const;
-  /** Returns the functional with the rows of a vector that is distributed like A. */
-  DualVector dual(const DistributedVector &rows) const;
+  Displacement displacement(const DualVector &rows) const;
   /** Returns U with the values of the unconstrained rows, and the others computed from them. */
-  Displacement complete(const DistributedVector &free_values) const;
+  Displacement complete(const DualVector &free_values) const;
   /** Sets the constrained values of a difference of two displacements: T w_free, zero where
    * displacements are prescribed. */
   void distribute_homogeneous(Displacement &w) const;

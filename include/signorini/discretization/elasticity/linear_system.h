@@ -17,7 +17,7 @@ TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
 template <int dim>
 void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cell_matrix,
               const std::vector<types::global_dof_index> &indices,
-              TrilinosWrappers::SparseMatrix &matrix, DistributedVector &reduction);
+              TrilinosWrappers::SparseMatrix &matrix, DualVector &reduction);
 
 /** The system A U = f. The matrix is that of a body of size one and modulus one, A = unit × matrix,
  * so that neither units nor sizes of numbers matter to a factorisation. All vectors are in the
@@ -31,9 +31,9 @@ struct LinearSystem {
   double unit = 1.;
   /** The right-hand side f_j, reduced by the contribution of the prescribed displacements; zero in
    * constrained rows. */
-  DistributedVector f;
+  DualVector f;
   /** The loads f_j = ∫ f.φ_j + ∫ t.φ_j for all j, nothing eliminated (force). */
-  DistributedVector loads;
+  DualVector loads;
   /** The resultant of the loads, by quadrature of f and t. */
   Resultant<dim> applied;
 };

@@ -177,8 +177,8 @@ public:
   const Column &column(const unsigned int k) const {
     return columns_[k];
   }
-  /** Adds D P to the locally owned rows of @p vector. The caller compresses. */
-  void add_product(const dealii::Vector<double> &P, DistributedVector &vector) const;
+  /** Adds D P to the locally owned rows of @p vector. */
+  void add_product(const dealii::Vector<double> &P, DualVector &vector) const;
   /** Returns Dᵀ U; collective if U is distributed. */
   template <typename VectorType>
   dealii::Vector<double> transpose_product(const VectorType &U) const;

@@ -78,6 +78,6 @@ struct LemmaNumbers {
  */
 LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space, const Scene<2> &scene,
                                    const MultiplierSpace<2> &multipliers, const Coupling &D,
-                                   const ExactPressure<2> &pressure, const DistributedVector &loads,
+                                   const ExactPressure<2> &pressure, const DualVector &loads,
                                    LinearSolver linear_solver, unsigned int n_points);
 } // namespace Signorini

@@ -163,7 +163,7 @@ struct NodalForces {
  */
 template <int dim>
 NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                         const DistributedVector &loads, const Coupling &D, const Displacement &U,
+                         const DualVector &loads, const Coupling &D, const Displacement &U,
                          const dealii::Vector<double> &P);
 
 /** Returns the force and the moment of p_H n + q_H on a piece of Γ_c. */

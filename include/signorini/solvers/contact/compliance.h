@@ -69,20 +69,19 @@ struct FreeState {
 /** Computes F = G - Dᵀ A⁻¹ f by one solve; openings as small as rounding are zero. Collective. */
 template <int dim>
 FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
-                           const DistributedVector &f, const Coupling &D,
-                           const dealii::Vector<double> &G);
+                           const DualVector &f, const Coupling &D, const dealii::Vector<double> &G);
 
 /** Returns U = A⁻¹(D P + f), (23): step (iv) of the algorithm. Collective. */
 template <int dim>
 Displacement recover_displacement(const StiffnessInverse &inverse,
                                   const DisplacementSpace<dim> &space, const Coupling &condensed_D,
-                                  const dealii::Vector<double> &P, const DistributedVector &f);
+                                  const dealii::Vector<double> &P, const DualVector &f);
 
 /** Returns A⁻¹ b with homogeneous essential conditions: the displacement that the forces b
- * (compressed here) add. Collective. */
+ * add. Collective. */
 template <int dim>
 Displacement solve_homogeneous(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
-                               DistributedVector &b);
+                               const DualVector &b);
 
 /** Returns k + A⁻¹ Tᵀ r: the displacement with the prescribed values k, for r = f - A k.
  * Collective. */

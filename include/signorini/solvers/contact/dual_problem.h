@@ -8,6 +8,7 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/vector.h>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -129,6 +130,10 @@ struct BoundConstrainedQP {
 
   unsigned int size() const {
     return F.size();
+  }
+  /** Returns what rounding leaves of a number relative to its terms in a solve with C. */
+  double rounding() const {
+    return (size() + 10) * std::numeric_limits<double>::epsilon();
   }
   /** Returns W = C P + B z - F. */
   Vector gradient(const Vector &P, const Vector &z = {}) const;

@@ -4,9 +4,9 @@
 #include <signorini/base/dealii.h>
 #include <signorini/problem/parameters/options.h>
 
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
-#include <deal.II/lac/trilinos_vector.h>
 #include <deal.II/lac/vector.h>
 
 #include <map>
@@ -71,7 +71,7 @@ struct SolveAccuracy {
  */
 class StiffnessInverse {
 public:
-  using Vector = TrilinosWrappers::MPI::Vector;
+  using Vector = LinearAlgebra::distributed::Vector<double>;
   using Index = types::global_dof_index;
 
   virtual ~StiffnessInverse() = default;
