@@ -68,13 +68,13 @@ inline Signorini::Displacement nodal_values(const Signorini::DisplacementSpace<2
 }
 
 /** Returns random numbers in the rows of A, the same ones on any number of ranks. */
-inline Signorini::DualVector random_rows(const Signorini::DisplacementSpace<2> &space,
-                                         RandomNumbers &random) {
-  Signorini::DualVector rows = space.make_vector();
+inline Signorini::Displacement random_rows(const Signorini::DisplacementSpace<2> &space,
+                                           RandomNumbers &random) {
+  Signorini::Displacement rows = space.zero();
   const auto values = random.vector(space.dofs().n_dofs());
   for (const auto i : space.locally_owned())
     rows(i) = values[i];
-  rows.compress(dealii::VectorOperation::insert);
+  rows.update_ghost_values();
   return rows;
 }
 

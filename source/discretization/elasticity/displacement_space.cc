@@ -212,9 +212,8 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
 }
 
 template <int dim>
-Displacement DisplacementSpace<dim>::complete(const DualVector &free_values) const {
-  Displacement values(rows_);
-  values = free_values;
+Displacement DisplacementSpace<dim>::complete(const Displacement &free_values) const {
+  Displacement values = free_values;
   values.zero_out_ghost_values();
   constraints_.distribute(values.entries());
   values.update_ghost_values();
@@ -237,14 +236,6 @@ void DisplacementSpace<dim>::distribute_homogeneous(Displacement &w) const {
 template <int dim>
 void DisplacementSpace<dim>::distribute_without_pins(Displacement &w) const {
   set_constrained(constraints_without_pins(), w);
-}
-
-template <int dim>
-Displacement DisplacementSpace<dim>::displacement(const DualVector &rows) const {
-  Displacement U(rows_);
-  U = rows;
-  U.update_ghost_values();
-  return U;
 }
 
 namespace {

@@ -182,9 +182,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
     return relaxed_displacement(data, nodes.E, required, Vector(forces.begin(), forces.end()), held,
                                 10);
   if (!held.empty()) {
-    DualVector pressure_forces = forces;
-    Vector F =
-      nodes.E.transpose_product(solve_homogeneous(data.inverse, data.space, pressure_forces));
+    Vector F = nodes.E.transpose_product(solve_homogeneous(data.inverse, data.space, forces));
     F -= required;
     Vector minus_Q = solve_dual_problem(make_compliance(data.inverse, nodes.E), F,
                                         AdmissibleSet(intervals), start, {})

@@ -226,7 +226,7 @@ std::vector<double> exact_normal_displacement(const Scene<2> &scene, const Surfa
 double dual_norm(const DisplacementSpace<2> &space, const StiffnessInverse &inverse,
                  const DualVector &b) {
   const DualVector right_hand_side = space.condense(b);
-  DualVector v = space.make_vector();
+  Displacement v = space.zero();
   inverse.solve(v, right_hand_side);
   return std::sqrt(std::max(v * right_hand_side, 0.));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Many loads on one body: the factors, C and B are those of all cases.
 
-#include <signorini/discretization/elasticity/cell_stiffness.h>
+#include <signorini/discretization/elasticity/linear_system.h>
 #include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/load_cases/case_solver.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
@@ -44,16 +44,14 @@ CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &
 CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const {
   const Scene<2> scene = with_only(scene_, kind);
   const DisplacementSpace<2> &space = discretization_.space;
-  const DualVector loads = assemble_right_hand_side(space, scene, discretization_.n_points).loads;
-  const Displacement k = space.prescribed(scene);
-  DualVector r = loads;
-  r -= internal_forces(space, scene, k).forces;
+  const LinearSystem<2> system = assemble_right_hand_side(space, scene, discretization_.n_points);
   LoadResponse response;
   response.kind = kind;
-  response.U = solve_prescribed(*contact_.inverse, space, k, r);
+  response.U = solve_homogeneous(*contact_.inverse, space, system.f);
+  response.U += space.prescribed(scene);
   response.closing = discretization_.D.transpose_product(response.U);
-  response.loads = loads;
-  response.work = contact_.modes.work(scene.plates, loads, response.U);
+  response.loads = system.loads;
+  response.work = contact_.modes.work(scene.plates, system.loads, response.U);
   return response;
 }
 

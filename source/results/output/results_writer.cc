@@ -145,7 +145,7 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   Utilities::MPI::sum(f, communicator_, f);
   // F = G - Dᵀ A⁻¹ f for unconstrained unknowns: prescribed displacements count as gap.
   dealii::Vector<double> G = discretization.G;
-  G -= discretization.D.transpose_product(space.complete(space.make_vector()));
+  G -= discretization.D.transpose_product(space.complete(space.zero()));
   const auto write_matrix = [&](const char *name, const auto &...matrix) {
     write(level_file(name, solution.record.sizes.level, ".mtx"),
           [&](std::ostream &stream) { write_matrix_market(stream, matrix...); });

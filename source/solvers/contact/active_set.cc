@@ -8,7 +8,6 @@
 #include <deal.II/lac/exceptions.h>
 
 #include <algorithm>
-#include <limits>
 #include <random>
 #include <set>
 

@@ -27,7 +27,7 @@ ComplianceOperator::Matrix ColumnCompliance::solve_for(const Indices &numbers) c
   dealii::Vector<double> unit(size());
   for (std::size_t first = 0; first < numbers.size(); first += block_size) {
     const std::size_t last = std::min(first + block_size, numbers.size());
-    std::vector<DualVector> right_hand_sides, solutions;
+    std::vector<StiffnessInverse::Vector> right_hand_sides, solutions;
     for (std::size_t j = first; j < last; ++j) {
       unit = 0.;
       unit[numbers[j]] = 1.;
@@ -116,7 +116,7 @@ template <int dim>
 FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
                            const DualVector &f, const Coupling &D,
                            const dealii::Vector<double> &G) {
-  DualVector U_0 = space.make_vector();
+  Displacement U_0 = space.zero();
   inverse.solve(U_0, f);
   FreeState state;
   state.U = space.complete(U_0);
@@ -142,7 +142,7 @@ Displacement recover_displacement(const StiffnessInverse &inverse,
                                   const dealii::Vector<double> &P, const DualVector &f) {
   DualVector DP_plus_f(f);
   condensed_D.add_product(P, DP_plus_f);
-  DualVector U = space.make_vector();
+  Displacement U = space.zero();
   inverse.solve(U, DP_plus_f);
   return space.complete(U);
 }
@@ -156,16 +156,7 @@ Displacement solve_homogeneous(const StiffnessInverse &inverse, const Displaceme
   return w;
 }
 
-template <int dim>
-Displacement solve_prescribed(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
-                              const Displacement &k, const DualVector &r) {
-  Displacement U = solve_homogeneous(inverse, space, space.condense(r));
-  U += k;
-  return U;
-}
-
 INSTANTIATE_FUNCTION(solve_free_state);
 INSTANTIATE_FUNCTION(recover_displacement);
 INSTANTIATE_FUNCTION(solve_homogeneous);
-INSTANTIATE_FUNCTION(solve_prescribed);
 } // namespace Signorini

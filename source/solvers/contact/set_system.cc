@@ -28,13 +28,14 @@ double product(const Direction &direction, const Vector &v) {
 
 /**
  * The linear system of a set: P = P_0 + Σ_j y_j trial_j with test_j·W + stiffness_j y_j = 0. With
- * Coulomb's law bounds follow P_n: there trial_j has a part more than test_j, in the direction of
- * P_t.
+ * Coulomb's law the bound of a P_t that slips follows its P_n: there trial_j is test_j and the
+ * change of that P_t.
  */
 struct ActiveSet {
+  /** Collects the unknowns, see solve_on_set(). */
   ActiveSet(const BoundConstrainedQP &qp, const States &states, const Vector &a)
     : P_0(qp.size()) {
-    const AdmissibleSet &K = qp.K;
+    const AdmissibleSet &K = qp.K, K_at_a = K.n_discs() > 0 ? K.at(a) : AdmissibleSet();
     std::vector<unsigned int> place(states.size());
     for (unsigned int i = 0; i < states.size(); ++i) {
       const unsigned int second = i + K.n_discs();
@@ -48,7 +49,7 @@ struct ActiveSet {
         continue;
       }
       if (K.is_disc(i)) {
-        const double size = K.length(i, a), s = end + f * std::max(0., -a[i - K.n_normal()]);
+        const double size = K.length(i, a), s = K_at_a[i].upper;
         if (!(s > 0.))
           continue;
         e = {{i, a[i] / size}, {second, a[second] / size}};
@@ -81,7 +82,7 @@ struct ActiveSet {
         numbers.push_back(j);
     return numbers;
   }
-  /** Returns the matrix for the given trial directions. */
+  /** Returns the matrix for trial directions: all of them, or test without followers. */
   FullMatrix<double> matrix(const FullMatrix<double> &C,
                             const std::vector<Direction> &directions) const {
     FullMatrix<double> result = tested(C, directions);

@@ -66,7 +66,9 @@ Displacement extend(const Displacement &k, const DisplacementSpace<2> &space, co
                     const StiffnessInverse &inverse) {
   DualVector r = internal_forces(space, scene, k).forces;
   r *= -1.;
-  return solve_prescribed(inverse, space, k, r);
+  Displacement z = solve_homogeneous(inverse, space, space.condense(r));
+  z += k;
+  return z;
 }
 
 /** Returns the modes of plates, and of a body that only contact holds. */

@@ -43,7 +43,7 @@ Vector free_part(const DisplacementSpace<dim> &space, const Displacement &U) {
 /** Returns U = T U_free + k. */
 template <int dim>
 Displacement complete_free_part(const DisplacementSpace<dim> &space, const Vector &U_free) {
-  DualVector free = space.make_vector();
+  Displacement free = space.zero();
   std::copy(U_free.begin(), U_free.end(), free.begin());
   return space.complete(free);
 }

@@ -140,10 +140,10 @@ void MatrixInverse::residual(Vector &r, const Vector &x, const Vector &b,
                              const bool accurate) const {
   if (accurate) {
     accurate_residual(r, x, b);
-    return;
+  } else {
+    matrix_.vmult(r, x);
+    r.sadd(-1., 1., b);
   }
-  matrix_.vmult(r, x);
-  r.sadd(-1., 1., b);
 }
 
 void MatrixInverse::accurate_residual(Vector &r, const Vector &x, const Vector &b) const {

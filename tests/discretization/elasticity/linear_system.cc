@@ -27,7 +27,7 @@ struct System {
     , system(assemble_linear_system(space, scene, 3)) {}
 
   Displacement solve() const {
-    DualVector U = space.make_vector();
+    Displacement U = space.zero();
     factorise(system.matrix, system.unit, LinearSolver::automatic)->solve(U, system.f);
     return space.complete(U);
   }

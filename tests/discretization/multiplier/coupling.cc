@@ -121,9 +121,9 @@ void condensed(Checks &checks, const std::string &name, const OneLevel &level) {
   checks.about(name);
   const auto &space = level.space();
   RandomNumbers random(5);
-  DualVector free_values = random_rows(space, random);
-  space.constraints().set_zero(free_values);
-  const Displacement U_free = space.displacement(free_values), U = space.complete(free_values);
+  Displacement U_free = random_rows(space, random);
+  space.constraints().set_zero(U_free.entries());
+  const Displacement U = space.complete(U_free);
   const Coupling &condensed_D = level.discretization.condensed_D;
   checks.near(
     "D^T T U = (T^T D)^T U",

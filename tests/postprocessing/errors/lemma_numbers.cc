@@ -75,7 +75,7 @@ void restriction(Checks &checks) {
   const DualVector r = random_rows(space, random), condensed = space.condense(r);
   // T v - k is linear in v.
   const Displacement v = space.complete(random_rows(space, random)),
-                     k = space.complete(space.make_vector());
+                     k = space.complete(space.zero());
   Displacement Tv = v;
   Tv -= k;
   checks.that("something is prescribed", k.linfty_norm() > 0.01);

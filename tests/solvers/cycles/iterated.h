@@ -34,7 +34,7 @@ struct Iterated {
   }
   /** U = T U_free + k. */
   Signorini::Displacement complete(const dealii::Vector<double> &U_free) const {
-    Signorini::DualVector free = space.make_vector();
+    Signorini::Displacement free = space.zero();
     for (unsigned int i = 0; i < U_free.size(); ++i)
       free(i) = U_free[i];
     return space.complete(free);

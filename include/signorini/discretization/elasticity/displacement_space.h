@@ -15,9 +15,9 @@
 
 namespace Signorini {
 /**
- * A vector with the rows of A: a functional r on V^h by its values r_j = r(φ_j), such as forces at
- * nodes, or x = A⁻¹ r. A rank stores the rows that it owns, and collects what it adds to rows of
- * others; the products r·U and the norms are sums over all ranks.
+ * A functional r on V^h by its values r_j = r(φ_j), such as forces at nodes. A rank stores the rows
+ * that it owns, and collects what it adds to rows of others until compress(); the products r·U and
+ * the norms are sums over all ranks.
  */
 using DualVector = LinearAlgebra::distributed::Vector<double>;
 
@@ -162,7 +162,7 @@ public:
   const IndexSet &locally_owned() const {
     return dofs_.locally_owned_dofs();
   }
-  /** Returns a zero vector with the distribution of the rows of A. */
+  /** Returns the functional zero. */
   DualVector make_vector() const {
     return DualVector(rows_);
   }
@@ -172,10 +172,8 @@ public:
     U.update_ghost_values();
     return U;
   }
-  /** Returns U with the values of a vector that is distributed like A, as they are. */
-  Displacement displacement(const DualVector &rows) const;
   /** Returns U with the values of the unconstrained rows, and the others computed from them. */
-  Displacement complete(const DualVector &free_values) const;
+  Displacement complete(const Displacement &free_values) const;
   /** Sets the constrained values of a difference of two displacements: T w_free, zero where
    * displacements are prescribed. */
   void distribute_homogeneous(Displacement &w) const;

@@ -82,10 +82,4 @@ Displacement recover_displacement(const StiffnessInverse &inverse,
 template <int dim>
 Displacement solve_homogeneous(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
                                const DualVector &b);
-
-/** Returns k + A⁻¹ Tᵀ r: the displacement with the prescribed values k, for r = f - A k.
- * Collective. */
-template <int dim>
-Displacement solve_prescribed(const StiffnessInverse &inverse, const DisplacementSpace<dim> &space,
-                              const Displacement &k, const DualVector &r);
 } // namespace Signorini

@@ -131,7 +131,7 @@ struct BoundConstrainedQP {
   unsigned int size() const {
     return F.size();
   }
-  /** Returns what rounding leaves of a number relative to its terms in a solve with C. */
+  /** Returns the relative residual that rounding leaves after a solve with a part of C. */
   double rounding() const {
     return (size() + 10) * std::numeric_limits<double>::epsilon();
   }

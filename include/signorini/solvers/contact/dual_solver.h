@@ -76,7 +76,8 @@ QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<
  * converge in any case. With Coulomb's law it may also begin anew at a random P (a fixed sequence
  * of numbers).
  *
- * @param start a pressure that gives the first states; empty: every unknown is active.
+ * @param start a pressure that gives the first states, or with discs begins the sweeps; empty:
+ * every unknown is active, or P = 0.
  */
 QPResult solve_by_active_set(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
                              const IterationOptions &options);
