@@ -210,15 +210,16 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states, const V
     const Vector W = qp.gradient(x.P, x.z);
     for (unsigned int j = 0; j < y.size(); ++j)
       dy[j] = -product(set.test[j], W) - set.stiffness[j] * y[j];
-    if (y.size() > 0)
+    if (y.size() > 0) {
       factor.solve(dy);
-    y += dy;
+      y += dy;
+    }
     x.P = set.P(y);
     if (n == 0)
       continue;
     S.inverse.vmult(dz, qp.imbalance(x.P, x.z));
     x.z += dz;
-    for (unsigned int j = 0; j < n; ++j)
+    for (unsigned int j = 0; j < n && y.size() > 0; ++j)
       y.add(-dz[j], resistance.X[j]);
     x.P = set.P(y);
   }
