@@ -257,6 +257,20 @@ double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) co
   return EnergyMeasure<2>(*data_.scene.material).energy(values, gradients);
 }
 
+bool LiftField::is_cut_along_edges(const CellIterator &cell) const {
+  const auto crossings = [&](const unsigned int edge) {
+    const auto line = cell->face(edge);
+    return data_.scene.law_kinks.cut(line->vertex(0), line->vertex(1));
+  };
+  const auto is_same = [](const double a, const double b) { return std::abs(a - b) < 1e-12; };
+  for (const unsigned int edge : {0, 2}) {
+    const std::vector<double> here = crossings(edge), there = crossings(edge + 1);
+    if (!std::equal(here.begin(), here.end(), there.begin(), there.end(), is_same))
+      return false;
+  }
+  return !data_.scene.law_kinks.boxes().divides(cell->bounding_box());
+}
+
 dealii::Vector<double> LiftField::cell_energies() const {
   const bool constant = data_.scene.material->is_constant();
   const std::size_t n_cells = data_.space.mesh().triangulation().n_active_cells();
@@ -264,7 +278,7 @@ dealii::Vector<double> LiftField::cell_energies() const {
     // Boxes of the law are hardly smaller.
     constexpr double smallest = 1. / 512.;
     const double n = cell->diameter() / (smallest * data_.scene.geometry.diameter());
-    return needs_cuts<2>(data_.scene.law_kinks, cell)
+    return needs_cuts<2>(data_.scene.law_kinks, cell) && !is_cut_along_edges(cell)
              ? static_cast<unsigned int>(std::clamp(n, 1., 24.))
              : 1;
   };
@@ -296,7 +310,9 @@ dealii::Vector<double> LiftField::cell_energies() const {
       energy_of_cell = energy(cell, plain.get_present_fe_values());
       continue;
     }
-    const QGauss<1> gauss(n_points(element.degree, true));
+    // On parts of half the size, one point less has the same effect.
+    const int n_gauss = n_points(element.degree, true);
+    const QGauss<1> gauss(std::max(std::min(3, n_gauss), n_gauss - std::ilogb(n_equal)));
     FEValues<2> on_parts(data_.space.mesh().mapping(), element,
                          QAnisotropic<2>(split_quadrature(gauss, x), split_quadrature(gauss, y)),
                          flags);

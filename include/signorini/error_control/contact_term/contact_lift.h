@@ -54,8 +54,8 @@ public:
    *
    * It is integrated by Gauss' formula on the parts of a cell on which w is a polynomial in
    * reference coordinates. This is exact on parallelograms with constant E. Elsewhere the parts are
-   * also cut where kinks of the data cross edges of the cell; there the cell is cut into
-   * up to 24 equal parts per direction, too.
+   * also cut where kinks of the data cross edges of the cell. Where these do not run along its
+   * edges, or data varies fast, the cell is cut into up to 24 equal parts per direction, too.
    */
   dealii::Vector<double> cell_energies() const;
 
@@ -70,6 +70,8 @@ private:
   /** Returns the positions at which pieces of w or of the material begin and end in reference
    * coordinate @p d, with those of @p n_equal parts. */
   std::vector<double> cuts(const CellIterator &cell, unsigned int d, unsigned int n_equal) const;
+  /** Returns whether cuts() knows all lines on which the law is not smooth. */
+  bool is_cut_along_edges(const CellIterator &cell) const;
   /** Returns the energy on a cell. */
   double energy(const CellIterator &cell, const FEValues<2> &values) const;
 
