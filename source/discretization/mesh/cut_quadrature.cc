@@ -30,6 +30,16 @@ Polygon clip(const Polygon &polygon, const KinkLine<2> &line, const double sign)
   return part;
 }
 
+/** Returns whether a polygon is a rectangle with edges along x and y. */
+bool is_rectangle(const Polygon &polygon) {
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Tensor<1, 2> edge = polygon[(i + 1) % 4] - polygon[i];
+    if (polygon.size() != 4 || edge[0] * edge[1] != 0.)
+      return false;
+  }
+  return true;
+}
+
 /** Collects physical points and weights on convex polygons. */
 class PolygonRule {
 public:
@@ -37,16 +47,25 @@ public:
    * With p + 3 points per direction, p > 1, the rule on whole pieces is exact for products of
    * gradients of functions of degree p per direction; on pieces that are half as large, one point
    * less has the same effect.
+   * @param in_rectangle whether the polygons are parts of a rectangle.
    * @param ends points towards which the pieces shrink.
    */
-  PolygonRule(const unsigned int n_points, std::vector<Point<2>> ends)
+  PolygonRule(const unsigned int n_points, const bool in_rectangle, std::vector<Point<2>> ends)
     : n_points_(n_points)
+    , in_rectangle_(in_rectangle)
     , ends_(std::move(ends)) {}
 
-  /** Adds a polygon: a fan of triangles. @param halvings how often it was halved before. */
+  /** Adds a polygon: a rectangle away from all ends, or else a fan of triangles.
+   * @param halvings how often it was halved before. */
   void add_polygon(const Polygon &polygon, const unsigned int halvings) {
+    const unsigned int depth = std::min(halvings, deepest);
+    if (ends_.empty() && is_rectangle(polygon)) {
+      add_image(QGauss<2>(n_points(depth, !in_rectangle_)), polygon[0], polygon[1] - polygon[0],
+                polygon[3] - polygon[0]);
+      return;
+    }
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-      add({{polygon[0], polygon[i], polygon[i + 1]}}, std::min(halvings, deepest));
+      add({{polygon[0], polygon[i], polygon[i + 1]}}, depth);
   }
 
   std::vector<Point<2>> points;
@@ -62,13 +81,29 @@ private:
   /** The number of points on the smallest pieces, near an end and elsewhere. */
   static constexpr unsigned int min_points = 5, min_smooth_points = 3;
 
+  /** Returns the number of points per direction on a piece.
+   * @param adds whether degrees in reference coordinates add up along lines in the piece. */
+  unsigned int n_points(const unsigned int depth, const bool adds) const {
+    if (depth == 0 && n_points_ > 4 && adds)
+      return 2 * n_points_ - 4;
+    const unsigned int least = std::min(n_points_, ends_.empty() ? min_smooth_points : min_points);
+    return std::max(least, n_points_ - std::min(n_points_, depth / 2));
+  }
+
   /** Returns a rule by Duffy's map. */
   const QDuffy &rule(const unsigned int depth) {
-    const unsigned int least = std::min(n_points_, ends_.empty() ? min_smooth_points : min_points);
-    unsigned int n = std::max(least, n_points_ - std::min(n_points_, depth / 2));
-    if (depth == 0 && n_points_ > 4)
-      n = 2 * n_points_ - 4;
+    const unsigned int n = n_points(depth, true);
     return rules_.try_emplace(n, n, 1.).first->second;
+  }
+
+  /** Adds the image of a rule under the linear map that begins at x and has columns s and t. */
+  void add_image(const Quadrature<2> &here, const Point<2> &x, const Tensor<1, 2> &s,
+                 const Tensor<1, 2> &t) {
+    const double jacobian = std::abs(s[0] * t[1] - s[1] * t[0]);
+    for (unsigned int q = 0; q < here.size(); ++q) {
+      points.push_back(x + here.point(q)[0] * s + here.point(q)[1] * t);
+      weights.push_back(here.weight(q) * jacobian);
+    }
   }
 
   void add(const Triangle &piece, const unsigned int depth) {
@@ -92,16 +127,11 @@ private:
       add({{x, middle, z}}, depth + 1);
       return;
     }
-    const Tensor<1, 2> s = y - x, t = z - x;
-    const double jacobian = std::abs(s[0] * t[1] - s[1] * t[0]);
-    const Quadrature<2> &here = rule(depth);
-    for (unsigned int q = 0; q < here.size(); ++q) {
-      points.push_back(x + here.point(q)[0] * s + here.point(q)[1] * t);
-      weights.push_back(here.weight(q) * jacobian);
-    }
+    add_image(rule(depth), x, y - x, z - x);
   }
 
   const unsigned int n_points_;
+  const bool in_rectangle_;
   const std::vector<Point<2>> ends_;
   std::map<unsigned int, QDuffy> rules_;
 };
@@ -183,9 +213,9 @@ std::vector<PolygonPart> cut_polygon(const Kinks<2> &kinks, const Polygon &polyg
 
 Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
                              const unsigned int n_points) {
-  PolygonRule rule(n_points, ends_near(kinks, cell));
-  for (const PolygonPart &part :
-       cut_polygon(kinks, {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}))
+  const Polygon whole = {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)};
+  PolygonRule rule(n_points, is_rectangle(whole), ends_near(kinks, cell));
+  for (const PolygonPart &part : cut_polygon(kinks, whole))
     rule.add_polygon(part.corners, part.halvings);
   const MappingQ1<2> mapping;
   for (std::size_t q = 0; q < rule.points.size(); ++q) {

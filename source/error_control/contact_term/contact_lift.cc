@@ -2,15 +2,14 @@
 // The contact part of the bound: the lift in the body, its energy, and the sum.
 
 #include <signorini/discretization/elasticity/body_measure.h>
+#include <signorini/discretization/elasticity/cell_field.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/contact_term/contact_lift.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/hp/fe_values.h>
-#include <deal.II/hp/mapping_collection.h>
-#include <deal.II/hp/q_collection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -232,9 +231,18 @@ std::vector<double> LiftField::cuts(const CellIterator &cell, const unsigned int
   return cuts;
 }
 
-double LiftField::energy(const CellIterator &cell, const FEValues<2> &values) const {
-  std::vector<Tensor<2, 2>> gradients(values.n_quadrature_points);
-  values[FEValuesExtractors::Vector(0)].get_function_gradients(w_h_.entries(), gradients);
+double LiftField::energy(const CellIterator &cell, const std::array<Quadrature<1>, 2> &on_axes,
+                         const FEValues<2> &values) const {
+  std::array<LineTable, 2> lines;
+  for (unsigned int d = 0; d < 2; ++d) {
+    std::vector<double> positions;
+    for (const Point<1> &point : on_axes[d].get_points())
+      positions.push_back(point[0]);
+    lines[d] = make_line_table(cell->get_fe().degree, positions);
+  }
+  std::vector<Tensor<2, 2>> gradients = CellField(cell, w_h_).gradients(lines[0], lines[1]);
+  for (const unsigned int q : values.quadrature_point_indices())
+    gradients[q] = gradients[q] * Tensor<2, 2>(values.inverse_jacobian(q));
   const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
   for (const unsigned int q : values.quadrature_point_indices()) {
     const Point<2> &x = values.get_quadrature().point(q);
@@ -282,42 +290,31 @@ dealii::Vector<double> LiftField::cell_energies() const {
              ? static_cast<unsigned int>(std::clamp(n, 1., 24.))
              : 1;
   };
-  const UpdateFlags flags =
-    update_gradients | update_quadrature_points | update_inverse_jacobians | update_JxW_values;
   // Products of derivatives of w_h, or of r_F, which has the degree two; more where E varies.
   const auto n_points = [&](const unsigned int degree, const bool is_cut) {
     return constant ? std::max(is_cut ? 2U : 1U, degree) + 1 : degree + 3;
   };
-  hp::QCollection<2> rules;
-  for (unsigned int number = 0; number < data_.space.elements().size(); ++number)
-    rules.push_back(QGauss<2>(n_points(data_.space.elements()[number].degree, false)));
-  const hp::MappingCollection<2> mappings(data_.space.mesh().mapping());
-  hp::FEValues<2> plain(mappings, data_.space.elements(), rules, flags);
+  const FE_Nothing<2> no_functions;
   dealii::Vector<double> energies(n_cells), nodal;
   for (const auto &cell : data_.space.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
-    const FiniteElement<2> &element = cell->get_fe();
-    nodal.reinit(element.n_dofs_per_cell());
+    nodal.reinit(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_values(w_h_, nodal);
     if (nodal.all_zero() && columns_.count(cell->active_cell_index()) == 0)
       continue;
     const unsigned int n_equal = n_equal_parts(cell);
     const std::vector<double> x = cuts(cell, 0, n_equal), y = cuts(cell, 1, n_equal);
-    double &energy_of_cell = energies[cell->active_cell_index()];
-    if (x.size() == 2 && y.size() == 2) {
-      plain.reinit(cell);
-      energy_of_cell = energy(cell, plain.get_present_fe_values());
-      continue;
-    }
     // On parts of half the size, one point less has the same effect.
-    const int n_gauss = n_points(element.degree, true);
+    const int n_gauss = n_points(cell->get_fe().degree, x.size() > 2 || y.size() > 2);
     const QGauss<1> gauss(std::max(std::min(3, n_gauss), n_gauss - std::ilogb(n_equal)));
-    FEValues<2> on_parts(data_.space.mesh().mapping(), element,
-                         QAnisotropic<2>(split_quadrature(gauss, x), split_quadrature(gauss, y)),
-                         flags);
-    on_parts.reinit(cell);
-    energy_of_cell = energy(cell, on_parts);
+    const std::array<Quadrature<1>, 2> on_axes = {
+      {split_quadrature(gauss, x), split_quadrature(gauss, y)}};
+    FEValues<2> values(data_.space.mesh().mapping(), no_functions,
+                       QAnisotropic<2>(on_axes[0], on_axes[1]),
+                       update_quadrature_points | update_inverse_jacobians | update_JxW_values);
+    values.reinit(static_cast<const Triangulation<2>::active_cell_iterator &>(cell));
+    energies[cell->active_cell_index()] = energy(cell, on_axes, values);
   }
   return energies;
 }
