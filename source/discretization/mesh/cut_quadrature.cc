@@ -80,12 +80,14 @@ private:
   static constexpr unsigned int deepest = 18;
   /** The number of points on the smallest pieces, near an end and elsewhere. */
   static constexpr unsigned int min_points = 5, min_smooth_points = 3;
+  /** The least number of points in a direction that boxes divide and the other does not. */
+  static constexpr unsigned int in_box = 6;
 
   /** Returns the number of points per direction on a piece.
    * @param adds whether degrees in reference coordinates add up along lines in the piece. */
   unsigned int n_points(const unsigned int depth, const bool adds) const {
-    if (depth == 0 && n_points_ > 4 && adds)
-      return 2 * n_points_ - 4;
+    if (depth == 0 && n_points_ > 4)
+      return adds ? 2 * n_points_ - 4 : std::max(n_points_, in_box);
     const unsigned int least = std::min(n_points_, ends_.empty() ? min_smooth_points : min_points);
     return std::max(least, n_points_ - std::min(n_points_, depth / 2));
   }
