@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
+#include <memory>
 #include <sstream>
 
 namespace Signorini {
@@ -231,16 +233,30 @@ std::vector<double> LiftField::cuts(const CellIterator &cell, const unsigned int
   return cuts;
 }
 
-double LiftField::energy(const CellIterator &cell, const std::array<Quadrature<1>, 2> &on_axes,
-                         const FEValues<2> &values) const {
-  std::array<LineTable, 2> lines;
-  for (unsigned int d = 0; d < 2; ++d) {
+struct LiftField::Rule {
+  Rule(const Mapping<2> &mapping, const unsigned int degree, const Quadrature<1> &x,
+       const Quadrature<1> &y)
+    : lines({make_line_table(degree, positions(x)), make_line_table(degree, positions(y))})
+    , values(mapping, no_functions, QAnisotropic<2>(x, y),
+             update_quadrature_points | update_inverse_jacobians | update_JxW_values) {}
+
+  static std::vector<double> positions(const Quadrature<1> &rule) {
     std::vector<double> positions;
-    for (const Point<1> &point : on_axes[d].get_points())
+    for (const Point<1> &point : rule.get_points())
       positions.push_back(point[0]);
-    lines[d] = make_line_table(cell->get_fe().degree, positions);
+    return positions;
   }
-  std::vector<Tensor<2, 2>> gradients = CellField(cell, w_h_).gradients(lines[0], lines[1]);
+
+  std::array<LineTable, 2> lines;
+  FE_Nothing<2> no_functions;
+  FEValues<2> values;
+};
+
+double LiftField::energy(const CellIterator &cell, Rule &rule) const {
+  rule.values.reinit(static_cast<const Triangulation<2>::active_cell_iterator &>(cell));
+  const FEValues<2> &values = rule.values;
+  std::vector<Tensor<2, 2>> gradients =
+    CellField(cell, w_h_).gradients(rule.lines[0], rule.lines[1]);
   for (const unsigned int q : values.quadrature_point_indices())
     gradients[q] = gradients[q] * Tensor<2, 2>(values.inverse_jacobian(q));
   const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
@@ -294,7 +310,8 @@ dealii::Vector<double> LiftField::cell_energies() const {
   const auto n_points = [&](const unsigned int degree, const bool is_cut) {
     return constant ? std::max(is_cut ? 2U : 1U, degree) + 1 : degree + 3;
   };
-  const FE_Nothing<2> no_functions;
+  // The rule of cells that are not cut, by degree; that of the last one that is cut.
+  std::map<unsigned int, std::unique_ptr<Rule>> rules;
   dealii::Vector<double> energies(n_cells), nodal;
   for (const auto &cell : data_.space.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned())
@@ -305,16 +322,17 @@ dealii::Vector<double> LiftField::cell_energies() const {
       continue;
     const unsigned int n_equal = n_equal_parts(cell);
     const std::vector<double> x = cuts(cell, 0, n_equal), y = cuts(cell, 1, n_equal);
-    // On parts of half the size, one point less has the same effect.
-    const int n_gauss = n_points(cell->get_fe().degree, x.size() > 2 || y.size() > 2);
-    const QGauss<1> gauss(std::max(std::min(3, n_gauss), n_gauss - std::ilogb(n_equal)));
-    const std::array<Quadrature<1>, 2> on_axes = {
-      {split_quadrature(gauss, x), split_quadrature(gauss, y)}};
-    FEValues<2> values(data_.space.mesh().mapping(), no_functions,
-                       QAnisotropic<2>(on_axes[0], on_axes[1]),
-                       update_quadrature_points | update_inverse_jacobians | update_JxW_values);
-    values.reinit(static_cast<const Triangulation<2>::active_cell_iterator &>(cell));
-    energies[cell->active_cell_index()] = energy(cell, on_axes, values);
+    const bool is_cut = x.size() > 2 || y.size() > 2;
+    const unsigned int degree = cell->get_fe().degree;
+    std::unique_ptr<Rule> &rule = rules[is_cut ? 0 : degree];
+    if (is_cut || rule == nullptr) {
+      // On parts of half the size, one point less has the same effect.
+      const int n_gauss = n_points(degree, is_cut);
+      const QGauss<1> gauss(std::max(std::min(3, n_gauss), n_gauss - std::ilogb(n_equal)));
+      rule = std::make_unique<Rule>(data_.space.mesh().mapping(), degree,
+                                    split_quadrature(gauss, x), split_quadrature(gauss, y));
+    }
+    energies[cell->active_cell_index()] = energy(cell, *rule);
   }
   return energies;
 }

@@ -72,10 +72,10 @@ private:
   std::vector<double> cuts(const CellIterator &cell, unsigned int d, unsigned int n_equal) const;
   /** Returns whether cuts() knows all lines on which the law is not smooth. */
   bool is_cut_along_edges(const CellIterator &cell) const;
-  /** Returns the energy on a cell, integrated by the product of two rules. @param values the
-   * geometry at its points. */
-  double energy(const CellIterator &cell, const std::array<Quadrature<1>, 2> &on_axes,
-                const FEValues<2> &values) const;
+  /** Points on a cell, with the polynomials of w_h and the geometry there. */
+  struct Rule;
+  /** Returns the energy on a cell. */
+  double energy(const CellIterator &cell, Rule &rule) const;
 
   const BoundData &data_;
   const ContactTrace &trace_;
