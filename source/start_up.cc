@@ -18,6 +18,17 @@
 #include <thread>
 #include <vector>
 
+namespace {
+/** UCX, which Open MPI loads on some systems, takes the signal SIGHUP in a constructor, also from a
+ * process that nohup lets ignore it. Only what stands here runs before the libraries' constructors.
+ */
+void leave_hangup_alone(int /*n*/, char ** /*arguments*/, char ** /*environment*/) {
+  setenv("UCX_DEBUG_SIGNO", "0", 0);
+}
+__attribute__((section(".preinit_array"),
+               used)) void (*const before_libraries)(int, char **, char **) = leave_hangup_alone;
+} // namespace
+
 namespace Signorini {
 void configure_single_process() {
   for (const char *launched : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"})
