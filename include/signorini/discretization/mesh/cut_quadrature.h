@@ -32,10 +32,10 @@ bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell
 
 /**
  * Returns a rule on the reference cell that integrates on the pieces into which lines and boxes
- * cut a cell. They are divided into triangles, each with @p n_points points per direction; near a
- * possible end of contact the triangles shrink towards it. A curved cell is cut like the
- * quadrilateral of its vertices: the rule is as accurate there for smooth functions, and nearly so
- * for others.
+ * cut a cell: Gauss' rule on rectangles, Duffy's on the triangles of other pieces, each with
+ * @p n_points points per direction. Near a possible end of contact all pieces are triangles, which
+ * shrink towards it. A curved cell is cut like the quadrilateral of its vertices: the rule is as
+ * accurate there for smooth functions, and nearly so for others.
  */
 Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
                              unsigned int n_points);
