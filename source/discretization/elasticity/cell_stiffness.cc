@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // a(u,v) = ∫ E_ijkl u_{k,l} v_{i,j}, cell by cell.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 
@@ -10,21 +11,6 @@
 namespace Signorini {
 namespace {
 const UpdateFlags stiffness_flags = update_gradients | update_quadrature_points | update_JxW_values;
-
-/** Returns whether every vertex is the sum of the edges along its coordinates: a parallelogram, in
- * 3-D a parallelepiped. */
-template <int dim>
-bool is_affine(const typename Triangulation<dim>::active_cell_iterator &cell) {
-  for (const unsigned int v : cell->vertex_indices()) {
-    Tensor<1, dim> difference = cell->vertex(v) - cell->vertex(0);
-    for (unsigned int d = 0; d < dim; ++d)
-      if (((v >> d) & 1U) != 0)
-        difference -= cell->vertex(1U << d) - cell->vertex(0);
-    if (!(difference.norm() < 1e-12 * cell->diameter()))
-      return false;
-  }
-  return true;
-}
 
 /** Returns ∫_K div φ_i / |K| for all i. */
 template <int dim>
@@ -41,6 +27,19 @@ std::vector<double> mean_divergences(const FEValues<dim> &values) {
   return means;
 }
 } // namespace
+
+template <int dim>
+bool is_affine(const typename Triangulation<dim>::cell_iterator &cell) {
+  for (const unsigned int v : cell->vertex_indices()) {
+    Tensor<1, dim> difference = cell->vertex(v) - cell->vertex(0);
+    for (unsigned int d = 0; d < dim; ++d)
+      if (((v >> d) & 1U) != 0)
+        difference -= cell->vertex(1U << d) - cell->vertex(0);
+    if (!(difference.norm() < 1e-12 * cell->diameter()))
+      return false;
+  }
+  return true;
+}
 
 template <int dim>
 CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Scene<dim> &scene)
@@ -115,6 +114,7 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator
   return sample.matrix;
 }
 
+INSTANTIATE_FUNCTION(is_affine);
 template class CellStiffness<2>;
 template class CellStiffness<3>;
 } // namespace Signorini

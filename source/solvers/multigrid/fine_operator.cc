@@ -46,17 +46,7 @@ BlockCells<dim> cells_by_number(const DisplacementSpace<dim> &space) {
 template <int dim>
 bool has_congruent_descendants(const Mesh<dim> &mesh,
                                const typename Triangulation<dim>::cell_iterator &cell) {
-  if (mesh.is_curved() || mesh.n_nested_ancestors() < mesh.level())
-    return false;
-  for (unsigned int v = 0; v < (1U << dim); ++v) {
-    Tensor<1, dim> difference = cell->vertex(v) - cell->vertex(0);
-    for (int d = 0; d < dim; ++d)
-      if (((v >> d) & 1U) != 0)
-        difference -= cell->vertex(1U << d) - cell->vertex(0);
-    if (!(difference.norm() < 1e-12 * cell->diameter()))
-      return false;
-  }
-  return true;
+  return !mesh.is_curved() && mesh.n_nested_ancestors() >= mesh.level() && is_affine<dim>(cell);
 }
 
 /** Fills the matrices of an operator, with the unknowns of a cell in the order of the kernels. */

@@ -62,6 +62,11 @@ private:
   std::vector<Sample> samples_;
 };
 
+/** Returns whether every vertex is the sum of the edges along its coordinates: a parallelogram, in
+ * 3-D a parallelepiped, if edges are straight. */
+template <int dim>
+bool is_affine(const typename Triangulation<dim>::cell_iterator &cell);
+
 /** Returns the unit in which a(φ_j, φ_i) is computed: E_0 l^{dim-2}, with the material's
  * modulus E_0 and the body's size l. Matrices are those of a body of size one and modulus one, so
  * that neither units nor sizes of numbers matter (force/length per thickness, in 2-D: force/area).
