@@ -123,6 +123,7 @@ int start_and_run(const CommandLine &command_line) {
 
 int main(int argc, char **argv) {
   make_standard_streams_safe();
+  keep_ignoring_hangup();
   dealii::deal_II_exceptions::disable_abort_on_exception();
   try {
     const CommandLine command_line = read_command_line(argc, argv);

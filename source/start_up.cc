@@ -9,6 +9,7 @@
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <future>
@@ -19,17 +20,25 @@
 #include <vector>
 
 namespace {
-/** UCX, which Open MPI loads on some systems, takes the signal SIGHUP in a constructor, also from a
- * process that nohup lets ignore it. Only what stands here runs before the libraries' constructors.
- */
-void leave_hangup_alone(int /*n*/, char ** /*arguments*/, char ** /*environment*/) {
-  setenv("UCX_DEBUG_SIGNO", "0", 0);
+/** Whether the process was told to ignore SIGHUP, by nohup. */
+bool ignores_hangup = false;
+
+/** Only what stands here runs before the constructors of libraries. One of UCX, which Open MPI
+ * loads on some systems, takes the signal whether it was ignored or not. */
+void see_hangup(int /*n*/, char ** /*arguments*/, char ** /*environment*/) {
+  struct sigaction found = {};
+  ignores_hangup = sigaction(SIGHUP, nullptr, &found) == 0 && found.sa_handler == SIG_IGN;
 }
 __attribute__((section(".preinit_array"),
-               used)) void (*const before_libraries)(int, char **, char **) = leave_hangup_alone;
+               used)) void (*const before_libraries)(int, char **, char **) = see_hangup;
 } // namespace
 
 namespace Signorini {
+void keep_ignoring_hangup() {
+  if (ignores_hangup)
+    std::signal(SIGHUP, SIG_IGN);
+}
+
 void configure_single_process() {
   for (const char *launched : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"})
     if (std::getenv(launched) != nullptr)

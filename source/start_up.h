@@ -2,6 +2,10 @@
 #pragma once
 
 namespace Signorini {
+/** Ignores the signal SIGHUP again if the process was started so, by nohup, and a library took it.
+ */
+void keep_ignoring_hangup();
+
 /**
  * Refuses to start where libraries would hang or abort: without a working directory, and where the
  * address space (`ulimit -v`) is too small for the buffers of the BLAS, which waits for them
