@@ -282,17 +282,21 @@ double LiftField::energy(const CellIterator &cell, Rule &rule) const {
 }
 
 bool LiftField::is_cut_along_edges(const CellIterator &cell) const {
-  const auto crossings = [&](const unsigned int edge) {
-    const auto line = cell->face(edge);
-    return data_.scene.law_kinks.cut(line->vertex(0), line->vertex(1));
-  };
-  const auto is_same = [](const double a, const double b) { return std::abs(a - b) < 1e-12; };
-  for (const unsigned int edge : {0, 2}) {
-    const std::vector<double> here = crossings(edge), there = crossings(edge + 1);
-    if (!std::equal(here.begin(), here.end(), there.begin(), there.end(), is_same))
+  const Kinks<2> &kinks = data_.scene.law_kinks;
+  if (data_.space.mesh().is_curved() || kinks.boxes().divides(cell->bounding_box()))
+    return false;
+  for (const KinkLine<2> &line : kinks.lines()) {
+    std::array<double, 4> d;
+    for (const unsigned int v : cell->vertex_indices())
+      d[v] = line.signed_distance(cell->vertex(v));
+    const auto [lowest, highest] = std::minmax_element(d.begin(), d.end());
+    // The distance is bilinear; it vanishes along coordinate lines where it is a product of
+    // functions of one coordinate each.
+    if (*lowest * *highest < 0. &&
+        std::abs(d[0] * d[3] - d[1] * d[2]) > 1e-12 * std::pow(*highest - *lowest, 2))
       return false;
   }
-  return !data_.scene.law_kinks.boxes().divides(cell->bounding_box());
+  return true;
 }
 
 dealii::Vector<double> LiftField::cell_energies() const {
@@ -326,9 +330,7 @@ dealii::Vector<double> LiftField::cell_energies() const {
     const unsigned int degree = cell->get_fe().degree;
     std::unique_ptr<Rule> &rule = rules[is_cut ? 0 : degree];
     if (is_cut || rule == nullptr) {
-      // On parts of half the size, one point less has the same effect.
-      const int n_gauss = n_points(degree, is_cut);
-      const QGauss<1> gauss(std::max(std::min(3, n_gauss), n_gauss - std::ilogb(n_equal)));
+      const QGauss<1> gauss(n_points(degree, is_cut));
       rule = std::make_unique<Rule>(data_.space.mesh().mapping(), degree,
                                     split_quadrature(gauss, x), split_quadrature(gauss, y));
     }
