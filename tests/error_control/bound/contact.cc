@@ -93,9 +93,22 @@ void rounding(Checks &checks) {
   checks.that("a target of 2e-10 is reached", result.verdict.outcome == Outcome::certified);
   checks.between("contact part", last(result, "bound_contact"), 0., 1e-10);
 }
+/** A line through corners of cells crosses no edge, and the modulus jumps inside nevertheless. */
+void moduli_on_diagonals(Checks &checks) {
+  const auto contact_part = [](const std::string &slope) {
+    return *Bounded("Boundary/Clamped = top\nBoundary/Contact = bottom\n"
+                    "Contact/Gap = 0.02*(x-0.5)^2\nLoad/Body force = 0; -0.05\n"
+                    "Material/Young's modulus = y < " +
+                      slope + "*x ? 10 : 1",
+                    3)
+              .bound.contact;
+  };
+  checks.near("a jump along diagonals", contact_part("1") / contact_part("1.0000001"), 1., 1e-3);
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv,
-                   {orders, missed_contact, held_corners, contact_force, solvers, rounding});
+  return run_tests(
+    argc, argv,
+    {orders, missed_contact, held_corners, contact_force, solvers, rounding, moduli_on_diagonals});
 }
