@@ -23,8 +23,8 @@ namespace {
 /** Whether the process was told to ignore SIGHUP, by nohup. */
 bool ignores_hangup = false;
 
-/** Only what stands here runs before the constructors of libraries. One of UCX, which Open MPI
- * loads on some systems, takes the signal whether it was ignored or not. */
+/** Stores whether SIGHUP is ignored. This runs before the constructors of the libraries, because
+ * that of UCX (part of Open MPI on some systems) replaces the action without looking. */
 void see_hangup(int /*n*/, char ** /*arguments*/, char ** /*environment*/) {
   struct sigaction found = {};
   ignores_hangup = sigaction(SIGHUP, nullptr, &found) == 0 && found.sa_handler == SIG_IGN;

@@ -179,16 +179,25 @@ void divide(const Polygon &polygon, const BoxTree &boxes, const unsigned int nod
 } // namespace
 
 template <int dim>
-bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell) {
+std::vector<KinkLine<dim>> lines_across(const Kinks<dim> &kinks,
+                                        const typename Triangulation<dim>::cell_iterator &cell) {
+  std::vector<KinkLine<dim>> lines;
+  std::vector<double> distances(cell->n_vertices());
   for (const KinkLine<dim> &line : kinks.lines()) {
-    std::vector<double> distances;
     for (const unsigned int v : cell->vertex_indices())
-      distances.push_back(line.signed_distance(cell->vertex(v)));
+      distances[v] = line.signed_distance(cell->vertex(v));
     const auto [lowest, highest] = std::minmax_element(distances.begin(), distances.end());
     const double margin = Kinks<dim>::tolerance * (*highest - *lowest);
     if (*lowest<-margin && * highest> margin)
-      return true;
+      lines.push_back(line);
   }
+  return lines;
+}
+
+template <int dim>
+bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell) {
+  if (!lines_across(kinks, cell).empty())
+    return true;
   if constexpr (dim == 2)
     if (kinks.boxes().divides(cell->bounding_box()))
       return true;
@@ -246,5 +255,6 @@ std::vector<double> graded_positions(const double s, const double distance) {
   return positions;
 }
 
+INSTANTIATE_FUNCTION(lines_across);
 INSTANTIATE_FUNCTION(needs_cuts);
 } // namespace Signorini

@@ -281,22 +281,21 @@ double LiftField::energy(const CellIterator &cell, Rule &rule) const {
   return EnergyMeasure<2>(*data_.scene.material).energy(values, gradients);
 }
 
-bool LiftField::is_cut_along_edges(const CellIterator &cell) const {
+bool LiftField::needs_equal_parts(const CellIterator &cell) const {
   const Kinks<2> &kinks = data_.scene.law_kinks;
-  if (data_.space.mesh().is_curved() || kinks.boxes().divides(cell->bounding_box()))
-    return false;
-  for (const KinkLine<2> &line : kinks.lines()) {
+  const std::vector<KinkLine<2>> lines = lines_across<2>(kinks, cell);
+  const auto is_oblique = [&](const KinkLine<2> &line) {
     std::array<double, 4> d;
     for (const unsigned int v : cell->vertex_indices())
       d[v] = line.signed_distance(cell->vertex(v));
+    // The distance is bilinear. It vanishes on a coordinate line where it is a product of functions
+    // of one coordinate each.
     const auto [lowest, highest] = std::minmax_element(d.begin(), d.end());
-    // The distance is bilinear; it vanishes along coordinate lines where it is a product of
-    // functions of one coordinate each.
-    if (*lowest * *highest < 0. &&
-        std::abs(d[0] * d[3] - d[1] * d[2]) > 1e-12 * std::pow(*highest - *lowest, 2))
-      return false;
-  }
-  return true;
+    return std::abs(d[0] * d[3] - d[1] * d[2]) > 1e-12 * std::pow(*highest - *lowest, 2);
+  };
+  return kinks.boxes().divides(cell->bounding_box()) ||
+         (data_.space.mesh().is_curved() && !lines.empty()) ||
+         std::any_of(lines.begin(), lines.end(), is_oblique);
 }
 
 dealii::Vector<double> LiftField::cell_energies() const {
@@ -306,9 +305,7 @@ dealii::Vector<double> LiftField::cell_energies() const {
     // Boxes of the law are hardly smaller.
     constexpr double smallest = 1. / 512.;
     const double n = cell->diameter() / (smallest * data_.scene.geometry.diameter());
-    return needs_cuts<2>(data_.scene.law_kinks, cell) && !is_cut_along_edges(cell)
-             ? static_cast<unsigned int>(std::clamp(n, 1., 24.))
-             : 1;
+    return needs_equal_parts(cell) ? static_cast<unsigned int>(std::clamp(n, 1., 24.)) : 1;
   };
   // Products of derivatives of w_h, or of r_F, which has the degree two; more where E varies.
   const auto n_points = [&](const unsigned int degree, const bool is_cut) {

@@ -329,7 +329,7 @@ private:
     state.dual->C_P -= state.dual->F;
     state.dual->C_P += F;
     state.dual->F = F;
-    // The first solve does the work; the others begin with its P.
+    // Corrections begin with the P that the first solve found, and are not counted.
     state.report.iterations = first.iterations;
     state.report.increment_iterations = first.increment_iterations;
   }

@@ -109,7 +109,7 @@ wait "$first" 2>shell
 
 # On two ranks mpirun passes the signal on.
 if [ -x "$mpirun" ]; then
-  # mpirun may end before it has passed on what the ranks said.
+  # Each rank writes to a file of its own: mpirun may end before it has passed on what they say.
   kill_run TERM ranks/solution-05.vtu 0 "$mpirun" -np 2 \
     bash -c 'exec "$@" 2>"said.${OMPI_COMM_WORLD_RANK:-$PMI_RANK}"' rank "${long[@]}" --output ranks
   code=$?

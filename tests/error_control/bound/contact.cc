@@ -93,6 +93,7 @@ void rounding(Checks &checks) {
   checks.that("a target of 2e-10 is reached", result.verdict.outcome == Outcome::certified);
   checks.between("contact part", last(result, "bound_contact"), 0., 1e-10);
 }
+
 /** A line through corners of cells crosses no edge, and the modulus jumps inside nevertheless. */
 void moduli_on_diagonals(Checks &checks) {
   const auto contact_part = [](const std::string &slope) {

@@ -70,8 +70,9 @@ private:
   /** Returns the positions at which pieces of w or of the material begin and end in reference
    * coordinate @p d, with those of @p n_equal parts. */
   std::vector<double> cuts(const CellIterator &cell, unsigned int d, unsigned int n_equal) const;
-  /** Returns whether cuts() knows all lines on which the law is not smooth. */
-  bool is_cut_along_edges(const CellIterator &cell) const;
+  /** Returns whether the law varies fast in a cell, or has a line there that does not run along the
+   * cell's edges. */
+  bool needs_equal_parts(const CellIterator &cell) const;
   /** Points on a cell, with the polynomials of w_h and the geometry there. */
   struct Rule;
   /** Returns the energy on a cell. */
