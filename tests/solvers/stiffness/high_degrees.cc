@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Unknowns inside cells of high degree, which the condensed factorisation eliminates first.
+// Unknowns of high degree, which CHOLMOD eliminates before the contact unknowns.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/elasticity/linear_system.h>
