@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/driver/level/level.h>
+#include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/scene/functions.h>
 
@@ -51,6 +52,13 @@ struct OneLevel {
     Signorini::finish_level(problem, discretization, parameters.discretization.target_error > 0.,
                             ignore, solution);
     return solution;
+  }
+
+  /** Returns the distance to the interpolation on T^{2h}. */
+  Signorini::ErrorEstimate estimate(const Signorini::Displacement &U) const {
+    return estimate_error(
+      space(), scene, U,
+      {internal_forces(space(), scene, U).energy_norm, norm_of_rigid_motion(space(), scene, U)});
   }
 
   Signorini::Parameters parameters;

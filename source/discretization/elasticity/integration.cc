@@ -36,31 +36,17 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const S
                                     const Displacement &U) {
   InternalForces<dim> result = {space.make_vector(), space.make_vector()};
   dealii::Vector<double> forces, magnitudes;
-  for_each_cell(space, scene, U,
-                [&](const auto &cell, const FullMatrix<double> &K, const auto &on_cell) {
-                  forces.reinit(on_cell.size());
-                  magnitudes.reinit(on_cell.size());
-                  K.vmult(forces, on_cell);
-                  for (unsigned int i = 0; i < on_cell.size(); ++i)
-                    for (unsigned int j = 0; j < on_cell.size(); ++j)
-                      magnitudes[i] += std::abs(K(i, j) * on_cell[j]);
-                  const auto indices = space.cell_dofs(cell);
-                  result.forces.add(indices, forces);
-                  result.magnitudes.add(indices, magnitudes);
-                  return true;
-                });
-  for (DualVector *const vector : {&result.forces, &result.magnitudes}) {
-    vector->compress(VectorOperation::add);
-    *vector *= stiffness_unit(space, *scene.material);
-  }
-  return result;
-}
-
-template <int dim>
-double energy_norm(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                   const Displacement &U) {
   double energy = 0.;
   for_each_cell(space, scene, U, [&](const auto &cell, const FullMatrix<double> &K, auto &on_cell) {
+    forces.reinit(on_cell.size());
+    magnitudes.reinit(on_cell.size());
+    K.vmult(forces, on_cell);
+    for (unsigned int i = 0; i < on_cell.size(); ++i)
+      for (unsigned int j = 0; j < on_cell.size(); ++j)
+        magnitudes[i] += std::abs(K(i, j) * on_cell[j]);
+    const auto indices = space.cell_dofs(cell);
+    result.forces.add(indices, forces);
+    result.magnitudes.add(indices, magnitudes);
     const FiniteElement<dim> &element = cell->get_fe();
     Tensor<1, dim> corner;
     for (unsigned int d = 0; d < dim; ++d)
@@ -70,8 +56,14 @@ double energy_norm(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
     energy += K.matrix_norm_square(on_cell);
     return true;
   });
+  const double unit = stiffness_unit(space, *scene.material);
+  for (DualVector *const vector : {&result.forces, &result.magnitudes}) {
+    vector->compress(VectorOperation::add);
+    *vector *= unit;
+  }
   energy = Utilities::MPI::sum(energy, space.mesh().communicator());
-  return std::sqrt(std::max(0., energy * stiffness_unit(space, *scene.material)));
+  result.energy_norm = std::sqrt(std::max(0., energy * unit));
+  return result;
 }
 
 template <int dim>
@@ -98,16 +90,6 @@ std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
     return {};
   // A body at rest, too, has a size that rounding is compared with.
   return std::max(motion, 1e-6 * size) * std::sqrt(stiffness_unit(space, *scene.material));
-}
-
-template <int dim>
-double energy_scale(const double norm, const double error, const DisplacementSpace<dim> &space,
-                    const Scene<dim> &scene, const Displacement &U) {
-  constexpr double rounding = 1e-7;
-  const std::optional<double> rigid = norm_of_rigid_motion(space, scene, U);
-  if (!rigid)
-    return norm;
-  return error <= rounding * *rigid ? *rigid : error;
 }
 
 // B: the normal trace of V^h on Γ_c.
@@ -162,9 +144,7 @@ Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Fun
 }
 
 INSTANTIATE_FUNCTION(internal_forces);
-INSTANTIATE_FUNCTION(energy_norm);
 INSTANTIATE_FUNCTION(norm_of_rigid_motion);
-INSTANTIATE_FUNCTION(energy_scale);
 INSTANTIATE_FUNCTION(interpolate_at_nodes);
 template class TraceValues<2>;
 template class TraceValues<3>;

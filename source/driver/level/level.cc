@@ -96,14 +96,15 @@ double motion_balance(const std::vector<Plate> &plates, const MotionModes<dim> &
 
 /** Computes the estimate of the error. */
 template <int dim>
-ErrorEstimate estimate_of(const Discretization<dim> &discretization, const Scene<dim> &scene,
-                          const ContactSolution<dim> &contact) {
+ErrorEstimate estimate_of(const Discretization<dim> &discretization,
+                          const LevelSolution<dim> &solution) {
+  const auto &[contact, scene] = std::tie(solution.contact, solution.scene);
   OtherErrors others;
   others.algebra = contact.algebraic_error;
   if constexpr (dim == 3)
     others.contact = energy_of_missed_contact(discretization.space, discretization.multipliers,
                                               scene, contact.U, contact.P.normal());
-  return estimate_error(discretization.space, scene, contact.U,
+  return estimate_error(discretization.space, scene, contact.U, solution.energy,
                         correct_pressure(discretization, scene, contact), others);
 }
 
@@ -122,7 +123,7 @@ void add_bound(const Discretization<2> &discretization, LevelSolution<2> &soluti
     located =
       compute_located_bound({discretization.space, solution.scene, discretization.multipliers,
                              contact.U, contact.P, *contact.inverse, discretization.condensed_D,
-                             record.certificate.energy + work - dissipation});
+                             record.certificate.energy + work - dissipation, solution.energy});
     for (std::optional<double> *const energy :
          {&located.bound.energy_lower, &located.bound.energy_upper})
       if (*energy)
@@ -149,11 +150,14 @@ void add_regularity(const Discretization<2> &discretization, LevelSolution<2> &s
 
 /** Adds the certificate, and the answer, which needs the same nodal forces. */
 template <int dim>
-void add_certificate_and_answer(const Discretization<dim> &discretization, const Scene<dim> &scene,
-                                const ContactSolution<dim> &contact, LevelRecord &record) {
+void add_certificate_and_answer(const Discretization<dim> &discretization,
+                                LevelSolution<dim> &solution) {
+  const auto &[contact, scene] = std::tie(solution.contact, solution.scene);
+  LevelRecord &record = solution.record;
   const DisplacementSpace<dim> &space = discretization.space;
   const NodalForces forces = nodal_forces(space, scene, contact.system->loads, discretization.D,
                                           contact.U, contact.P.values());
+  solution.energy = forces.energy;
   record.certificate = certify(discretization, scene, contact, forces);
   record.certificate.motion_balance = motion_balance(scene.plates, contact.modes, forces);
   record.motions.plates = plates_of(space, scene, contact, forces);
@@ -185,9 +189,9 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
                                      discretization.condensed_D, parameters.solver.linear_solver);
   }
   progress("certificate");
-  add_certificate_and_answer(discretization, solution.scene, contact, record);
+  add_certificate_and_answer(discretization, solution);
   if (discretization.mesh.has_parents())
-    record.estimate = estimate_of(discretization, solution.scene, contact);
+    record.estimate = estimate_of(discretization, solution);
 }
 } // namespace
 

@@ -151,7 +151,7 @@ private:
     if (last_.discretization != nullptr)
       before.emplace(StepField{last_.discretization->space, last_.U});
     StepFindings findings =
-      examination_.examine(discretization, solution.contact, before, plan_.aim);
+      examination_.examine(discretization, solution.contact, solution.energy, before, plan_.aim);
     if (findings.has_estimate())
       solution.record.estimate = ErrorEstimate{
         {}, findings.error, findings.error > 0. ? findings.error / findings.scale : 0., {}, {}};

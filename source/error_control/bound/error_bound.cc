@@ -142,8 +142,7 @@ LocatedBound sum_up(const BoundData &data, const BestStress &best) {
   result.algebra = best.stress.defect;
   // The inequality holds for u_h + z with the prescribed displacement itself; z is zero on contact.
   result.absolute = total(stress_data.square, stress_data.lift, contact);
-  const double scale =
-    energy_scale(stress_data.energy_norm, *result.absolute, data.space, data.scene, data.U);
+  const double scale = EnergyScale{stress_data.energy_norm, data.scale.rigid}.of(*result.absolute);
   result.relative = ratio(*result.absolute, scale);
   result.is_conditional = data.P.is_coupled();
   result.guaranteed = !data.space.mesh().is_curved() && !result.is_conditional;

@@ -65,7 +65,7 @@ void balance(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
     scene.geometry.lower + 0.5 * (scene.geometry.upper - scene.geometry.lower);
   // Loads in balance have no resultant: the forces at the nodes are the size of loads.
   const double largest = std::max({sum_of_sizes, forces.loads.l1_norm(), size_of_contact});
-  const double scale = forces.rigid ? std::max(forces.magnitude, largest) : largest;
+  const double scale = forces.energy.rigid ? std::max(forces.magnitude, largest) : largest;
   certificate.force_balance = relative(sum.force.norm(), scale);
   certificate.moment_balance =
     relative(sum.moment_about(centre).norm(), scale * (scene.geometry.diameter() + centre.norm()));
@@ -282,9 +282,9 @@ Certificate certify(const Discretization<dim> &discretization, const Scene<dim> 
       duality_gap(solution, *solution.dual, forces, dissipation, energy_scale);
   const double unit_roundoff = std::numeric_limits<double>::epsilon();
   const double noise = unit_roundoff * forces.magnitude;
-  certificate.rounding = forces.rigid ? unit_roundoff
-                         : noise > 0. ? noise / std::max(noise, forces.largest())
-                                      : 0.;
+  certificate.rounding = forces.energy.rigid ? unit_roundoff
+                         : noise > 0.        ? noise / std::max(noise, forces.largest())
+                                             : 0.;
   return certificate;
 }
 

@@ -303,8 +303,8 @@ double norm_1(const Squares &squares, const double unit_of_length) {
 
 template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                             const Displacement &U, const PressureCorrection &correction,
-                             const OtherErrors &others) {
+                             const Displacement &U, const EnergyScale &scale,
+                             const PressureCorrection &correction, const OtherErrors &others) {
   const Material<dim> *const material = scene.material.get();
   const Squares u_h_squares = integrate(space, material, U, 1);
   double mesh_square = u_h_squares[2];
@@ -322,8 +322,7 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const Scene<di
   estimate.energy = std::hypot(std::sqrt(mesh_square), correction.energy_norm);
   estimate.energy = std::hypot(estimate.energy, others.algebra, others.contact);
   if (estimate.energy > 0.)
-    estimate.relative = estimate.energy / energy_scale(energy_norm(space, scene, U),
-                                                       estimate.energy, space, scene, U);
+    estimate.relative = estimate.energy / scale.of(estimate.energy);
   return estimate;
 }
 

@@ -159,7 +159,7 @@ StepExamination::StepExamination(const Scene<2> &scene, const double target)
   , target_(target) {}
 
 StepFindings StepExamination::examine(const Discretization<2> &discretization,
-                                      const ContactSolution<2> &contact,
+                                      const ContactSolution<2> &contact, const EnergyScale &scale,
                                       const std::optional<StepField> &before,
                                       const double planned) {
   const DisplacementSpace<2> &space = discretization.space;
@@ -180,8 +180,7 @@ StepFindings StepExamination::examine(const Discretization<2> &discretization,
   findings.brackets = zone_brackets(multipliers, contact.P.states());
   findings.missed_contact_cells = missed_contact_cells(space, multipliers, U, contact.P.normal());
   const double indicator = total(findings.indicators);
-  const double norm = energy_norm(space, scene_, U);
-  findings.scale = energy_scale(norm, indicator, space, scene_, U);
+  findings.scale = scale.of(indicator);
   findings.target = target_ * findings.scale;
   if (!findings.missed_contact_cells.empty()) {
     // The next mesh sees another problem.
@@ -202,7 +201,7 @@ StepFindings StepExamination::examine(const Discretization<2> &discretization,
   // Nothing has an error where nothing deforms the body: all that is left is rounding.
   constexpr double rounding_of_rigid_motions = 1e-7;
   const bool is_rigid =
-    norm < findings.scale && error <= rounding_of_rigid_motions * findings.scale;
+    scale.norm < findings.scale && error <= rounding_of_rigid_motions * findings.scale;
   findings.error = is_rigid ? 0. : error;
   return findings;
 }

@@ -183,7 +183,7 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &
   forces.residual -= forces.contact;
   space.carry_to_masters(forces.residual);
   forces.magnitude = internal.magnitudes.l2_norm();
-  forces.rigid = norm_of_rigid_motion(space, scene, U);
+  forces.energy = {internal.energy_norm, norm_of_rigid_motion(space, scene, U)};
   return forces;
 }
 

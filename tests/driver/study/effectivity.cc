@@ -68,7 +68,7 @@ void finer_reference(Checks &checks) {
                                                        solution.contact.U.entries(),
                                                        fine.space().dofs(), difference.entries());
     difference -= U;
-    const double error = energy_norm(fine.space(), fine.scene, difference);
+    const double error = internal_forces(fine.space(), fine.scene, difference).energy_norm;
     const ErrorEstimate &estimate = *solution.record.estimate;
     const std::string name = std::string("block on parabola, Patches = ") + partition;
     checks.between(name, estimate.energy / error, lowest, highest);

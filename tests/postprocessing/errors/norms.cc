@@ -2,7 +2,6 @@
 // Error norms of functions whose norms are known in closed form, kinks and square roots included.
 
 #include <signorini/base/errors.h>
-#include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/errors/errors.h>
 
 #include <cmath>
@@ -153,7 +152,7 @@ void threads(Checks &checks) {
   const auto numbers = [&](const unsigned int n_threads) {
     setenv("DEAL_II_NUM_THREADS", std::to_string(n_threads).c_str(), 1);
     const DisplacementErrors e = compute_displacement_errors(level.space(), level.scene, U, 4);
-    const ErrorEstimate estimate = estimate_error(level.space(), level.scene, U);
+    const ErrorEstimate estimate = level.estimate(U);
     return std::vector<double>({e.h1, e.l2, e.superclose_h1, *e.post_h1, *e.post4_h1, e.energy,
                                 estimate.h1.value(), estimate.energy, estimate.relative});
   };

@@ -2,7 +2,6 @@
 // pi^{2h} reproduces functions of degree two per direction, and the error estimate is the distance
 // of such functions from their bilinear interpolant.
 
-#include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -194,7 +193,7 @@ void estimates(Checks &checks) {
     const double h = std::pow(0.5, number);
     const Displacement U = nodal_values(
       level.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], x[1] * x[1]); });
-    const ErrorEstimate estimate = estimate_error(level.space(), level.scene, U);
+    const ErrorEstimate estimate = level.estimate(U);
     const double exact = std::sqrt(2. * (h * h / 3. + std::pow(h, 4) / 30.));
     const std::string name = "estimate on level " + std::to_string(number);
     checks.near(name + ": distance to the interpolant", estimate.h1.value(), exact, 1e-14);
@@ -207,8 +206,8 @@ void estimates(Checks &checks) {
                 estimate.mesh == estimate.energy && estimate.pressure == 0.);
     Displacement moved(U);
     moved.add(1000.);
-    checks.near(name + ": relative, after a translation",
-                estimate_error(level.space(), level.scene, moved).relative, energy / scale, 1e-10);
+    checks.near(name + ": relative, after a translation", level.estimate(moved).relative,
+                energy / scale, 1e-10);
   }
   // E = 1 + x: int (1 + x) (2 x - m(x))^2 = 3/2 h^2/3, and the same for y.
   const OneLevel graded(sides + "Material/Young's modulus = 1+x\n"
@@ -216,16 +215,13 @@ void estimates(Checks &checks) {
                         2);
   const Displacement squares = nodal_values(
     graded.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], x[1] * x[1]); });
-  checks.near("a material that varies",
-              estimate_error(graded.space(), graded.scene, squares).energy, 0.25, 1e-14);
+  checks.near("a material that varies", graded.estimate(squares).energy, 0.25, 1e-14);
   const OneLevel distorted("Geometry/Distortion = 0.3\n" + sides, 3);
   const Displacement linear = nodal_values(distorted.space(), [](const Point<2> &x) { return x; });
-  checks.near("linear functions have no error",
-              estimate_error(distorted.space(), distorted.scene, linear).h1.value(), 0., 1e-13);
+  checks.near("linear functions have no error", distorted.estimate(linear).h1.value(), 0., 1e-13);
   const Displacement zero =
     nodal_values(distorted.space(), [](const Point<2> &) { return Point<2>(); });
-  checks.near("nothing moves", estimate_error(distorted.space(), distorted.scene, zero).relative,
-              0., 0.);
+  checks.near("nothing moves", distorted.estimate(zero).relative, 0., 0.);
 }
 } // namespace
 

@@ -84,6 +84,10 @@ struct InternalForces {
   /** The sums |A| |U|, cell by cell. Times the unit roundoff they bound the rounding errors of the
    * forces. */
   DualVector magnitudes;
+  /** The norm a(U, U)^{1/2} with the strain of the element (root of force x length^{dim-1}), from
+   * displacements relative to a corner of each cell: a rigid translation, however large, has no
+   * energy. */
+  double energy_norm = 0.;
 };
 
 /** Integrates the forces. Collective. */

@@ -161,13 +161,6 @@ public:
   }
 };
 
-/** Returns |||u_h||| = a(u_h, u_h)^{1/2} with the strain of the element (root of force x
- * length^{dim-1}), from displacements relative to a corner of each cell: a rigid translation,
- * however large, has no energy. Collective. */
-template <int dim>
-double energy_norm(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                   const Displacement &U);
-
 /** Returns, where the body moves as a whole, the energy norm that such a displacement has if it
  * strains the body: max|u_h| E_0^{1/2} l^{(dim-2)/2} with the unit of stiffness_unit(); max|u_h|
  * counts as at least 1e-6 of the body's size. |||u_h|||, forces and their errors are only rounding
@@ -177,16 +170,22 @@ template <int dim>
 std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
                                            const Scene<dim> &scene, const Displacement &U);
 
-/**
- * Returns the scale of an error in the energy norm: |||u_h|||. Where the body moves rigidly,
- * |||u_h||| is rounding; the scale of an error that is rounding, too, is norm_of_rigid_motion(),
- * and a larger error is all of |||u|||. Collective.
- *
- * @param norm |||u_h|||
- */
-template <int dim>
-double energy_scale(double norm, double error, const DisplacementSpace<dim> &space,
-                    const Scene<dim> &scene, const Displacement &U);
+/** What errors in the energy norm are divided by (root of force x length^{dim-1}). */
+struct EnergyScale {
+  /** The norm |||u_h|||. */
+  double norm = 0.;
+  /** The result of norm_of_rigid_motion(). */
+  std::optional<double> rigid;
+
+  /** Returns |||u_h|||. Where the body moves rigidly, |||u_h||| is rounding; the scale of an error
+   * that is rounding, too, is norm_of_rigid_motion(), and a larger error is all of |||u|||. */
+  double of(const double error) const {
+    constexpr double rounding = 1e-7;
+    if (!rigid)
+      return norm;
+    return error <= rounding * *rigid ? *rigid : error;
+  }
+};
 
 /** The shape functions of V^h at points of contact faces. Consecutive faces with the same reference
  * points share one table. */

@@ -3,7 +3,7 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/solvers/methods/contact_method.h>
 
@@ -69,7 +69,7 @@ struct ErrorEstimate {
   std::optional<double> h1;
   /** The estimate of |||u - u_h|||: the root of the sum of the squares of all parts. */
   double energy = 0.;
-  /** The estimate divided by energy_scale(): it depends neither on units nor on translations. */
+  /** The estimate divided by EnergyScale::of(): it depends neither on units nor on translations. */
   double relative = 0.;
   /** The part of the mesh, |||π^{2h} v - v||| for v = u_h + z_h. */
   std::optional<double> mesh;
@@ -86,7 +86,8 @@ struct ErrorEstimate {
  * Collective. */
 template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                             const Displacement &U, const PressureCorrection &correction = {},
+                             const Displacement &U, const EnergyScale &scale,
+                             const PressureCorrection &correction = {},
                              const OtherErrors &others = {});
 
 /** Returns the number of generations with which PatchInterpolation comes closest to u: 2 (degree

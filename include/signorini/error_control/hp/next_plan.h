@@ -17,7 +17,7 @@ struct StepFindings {
    * length)^{1/2}. */
   double error = 0.;
   double target = 0.;
-  /** What errors are divided by, see energy_scale(). */
+  /** What errors are divided by, see EnergyScale. */
   double scale = 0.;
 
   /** Without it the next mesh will see another problem. */

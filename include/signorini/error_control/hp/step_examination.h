@@ -72,7 +72,8 @@ public:
    * @throws InputError where g has no value.
    */
   StepFindings examine(const Discretization<2> &discretization, const ContactSolution<2> &contact,
-                       const std::optional<StepField> &before, double planned);
+                       const EnergyScale &scale, const std::optional<StepField> &before,
+                       double planned);
 
   /** Returns whether the estimates do not fall any more, see ErrorHistory. */
   bool stagnates() const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/discretization/multiplier/multiplier.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
@@ -18,6 +18,7 @@ struct BoundData {
   const Coupling &condensed_D;
   /** The energy J(u_h) = a(u_h, u_h)/2 - f(u_h) (force x length per thickness). */
   double energy;
+  EnergyScale scale;
 
   bool has_friction() const {
     return P.has_friction();

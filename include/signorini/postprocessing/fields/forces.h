@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -141,19 +142,19 @@ struct NodalForces {
   /** The size |A| |U| of the terms that make up the internal forces. */
   double magnitude = 0.;
 
-  /** The result of norm_of_rigid_motion(); if there is one, all forces are rounding. */
-  std::optional<double> rigid;
+  /** The size of u_h; where it is rigid, all forces are rounding. */
+  EnergyScale energy;
 
   /** Returns the norm of the largest of the forces. */
   double largest() const;
   /** Returns the scale of residuals: the largest of the forces, or, where the body moves rigidly,
    * the size of the terms that cancel. */
   double scale() const {
-    return rigid ? std::max(magnitude, largest()) : largest();
+    return energy.rigid ? std::max(magnitude, largest()) : largest();
   }
   /** Returns the smallest scale of energies: zero where the body is strained. */
   double rigid_energy() const {
-    return rigid.value_or(0.) * rigid.value_or(0.);
+    return std::pow(energy.rigid.value_or(0.), 2);
   }
 };
 

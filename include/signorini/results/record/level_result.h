@@ -13,6 +13,8 @@ template <int dim>
 struct LevelSolution {
   ContactSolution<dim> contact;
   LevelRecord record;
+  /** The size of u_h. */
+  EnergyScale energy;
   /** The parts of the bound; empty if record.bound is empty. */
   BoundFields bound_fields;
   /** The scene after the motion of its plates. */
