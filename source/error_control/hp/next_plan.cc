@@ -16,6 +16,10 @@ constexpr double reduction = 12.;
 constexpr double layers_per_step = 3.;
 constexpr double exponent_at_ends = 1.5;
 
+/** The largest number of cells in the bracket of an end: deeper layers wait until the end is known
+ * better. The bracket of an end that was found before has 16. */
+constexpr double most_in_bracket = 32.;
+
 /** The smallest exponent: smaller ones would need more layers than a mesh can have. */
 constexpr double min_exponent = 0.2;
 
@@ -132,6 +136,8 @@ void grade(const MeshPlan &plan, const Scene<2> &scene, const Mesh<2> &mesh,
     if (end.layers == 0. ||
         total(indicators_at(end, scene, mesh, findings.indicators)) > 0.2 * goal.error)
       end.layers += goal.length * layers_per_step;
+    end.layers = std::min(
+      end.layers, std::log2(most_in_bracket * plan.base_size / (bracket.to - bracket.from)));
     if (Singularity *const kink = kink_in(bracket, next.singularities))
       kink->layers = std::max(kink->layers, end.layers);
     else

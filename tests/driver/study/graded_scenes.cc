@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Graded meshes on every scene with a known solution: the estimate is nowhere below half of the
-// error, the bound is between
-// the error and one and a half of it, the error falls exponentially
+// error, the bound is between the error and one and a half of it, the error falls exponentially
 // with the cubic root of the unknowns, and what it costs to come below 1e-6.
 
 #include <signorini/problem/catalogue/catalogue.h>
@@ -78,8 +77,26 @@ void check_files(Checks &checks) {
                    solve_file(SOURCE_DIR "/../../../prm/" + std::string(name) + ".prm", overrides));
   }
 }
+
+/** A disc and a plane: four ends of contact, two of which lie in one patch of the first meshes.
+ * Where an end is known to a patch only, layers that are deeper fill the patch. */
+void check_two_things(Checks &checks) {
+  checks.about("disc and plane");
+  std::vector<std::string> overrides = graded("1e-3");
+  overrides.emplace_back(
+    "Contact/Foundation=circle 0.3,-0.3 radius 0.3 | plane 0,-0.01 normal 0,1");
+  const StudyResult<2> result = solve(
+    "Boundary/Clamped = top\nBoundary/Contact = bottom\nLoad/Body force = 0; -0.1\n", overrides);
+  checks.that("the target is reached", result.verdict.outcome == Outcome::certified);
+  checks.between("relative bound", last(result, "bound_relative"), 0., 1e-3);
+  for (std::size_t k = 2; k < result.levels.size(); ++k)
+    checks.between("growth of the unknowns",
+                   static_cast<double>(result.levels[k].sizes.dofs) /
+                     static_cast<double>(result.levels[k - 1].sizes.dofs),
+                   1., 6.);
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {check_catalogue, check_files});
+  return run_tests(argc, argv, {check_catalogue, check_files, check_two_things});
 }
