@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <system_error>
 #include <unistd.h>
@@ -102,7 +103,7 @@ std::string describe(const std::exception &error) {
 /** Starts MPI and runs all scenes. @return the exit code. */
 int start_and_run(const CommandLine &command_line) {
   const std::vector<int> signals = ending_signals();
-  configure_single_process();
+  std::unique_ptr<SessionFolder> session = configure_single_process();
   // deal.II starts PETSc, too, which would take the program's options for its own. It warns at the
   // end of what it did not use, also of a user's settings for other programs.
   std::array<std::string, 4> words = {{"signorini", "-skip_petscrc", "-options_left", "no"}};
@@ -112,6 +113,7 @@ int start_and_run(const CommandLine &command_line) {
   int argc = words.size();
   char **argv = pointers.data();
   const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  session.reset();
   handle_signals(signals);
   try {
     return run(command_line, MPI_COMM_WORLD);

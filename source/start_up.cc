@@ -39,10 +39,10 @@ void keep_ignoring_hangup() {
     std::signal(SIGHUP, SIG_IGN);
 }
 
-void configure_single_process() {
+std::unique_ptr<SessionFolder> configure_single_process() {
   for (const char *launched : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"})
     if (std::getenv(launched) != nullptr)
-      return;
+      return nullptr;
   constexpr int keep = 0;
   // The daemon would be started by the framework plm: a user who sets that wants it.
   if (std::getenv("OMPI_MCA_plm") == nullptr)
@@ -53,6 +53,23 @@ void configure_single_process() {
   setenv("OMPI_MCA_coll", "^adapt,han,inter,monitoring,sm,sync,tuned", keep);
   setenv("OMPI_MCA_osc", "^sm,monitoring,rdma,ucx", keep);
   setenv("HWLOC_PLUGINS_BLACKLIST", "hwloc_gl.so,hwloc_opencl.so,hwloc_pci.so", keep);
+  return std::make_unique<SessionFolder>();
+}
+
+SessionFolder::SessionFolder() {
+  if (const char *const given = std::getenv("TMPDIR"))
+    before_ = given;
+  if (mkdtemp(path_.data()) != nullptr)
+    setenv("TMPDIR", path_.c_str(), 1);
+}
+
+SessionFolder::~SessionFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+  if (before_)
+    setenv("TMPDIR", before_->c_str(), 1);
+  else
+    unsetenv("TMPDIR");
 }
 
 namespace {

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <string>
+
 namespace Signorini {
 /** Ignores the signal SIGHUP again if the process was started so, by nohup, and a library took it.
  */
@@ -14,11 +18,26 @@ void keep_ignoring_hangup();
  */
 void check_surroundings();
 
+/** The folder of temporary files while MPI starts, in memory. Open MPI 5 leaves those of its
+ * session there, empty ones, which it does not read again; this one is removed. */
+class SessionFolder {
+public:
+  SessionFolder();
+  SessionFolder(const SessionFolder &) = delete;
+  SessionFolder &operator=(const SessionFolder &) = delete;
+  ~SessionFolder();
+
+private:
+  std::string path_ = "/dev/shm/signorini-XXXXXX";
+  std::optional<std::string> before_;
+};
+
 /**
  * Sets up Open MPI for a process that no launcher has started: it needs no daemon, no network, no
  * shared memory and no picture of the machine, which take as long to start as a small scene to
  * solve. Nor does it need a folder of its session: all such processes would share one, and one that
  * ends would remove it while another makes it. Settings of the user for these stay.
+ * @return the folder that must last until MPI has started; null where there is a launcher.
  */
-void configure_single_process();
+std::unique_ptr<SessionFolder> configure_single_process();
 } // namespace Signorini
