@@ -24,7 +24,7 @@ unsigned int n_available_threads(MPI_Comm communicator) {
 
 void work_on_ranges(const unsigned int n_threads, const std::size_t n,
                     const std::function<void(std::size_t, std::size_t)> &work) {
-  constexpr std::size_t length = 512;
+  constexpr std::size_t length = 256;
   produce_in_parallel<bool>(
     n_threads, (n + length - 1) / length,
     [&](const std::size_t i) {

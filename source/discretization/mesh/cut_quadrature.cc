@@ -60,7 +60,8 @@ public:
   void add_polygon(const Polygon &polygon, const unsigned int halvings) {
     const unsigned int depth = std::min(halvings, deepest);
     if (ends_.empty() && is_rectangle(polygon)) {
-      add_image(QGauss<2>(n_points(depth, !in_rectangle_)), polygon[0], polygon[1] - polygon[0],
+      const unsigned int n = n_points(depth, !in_rectangle_);
+      add_image(squares_.try_emplace(n, n).first->second, polygon[0], polygon[1] - polygon[0],
                 polygon[3] - polygon[0]);
       return;
     }
@@ -136,6 +137,7 @@ private:
   const bool in_rectangle_;
   const std::vector<Point<2>> ends_;
   std::map<unsigned int, QDuffy> rules_;
+  std::map<unsigned int, QGauss<2>> squares_;
 };
 
 /** Returns the Jacobian determinant of the bilinear map of a cell at a reference point. */

@@ -224,18 +224,20 @@ FullMatrix<double> AiryCell::penalised_energy(const double weight) const {
 
 // Body forces.
 
-AiryCell::LoadFactors AiryCell::load_factors(const unsigned int d, const double at) const {
+std::array<double, max_legendre> AiryCell::load_values(const unsigned int d,
+                                                       const double at) const {
   // The interval between opposite corners, mapped to [-1,1].
-  const double from = -half_axes_[d + 2], half = 0.5 * (1. - from);
-  const auto P = legendre_jets(degree_, (at - from) / half - 1.),
-             P_0 = legendre_jets(degree_, -from / half - 1.);
-  const auto rise = [&](const unsigned int k) { return P[k][0] - P_0[k][0]; };
-  LoadFactors result = {{{P[0][0]}}, {{at}}};
-  for (unsigned int k = 1; k < degree_; ++k) {
-    result.values[k] = P[k][0];
-    result.integrals[k] = half * (rise(k + 1) - rise(k - 1)) / (2. * k + 1.);
-  }
-  return result;
+  return legendre(degree_, 2. * (at + half_axes_[d + 2]) / (1. + half_axes_[d + 2]) - 1.);
+}
+
+std::array<double, max_legendre> AiryCell::load_integrals(const unsigned int d,
+                                                          const double at) const {
+  const auto P = load_values(d, at), P_0 = load_values(d, 0.);
+  std::array<double, max_legendre> integrals = {{at}};
+  for (unsigned int k = 1; k < degree_; ++k)
+    integrals[k] = 0.5 * (1. + half_axes_[d + 2]) *
+                   (P[k + 1] - P_0[k + 1] - P[k - 1] + P_0[k - 1]) / (2. * k + 1.);
+  return integrals;
 }
 
 PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
@@ -248,8 +250,7 @@ PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
     coefficients(n, 2);
   for (std::size_t p = 0; p < weights.size(); ++p) {
     const double root = std::sqrt(weights[p]);
-    const auto X = load_factors(0, on_diagonals[p][0]).values,
-               Y = load_factors(1, on_diagonals[p][1]).values;
+    const auto X = load_values(0, on_diagonals[p][0]), Y = load_values(1, on_diagonals[p][1]);
     unsigned int l = 0;
     for (unsigned int i = 0; i < q; ++i)
       for (unsigned int j = 0; i + j < q; ++j)
@@ -276,7 +277,7 @@ PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
 }
 
 Tensor<1, 2> AiryCell::value(const PolynomialLoad &load, const Point<2> &at) const {
-  const auto X = load_factors(0, at[0]).values, Y = load_factors(1, at[1]).values;
+  const auto X = load_values(0, at[0]), Y = load_values(1, at[1]);
   Tensor<1, 2> f;
   auto coefficient = load.begin();
   for (unsigned int i = 0; i < degree_; ++i)
@@ -286,13 +287,14 @@ Tensor<1, 2> AiryCell::value(const PolynomialLoad &load, const Point<2> &at) con
 }
 
 Components AiryCell::stress(const PolynomialLoad &load, const Point<2> &at) const {
-  const auto X = load_factors(0, at[0]), Y = load_factors(1, at[1]);
+  const auto X = load_values(0, at[0]), Y = load_values(1, at[1]), to_X = load_integrals(0, at[0]),
+             to_Y = load_integrals(1, at[1]);
   Components s;
   auto coefficient = load.begin();
   for (unsigned int i = 0; i < degree_; ++i)
     for (unsigned int j = 0; i + j < degree_; ++j, ++coefficient) {
-      s[0] -= (*coefficient)[0] * X.integrals[i] * Y.values[j];
-      s[1] -= (*coefficient)[1] * X.values[i] * Y.integrals[j];
+      s[0] -= (*coefficient)[0] * to_X[i] * Y[j];
+      s[1] -= (*coefficient)[1] * X[i] * to_Y[j];
     }
   return push_forward_ * s;
 }

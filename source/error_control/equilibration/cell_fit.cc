@@ -92,31 +92,24 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
   return points;
 }
 
-CellFitter::Known &CellFitter::find_known(const CellShape &shape, const double size,
-                                          const TractionCell &place) {
+CellFitter::Known &CellFitter::find_known(const TractionCell &place) {
   constexpr std::size_t max_known = 256;
-  const CellShape unit = at_unit_size(shape, size);
-  const auto &x = unit.corners;
+  const CellShape shape(place.corners);
+  const auto x = at_unit_size(shape, shape.diameter()).corners;
   const std::array<Tensor<1, 2>, 3> edges = {{x[1] - x[0], x[2] - x[0], x[3] - x[0]}};
-  const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known &other) {
-    return !other.is_alone && other.degree == place.degree &&
-           std::equal(edges.begin(), edges.end(), other.edges.begin(),
-                      [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; });
-  });
-  if (found != known_.end())
-    return *found;
-  if (!known_.empty() && known_.back().is_alone)
-    known_.pop_back();
-  return known_.emplace_back(
-    Known{!is_constant_ || known_.size() >= max_known,
-          place.degree,
-          edges,
-          std::make_shared<AiryCell>(unit, place.degree, make_points(shape, size, place.degree)),
-          {}});
+  const bool is_alone = !is_constant_ || known_.size() >= max_known;
+  if (is_constant_)
+    for (Known &other : known_)
+      if (!other.is_alone && other.degree == place.degree &&
+          std::equal(edges.begin(), edges.end(), other.edges.begin(),
+                     [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; }))
+        return other;
+  return known_.emplace_back(is_alone, place.degree, shape, edges);
 }
 
 Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &known) const {
   const CellField u(data_.space.dof_cell(cell), data_.U);
+  std::unique_lock<std::mutex> lock(known.mutex);
   auto &[along_x, along_y] = known.tables[u.degree()];
   if (along_x.values.empty()) {
     std::array<std::vector<double>, 2> at;
@@ -127,6 +120,7 @@ Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &
     along_x = make_line_table(u.degree(), at[0]);
     along_y = make_line_table(u.degree(), at[1]);
   }
+  lock.unlock();
   Vector values(3 * known.airy->n_points());
   unsigned int q = 0;
   for (const auto &triangle : known.airy->points())
@@ -161,7 +155,7 @@ void CellFitter::project_load(const CellShape &shape, const Quadrature<2> &rule,
 }
 
 Vector CellFitter::subtract_load(const Cell &cell, const CellShape &shape, Vector &values,
-                                 CellFit &fit) {
+                                 CellFit &fit) const {
   if (data_.scene.body_force == nullptr)
     return Vector(8 * (fit.airy->degree() + 1));
   // Products of f_K with itself, and f of as many degrees more as f_K has.
@@ -173,20 +167,26 @@ Vector CellFitter::subtract_load(const Cell &cell, const CellShape &shape, Vecto
     const Geometry<2> &body = data_.scene.geometry;
     const bool is_wide =
       !is_constant(*data_.scene.body_force) && cell->diameter() > 0.4 * body.shortest_extent();
+    std::unique_lock<std::mutex> lock(load_rules_mutex_);
     Quadrature<2> &plain = load_rules_[is_wide ? 4 * n : n];
     if (plain.size() == 0)
       plain = QIterated<2>(QGauss<1>(n), is_wide ? 4 : 1);
+    lock.unlock();
     project_load(shape, plain, fit);
   }
   return fit.airy->subtract_load(fit.load, values);
 }
 
-CellFit CellFitter::fit(const Cell &cell, const TractionCell &place) {
+CellFit CellFitter::fit(const Cell &cell, const TractionCell &place, Known &known) const {
+  std::call_once(known.is_made, [&]() {
+    const double size = known.shape.diameter();
+    known.airy = std::make_shared<AiryCell>(at_unit_size(known.shape, size), known.degree,
+                                            make_points(known.shape, size, known.degree));
+  });
   const CellShape shape(place.corners);
   CellFit fit;
   fit.id = cell->id();
   fit.size = shape.diameter();
-  Known &known = find_known(shape, fit.size, place);
   fit.airy = known.airy;
   Vector values(3 * fit.airy->n_points());
   if (compares_)
@@ -220,21 +220,19 @@ std::vector<CellFit> CellFitter::fit_all(const EquilibrationMesh &mesh, const Tr
     else
       fresh.push_back(cell);
   }
-  const auto fit_range = [&](CellFitter &fitter, const std::size_t begin, const std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const unsigned int number = fresh[i]->active_cell_index();
-      fits[number] = fitter.fit(fresh[i], space.cells()[number]);
-    }
-  };
-  if (is_constant_)
-    fit_range(*this, 0, fresh.size());
-  else
-    // Cells share nothing: every thread has a fitter of its own.
-    work_on_ranges(n_available_threads(data_.space.mesh().communicator()), fresh.size(),
-                   [&](const std::size_t begin, const std::size_t end) {
-                     CellFitter fitter(data_, compares_);
-                     fit_range(fitter, begin, end);
-                   });
+  // The first cell of a shape makes what others of the same shape share: which cell that is must
+  // not depend on threads.
+  std::vector<Known *> shared;
+  for (const Cell &cell : fresh)
+    shared.push_back(&find_known(space.cells()[cell->active_cell_index()]));
+  work_on_ranges(n_available_threads(data_.space.mesh().communicator()), fresh.size(),
+                 [&](const std::size_t begin, const std::size_t end) {
+                   for (std::size_t i = begin; i < end; ++i) {
+                     const unsigned int number = fresh[i]->active_cell_index();
+                     fits[number] = fit(fresh[i], space.cells()[number], *shared[i]);
+                   }
+                 });
+  known_.remove_if([](const Known &known) { return known.is_alone; });
   return fits;
 }
 } // namespace Signorini

@@ -9,20 +9,28 @@
 #include <utility>
 
 namespace Signorini {
+std::array<double, max_legendre> legendre(const unsigned int degree, const double z) {
+  std::array<double, max_legendre> P = {{1., z}};
+  for (unsigned int k = 2; k <= degree; ++k)
+    P[k] = ((2. * k - 1.) * z * P[k - 1] - (k - 1.) * P[k - 2]) / k;
+  return P;
+}
+
 std::array<std::array<double, 3>, max_legendre> legendre_jets(const unsigned int degree,
                                                               const double z) {
+  const auto values = legendre(degree, z);
   std::array<std::array<double, 3>, max_legendre> P = {{{{1., 0., 0.}}, {{z, 1., 0.}}}};
   for (unsigned int k = 2; k <= degree; ++k)
-    P[k] = {{((2. * k - 1.) * z * P[k - 1][0] - (k - 1.) * P[k - 2][0]) / k,
-             P[k - 2][1] + (2. * k - 1.) * P[k - 1][0], P[k - 2][2] + (2. * k - 1.) * P[k - 1][1]}};
+    P[k] = {{values[k], P[k - 2][1] + (2. * k - 1.) * P[k - 1][0],
+             P[k - 2][2] + (2. * k - 1.) * P[k - 1][1]}};
   return P;
 }
 
 std::vector<double> legendre_values(const unsigned int degree, const double s) {
-  const auto P = legendre_jets(degree, 2. * s - 1.);
+  const auto P = legendre(degree, 2. * s - 1.);
   std::vector<double> values;
   for (unsigned int k = 0; k <= degree; ++k)
-    values.push_back(std::sqrt(2. * k + 1.) * P[k][0]);
+    values.push_back(std::sqrt(2. * k + 1.) * P[k]);
   return values;
 }
 

@@ -104,11 +104,10 @@ private:
   /** Returns the stresses without loads at a point of triangle k. */
   std::vector<Components> stresses(unsigned int k, const Point<2> &at) const;
   Components stress(const PolynomialLoad &load, const Point<2> &at) const;
-  /** Λ_i at X or Y, and the integrals from zero. */
-  struct LoadFactors {
-    std::array<double, max_legendre> values, integrals;
-  };
-  LoadFactors load_factors(unsigned int d, double at) const;
+  /** Returns Λ_i at X or Y. */
+  std::array<double, max_legendre> load_values(unsigned int d, double at) const;
+  /** Returns the integrals of Λ_i from zero to X or Y. */
+  std::array<double, max_legendre> load_integrals(unsigned int d, double at) const;
   /** A point of a rule on an edge: each trace with the factors that stresses have in it. */
   struct TracePoint {
     Point<2> on_diagonals;

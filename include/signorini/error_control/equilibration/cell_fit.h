@@ -12,6 +12,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace Signorini {
@@ -62,19 +63,29 @@ private:
   using Cell = EquilibrationMesh::Cell;
   /** What cells of the same degree and shape share, unless the law varies. */
   struct Known {
+    Known(const bool is_alone, const unsigned int degree, const CellShape &shape,
+          const std::array<Tensor<1, 2>, 3> &edges)
+      : is_alone(is_alone)
+      , degree(degree)
+      , shape(shape)
+      , edges(edges) {}
+
     bool is_alone;
     unsigned int degree;
+    /** The first cell, and its edges from corner 0 at unit size. */
+    CellShape shape;
     std::array<Tensor<1, 2>, 3> edges;
+    std::once_flag is_made;
     std::shared_ptr<AiryCell> airy;
+    std::mutex mutex;
     /** The values of Lagrange's polynomials at the points of a cell, in both coordinates, by the
      * degree of u_h. */
     std::map<unsigned int, std::array<LineTable, 2>> tables;
   };
 
-  CellFit fit(const Cell &cell, const TractionCell &place);
-  /** Returns what the cell shares, a new one if it is the first. It is valid until the next call.
-   */
-  Known &find_known(const CellShape &shape, double size, const TractionCell &place);
+  CellFit fit(const Cell &cell, const TractionCell &place, Known &known) const;
+  /** Returns what the cell shares, a new one if it is the first. */
+  Known &find_known(const TractionCell &place);
   std::array<std::vector<AiryPoint>, 4> make_points(const CellShape &shape, double size,
                                                     unsigned int degree) const;
   /** Returns the weighted values of σ(u_h) at the points. */
@@ -83,14 +94,15 @@ private:
   void project_load(const CellShape &shape, const Quadrature<2> &rule, CellFit &fit) const;
   /** Subtracts the stresses of f_K. @return their traces. */
   dealii::Vector<double> subtract_load(const Cell &cell, const CellShape &shape,
-                                       dealii::Vector<double> &values, CellFit &fit);
+                                       dealii::Vector<double> &values, CellFit &fit) const;
 
   const BoundData &data_;
   bool compares_, is_constant_;
   /** Where a law that varies is not smooth. */
   Kinks<2> kinks_;
   /** Gauss' rules by the number of points per direction. */
-  std::map<unsigned int, Quadrature<2>> load_rules_;
+  mutable std::map<unsigned int, Quadrature<2>> load_rules_;
+  mutable std::mutex load_rules_mutex_;
   std::list<Known> known_;
 };
 } // namespace Signorini

@@ -12,8 +12,10 @@ namespace Signorini {
 /** The highest degree of Legendre's polynomials here, and one more. */
 constexpr unsigned int max_legendre = 16;
 
-/** Returns Legendre's polynomials P_0 to P_degree at z in [-1,1], each with its first and second
- * derivative; zeros after them. */
+/** Returns Legendre's polynomials P_0 to P_degree at z in [-1,1]; zeros after them. */
+std::array<double, max_legendre> legendre(unsigned int degree, double z);
+
+/** Returns Legendre's polynomials, each with its first and second derivative; zeros after them. */
 std::array<std::array<double, 3>, max_legendre> legendre_jets(unsigned int degree, double z);
 
 /** Returns the orthonormal Legendre polynomials of degrees 0 to @p degree on [0,1] at s. */
