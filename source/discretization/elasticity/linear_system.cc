@@ -5,8 +5,10 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/cell_values.h>
+#include <signorini/discretization/elasticity/internal_forces.h>
 #include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/discretization/elasticity/resultant.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/affine_constraints.templates.h>

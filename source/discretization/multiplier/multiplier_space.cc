@@ -3,7 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/trace_values.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 
 #include <deal.II/base/quadrature_lib.h>

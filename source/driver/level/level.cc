@@ -7,7 +7,8 @@
 #include <signorini/error_control/bound/error_bound.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/errors/errors.h>
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/contact_intervals.h>
+#include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/solvers/methods/contact_method.h>
 

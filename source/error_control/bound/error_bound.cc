@@ -2,7 +2,7 @@
 // The bound of the energy error, summed up from stress and contact.
 
 #include <signorini/base/errors.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/internal_forces.h>
 #include <signorini/error_control/bound/error_bound.h>
 #include <signorini/error_control/equilibration/best_stress.h>
 

@@ -2,7 +2,6 @@
 // The penetration of u_h or π^{2h} u_h along Γ_c, and the contact nodes.
 
 #include <signorini/error_control/contact_term/contact_trace.h>
-#include <signorini/postprocessing/fields/forces.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Functions of V^h with given normal components at contact nodes.
 
-#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/contact_term/contact_lift.h>
 #include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/contact/compliance.h>

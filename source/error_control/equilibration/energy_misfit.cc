@@ -3,7 +3,7 @@
 
 #include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/cell_field.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/cell_values.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/energy_misfit.h>
 #include <signorini/error_control/loads/law.h>

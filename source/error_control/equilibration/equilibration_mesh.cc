@@ -4,7 +4,6 @@
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/equilibration_mesh.h>
 #include <signorini/error_control/loads/law.h>
-#include <signorini/postprocessing/fields/forces.h>
 
 #include <algorithm>
 

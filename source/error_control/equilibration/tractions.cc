@@ -2,7 +2,7 @@
 // The tractions that sides prescribe: those of traction sides, and the forces on plates.
 
 #include <signorini/discretization/elasticity/body_measure.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/cell_values.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/tractions.h>
 #include <signorini/problem/scene/functions.h>

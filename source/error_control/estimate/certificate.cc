@@ -2,8 +2,10 @@
 // The check of the system (5) with integrals over the cells, without A or its factors.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/nodes.h>
+#include <signorini/discretization/elasticity/resultant.h>
 #include <signorini/error_control/estimate/certificate.h>
+#include <signorini/postprocessing/fields/contact_load.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/full_matrix.h>

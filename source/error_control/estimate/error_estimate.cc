@@ -3,11 +3,14 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/body_measure.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/cell_values.h>
+#include <signorini/discretization/elasticity/internal_forces.h>
+#include <signorini/discretization/elasticity/trace_values.h>
 #include <signorini/error_control/estimate/error_estimate.h>
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
+#include <signorini/postprocessing/fields/recovered_pressure.h>
 #include <signorini/solvers/contact/compliance.h>
 
 #include <deal.II/base/numbers.h>

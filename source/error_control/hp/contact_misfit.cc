@@ -2,9 +2,9 @@
 // The misfits u_n - g where the body presses, u_t - g_t where it sticks, and penetration between
 // the nodes of the multipliers.
 
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/trace_values.h>
 #include <signorini/error_control/hp/contact_misfit.h>
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/contact_load.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -3,11 +3,10 @@
 
 #include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/cell_field.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/internal_forces.h>
 #include <signorini/error_control/hp/contact_misfit.h>
 #include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/error_control/hp/step_examination.h>
-#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The left-hand sides of (15), (25) and (32).
 
-#include <signorini/discretization/elasticity/cell_stiffness.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/internal_forces.h>
+#include <signorini/discretization/elasticity/nodes.h>
+#include <signorini/discretization/elasticity/trace_values.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/postprocessing/errors/dual_norm_errors.h>
 #include <signorini/postprocessing/errors/errors.h>
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/norms/cosine_norm.h>
 #include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/postprocessing/norms/slobodeckij_norm.h>

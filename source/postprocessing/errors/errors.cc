@@ -4,10 +4,11 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/body_measure.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/cell_values.h>
+#include <signorini/discretization/elasticity/nodes.h>
 #include <signorini/postprocessing/errors/errors.h>
-#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
+#include <signorini/postprocessing/fields/recovered_pressure.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
 #include <deal.II/base/quadrature_lib.h>

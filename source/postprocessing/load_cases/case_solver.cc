@@ -2,7 +2,8 @@
 // Many loads on one body: the factors, C and B are those of all cases.
 
 #include <signorini/discretization/elasticity/linear_system.h>
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/contact_intervals.h>
+#include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/load_cases/case_solver.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>

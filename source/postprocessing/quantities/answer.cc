@@ -2,7 +2,8 @@
 // The answer of one level, put together.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/trace_values.h>
+#include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/quantities/answer.h>
 
 #include <deal.II/base/quadrature_lib.h>

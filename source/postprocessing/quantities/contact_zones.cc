@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The ends of zones, according to the nodes of the multipliers.
 
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 // Zones of stick and slip, and what friction does.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/quantities/friction.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // The largest contact pressure, as a point value and not as a mean.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/recovered_pressure.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
 
 #include <boost/math/tools/minima.hpp>

@@ -2,7 +2,9 @@
 // The force of the contact pressure, and lines of action.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/nodes.h>
+#include <signorini/discretization/elasticity/resultant.h>
+#include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/quantities/side_forces.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>

@@ -4,8 +4,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/body_measure.h>
-#include <signorini/discretization/elasticity/integration.h>
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/discretization/elasticity/cell_values.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 #include <signorini/postprocessing/fields/stress.h>
 #include <signorini/postprocessing/quantities/von_mises.h>

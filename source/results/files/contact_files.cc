@@ -2,8 +2,8 @@
 // Pressure, gap and opening along the contact boundary.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/integration.h>
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/discretization/elasticity/trace_values.h>
+#include <signorini/postprocessing/fields/recovered_pressure.h>
 #include <signorini/results/files/contact_files.h>
 #include <signorini/results/files/solution_vtu.h>
 #include <signorini/results/files/tables.h>

@@ -2,8 +2,8 @@
 // Z = k - A⁻¹ A k for the lifts k of free motions.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/cell_stiffness.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/internal_forces.h>
+#include <signorini/discretization/elasticity/nodes.h>
 #include <signorini/problem/scene/functions.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/kinematics/motion_modes.h>

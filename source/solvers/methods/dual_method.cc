@@ -3,7 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/trace_values.h>
 #include <signorini/discretization/level/discretization.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>

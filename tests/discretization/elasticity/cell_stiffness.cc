@@ -2,6 +2,7 @@
 // The stiffness matrix of one cell against exact integrals of products of linear functions.
 
 #include <signorini/discretization/elasticity/cell_stiffness.h>
+#include <signorini/discretization/elasticity/internal_forces.h>
 #include <signorini/problem/input/make_scene.h>
 
 #include "one_level.h"

@@ -2,7 +2,7 @@
 // D_{j tau} = int_tau phi_j.n: hand-computed entries, moments of constant and linear fields on
 // sides in every direction, and the coupling seen from the free degrees of freedom.
 
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/trace_values.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 
 #include <map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files about a box: the faces of its contact side, its cells with their stresses.
 
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/nodes.h>
 #include <signorini/results/files/contact_files.h>
 #include <signorini/results/files/solution_vtu.h>
 

@@ -3,8 +3,9 @@
 
 #include <signorini/postprocessing/errors/dual_norm_errors.h>
 #include <signorini/postprocessing/errors/errors.h>
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
+#include <signorini/postprocessing/fields/recovered_pressure.h>
 #include <signorini/postprocessing/norms/cosine_norm.h>
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Where a pressure with given signs begins and ends.
 
-#include <signorini/postprocessing/fields/forces.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
 #include <cmath>

@@ -2,7 +2,6 @@
 // u_n - g where the body presses, against its integral by hand.
 
 #include <signorini/error_control/hp/contact_misfit.h>
-#include <signorini/postprocessing/fields/forces.h>
 
 #include <cmath>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What the indicator says about functions whose Legendre coefficients are known.
 
-#include <signorini/discretization/elasticity/integration.h>
 #include <signorini/error_control/hp/cell_indicator.h>
 
 #include <deal.II/base/quadrature_lib.h>

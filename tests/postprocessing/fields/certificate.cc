@@ -2,6 +2,7 @@
 // The certificate of a correct answer vanishes, and each of its residuals notices what it is for.
 
 #include <signorini/error_control/estimate/certificate.h>
+#include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/results/verdict/judge.h>
 
 #include <cmath>

@@ -2,8 +2,9 @@
 // Resultants, recovery and transfer of piecewise constant pressures, also on patches of different
 // lengths.
 
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
+#include <signorini/postprocessing/fields/recovered_pressure.h>
 
 #include <cmath>
 #include <numeric>

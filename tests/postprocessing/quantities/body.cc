@@ -2,6 +2,7 @@
 // Reactions, penetration and von Mises stress of displacements that are known in closed form.
 
 #include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/answer.h>
 
 #include <cmath>

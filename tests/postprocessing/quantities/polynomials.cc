@@ -2,7 +2,7 @@
 // Peak pressure, contact zones and contact forces of pressures that are polynomials on patches, and
 // those of scene B1 on graded meshes, where p = -(xi - x)_+^{1/2}, xi = 2^{-1/2}.
 
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
 #include <signorini/postprocessing/quantities/side_forces.h>

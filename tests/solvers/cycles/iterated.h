@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/discretization/elasticity/cell_stiffness.h>
+#include <signorini/discretization/elasticity/internal_forces.h>
 #include <signorini/discretization/elasticity/linear_system.h>
 #include <signorini/solvers/cycles/contact_iteration.h>
 #include <signorini/solvers/multigrid/stiffness_multigrid.h>

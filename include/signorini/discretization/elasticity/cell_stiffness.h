@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/elasticity/cell_values.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/discretization/elasticity/integration.h>
 
 #include <cmath>
 #include <memory>
@@ -76,22 +76,4 @@ double stiffness_unit(const DisplacementSpace<dim> &space, const Material<dim> &
   return material.modulus() * std::pow(space.mesh().size(), dim - 2);
 }
 
-/** The nodal forces of the stress of a displacement. */
-template <int dim>
-struct InternalForces {
-  /** The forces (a(φ_j, φ_i))_ij U for all i, constrained or not (force per thickness). */
-  DualVector forces;
-  /** The sums |A| |U|, cell by cell. Times the unit roundoff they bound the rounding errors of the
-   * forces. */
-  DualVector magnitudes;
-  /** The norm a(U, U)^{1/2} with the strain of the element (root of force x length^{dim-1}), from
-   * displacements relative to a corner of each cell: a rigid translation, however large, has no
-   * energy. */
-  double energy_norm = 0.;
-};
-
-/** Integrates the forces. Collective. */
-template <int dim>
-InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                                    const Displacement &U);
 } // namespace Signorini

@@ -3,7 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/resultant.h>
 
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 

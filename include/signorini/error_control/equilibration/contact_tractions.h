@@ -3,7 +3,6 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/equilibration/tractions.h>
-#include <signorini/postprocessing/fields/forces.h>
 
 #include <map>
 #include <set>

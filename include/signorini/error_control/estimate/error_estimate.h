@@ -3,7 +3,7 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/internal_forces.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 #include <signorini/solvers/methods/contact_method.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/internal_forces.h>
 #include <signorini/discretization/multiplier/multiplier.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 

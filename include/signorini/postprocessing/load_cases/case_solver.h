@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/resultant.h>
 #include <signorini/postprocessing/quantities/friction.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/methods/contact_method.h>

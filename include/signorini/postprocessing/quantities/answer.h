@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/columns.h>
+#include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
 #include <signorini/postprocessing/quantities/side_forces.h>

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/discretization/elasticity/resultant.h>
+#include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 
 #include <optional>

@@ -7,7 +7,7 @@
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/errors/dual_norm_errors.h>
 #include <signorini/postprocessing/errors/errors.h>
-#include <signorini/postprocessing/fields/forces.h>
+#include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/load_cases/case_solver.h>
 #include <signorini/postprocessing/quantities/answer.h>
 #include <signorini/postprocessing/quantities/friction.h>

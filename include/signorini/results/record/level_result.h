@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/discretization/elasticity/internal_forces.h>
 #include <signorini/discretization/level/discretization.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
 #include <signorini/results/record/level_record.h>

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A U cell by cell, and the energy norm |||u_h||| without the rounding errors of a rigid
-// translation.
+// A U cell by cell, and |||u_h||| without the rounding errors of a rigid translation.
 
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
-#include <signorini/discretization/elasticity/integration.h>
+#include <signorini/discretization/elasticity/internal_forces.h>
 
-#include <deal.II/numerics/vector_tools_interpolate.h>
+#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 #include <cmath>
@@ -92,60 +91,6 @@ std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
   return std::max(motion, 1e-6 * size) * std::sqrt(stiffness_unit(space, *scene.material));
 }
 
-// B: the normal trace of V^h on Γ_c.
-
-template <int dim>
-TraceValues<dim>::TraceValues(const DisplacementSpace<dim> &space)
-  : space_(space) {}
-
-template <int dim>
-const FEFaceValues<dim> &TraceValues<dim>::reinit(const ContactFace<dim> &face,
-                                                  const std::vector<Point<dim - 1>> &on_face) {
-  const unsigned int number = space_.element_number(face.cell);
-  if (values_ == nullptr || number != element_number_ || on_face != on_face_) {
-    on_face_ = on_face;
-    element_number_ = number;
-    values_ =
-      std::make_unique<FEFaceValues<dim>>(space_.mesh().mapping(), space_.elements()[number],
-                                          Quadrature<dim - 1>(on_face), update_values);
-  }
-  values_->reinit(space_.dof_cell(face.cell), face.face_no);
-  return *values_;
-}
-
-template <int dim>
-std::vector<Tensor<1, dim>> TraceValues<dim>::displacement(const ContactFace<dim> &face,
-                                                           const SurfaceRule<dim> &rule,
-                                                           const Displacement &U) {
-  const auto &values = reinit(face, rule.on_face);
-  std::vector<Tensor<1, dim>> u(rule.size());
-  values[FEValuesExtractors::Vector(0)].get_function_values(U.entries(), u);
-  return u;
-}
-
-template <int dim>
-std::vector<double> TraceValues<dim>::normal_displacement(const ContactFace<dim> &face,
-                                                          const SurfaceRule<dim> &rule,
-                                                          const Displacement &U) {
-  const std::vector<Tensor<1, dim>> u = displacement(face, rule, U);
-  std::vector<double> u_n(rule.size());
-  for (std::size_t q = 0; q < rule.size(); ++q)
-    u_n[q] = u[q] * rule.normals[q];
-  return u_n;
-}
-
-template <int dim>
-Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Function<dim> &u) {
-  Displacement values = space.zero();
-  values.zero_out_ghost_values();
-  VectorTools::interpolate(space.mesh().mapping(), space.dofs(), u, values.entries());
-  values.update_ghost_values();
-  return values;
-}
-
 INSTANTIATE_FUNCTION(internal_forces);
 INSTANTIATE_FUNCTION(norm_of_rigid_motion);
-INSTANTIATE_FUNCTION(interpolate_at_nodes);
-template class TraceValues<2>;
-template class TraceValues<3>;
 } // namespace Signorini

@@ -4,14 +4,9 @@
 #include <signorini/base/dealii.h>
 #include <signorini/base/parallel.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 
-#include <deal.II/base/function.h>
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/point.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/base/tensor.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/hp/fe_values.h>
 #include <deal.II/hp/mapping_collection.h>
@@ -19,7 +14,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -160,133 +154,4 @@ public:
     return this->reinit_at(cuts.size() > 2, cut_rule, cell, face_no);
   }
 };
-
-/** Returns, where the body moves as a whole, the energy norm that such a displacement has if it
- * strains the body: max|u_h| E_0^{1/2} l^{(dim-2)/2} with the unit of stiffness_unit(); max|u_h|
- * counts as at least 1e-6 of the body's size. |||u_h|||, forces and their errors are only rounding
- * then, or the remainder of the linear solver. Returns none where the body is strained. Collective.
- */
-template <int dim>
-std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
-                                           const Scene<dim> &scene, const Displacement &U);
-
-/** What errors in the energy norm are divided by (root of force x length^{dim-1}). */
-struct EnergyScale {
-  /** The norm |||u_h|||. */
-  double norm = 0.;
-  /** The result of norm_of_rigid_motion(). */
-  std::optional<double> rigid;
-
-  /** Returns |||u_h|||. Where the body moves rigidly, |||u_h||| is rounding; the scale of an error
-   * that is rounding, too, is norm_of_rigid_motion(), and a larger error is all of |||u|||. */
-  double of(const double error) const {
-    constexpr double rounding = 1e-7;
-    if (!rigid)
-      return norm;
-    return error <= rounding * *rigid ? *rigid : error;
-  }
-};
-
-/** The shape functions of V^h at points of contact faces. Consecutive faces with the same reference
- * points share one table. */
-template <int dim>
-class TraceValues {
-public:
-  explicit TraceValues(const DisplacementSpace<dim> &space);
-
-  /**
-   * Computes the shape functions on a face.
-   * @param on_face points in the reference coordinates of the face.
-   */
-  const FEFaceValues<dim> &reinit(const ContactFace<dim> &face,
-                                  const std::vector<Point<dim - 1>> &on_face);
-
-  /** Returns u_h at the points of a rule on the face. */
-  std::vector<Tensor<1, dim>> displacement(const ContactFace<dim> &face,
-                                           const SurfaceRule<dim> &rule, const Displacement &U);
-
-  /** Returns u_h.n at the points of a rule on the face. */
-  std::vector<double> normal_displacement(const ContactFace<dim> &face,
-                                          const SurfaceRule<dim> &rule, const Displacement &U);
-
-private:
-  const DisplacementSpace<dim> &space_;
-  std::vector<Point<dim - 1>> on_face_;
-  unsigned int element_number_ = 0;
-  std::unique_ptr<FEFaceValues<dim>> values_;
-};
-
-/** The positions of the nodes of a cell, in the order of the cell's scalar shape functions. */
-template <int dim>
-class NodePositions {
-public:
-  explicit NodePositions(const DisplacementSpace<dim> &space)
-    : mappings_(space.mesh().mapping())
-    , values_(mappings_, space.elements(), nodes_of(space.elements()), update_quadrature_points) {}
-
-  /** Returns the positions, valid until the next call. */
-  const std::vector<Point<dim>> &
-  operator()(const typename DoFHandler<dim>::active_cell_iterator &cell) {
-    values_.reinit(cell);
-    return values_.get_present_fe_values().get_quadrature_points();
-  }
-
-private:
-  static hp::QCollection<dim> nodes_of(const hp::FECollection<dim> &elements) {
-    hp::QCollection<dim> nodes;
-    for (unsigned int number = 0; number < elements.size(); ++number)
-      nodes.push_back(Quadrature<dim>(elements[number].base_element(0).get_unit_support_points()));
-    return nodes;
-  }
-
-  const hp::MappingCollection<dim> mappings_;
-  hp::FEValues<dim> values_;
-};
-
-/** Returns I^h u: the values of u at the nodes of V^h, all of them on every rank. */
-template <int dim>
-Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Function<dim> &u);
-
-/** A moment: a number in 2-D, a vector in 3-D. */
-template <int dim>
-using Moment = Tensor<1, dim == 2 ? 1 : dim>;
-
-/** Returns the moment x × F; in 2-D x1 F2 - x2 F1. */
-inline Moment<2> moment_of(const Tensor<1, 2> &x, const Tensor<1, 2> &F) {
-  Moment<2> moment;
-  moment[0] = x[0] * F[1] - x[1] * F[0];
-  return moment;
-}
-inline Moment<3> moment_of(const Tensor<1, 3> &x, const Tensor<1, 3> &F) {
-  return cross_product_3d(x, F);
-}
-
-/** The resultant of surface and body forces: force and moment about the origin. */
-template <int dim>
-struct Resultant {
-  Tensor<1, dim> force;
-  Moment<dim> moment;
-
-  /** Adds a force that acts at a point. */
-  void add(const Tensor<1, dim> &F, const Point<dim> &x) {
-    force += F;
-    moment += moment_of(x, F);
-  }
-  Resultant &operator+=(const Resultant &other) {
-    force += other.force;
-    moment += other.moment;
-    return *this;
-  }
-  /** Returns the moment about another point. */
-  Moment<dim> moment_about(const Point<dim> &x) const {
-    return moment - moment_of(x, force);
-  }
-};
-
-/** Returns the sum over all ranks. Collective. */
-template <int dim>
-Resultant<dim> sum_over_ranks(const Resultant<dim> &part, MPI_Comm communicator) {
-  return {Utilities::MPI::sum(part.force, communicator),
-          Utilities::MPI::sum(part.moment, communicator)};
-}
 } // namespace Signorini

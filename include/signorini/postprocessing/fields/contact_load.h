@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/discretization/elasticity/resultant.h>
+#include <signorini/discretization/elasticity/trace_values.h>
+#include <signorini/discretization/multiplier/multiplier.h>
+
+#include <vector>
+
+namespace Signorini {
+/** Returns the force and the moment of p_H n + q_H on a piece of Γ_c. */
+template <int dim>
+Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
+                                 const Multiplier &multiplier, const Piece<dim> &piece);
+
+/** Returns u_{h,n} - g at the points of a rule on a piece, positive where the body penetrates, or
+ * the slip u_{h,t} - g_t. @throws InputError where g has no value. */
+template <int dim>
+std::vector<double> penetration(const ContactSurface<dim> &surface, const Piece<dim> &piece,
+                                const SurfaceRule<dim> &rule, const Displacement &U,
+                                TraceValues<dim> &traces, Component component = Component::normal);
+
+/** Returns ∫_{Γ_c} q φ_j.n for all j, as the column of a coupling: @p values_on (piece, rule) is q
+ * at the points of @p rule_on (piece). With t in the place of n if the component is tangential. */
+template <int dim, typename RuleOn, typename ValuesOn>
+Coupling::Column contact_load(const DisplacementSpace<dim> &space,
+                              const ContactSurface<dim> &surface, const RuleOn &rule_on,
+                              const ValuesOn &values_on,
+                              const Component component = Component::normal) {
+  TraceValues<dim> traces(space);
+  Coupling::Column load;
+  for (const Piece<dim> &piece : surface.pieces()) {
+    const ContactFace<dim> &face = surface.faces()[piece.face];
+    const SurfaceRule<dim> &rule = rule_on(piece);
+    const std::vector<double> q = values_on(piece, rule);
+    const auto &values = traces.reinit(face, rule.on_face);
+    const auto indices = space.cell_dofs(face.cell);
+    for (std::size_t k = 0; k < rule.size(); ++k)
+      for (unsigned int j = 0; j < indices.size(); ++j)
+        load[indices[j]] += q[k] * rule.weights[k] *
+                            (values[FEValuesExtractors::Vector(0)].value(j, k) *
+                             direction_of(component, rule.normals[k]));
+  }
+  return load;
+}
+} // namespace Signorini

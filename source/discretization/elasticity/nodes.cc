@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// I^h: interpolation at the nodes of V^h.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/discretization/elasticity/nodes.h>
+
+#include <deal.II/numerics/vector_tools_interpolate.h>
+
+namespace Signorini {
+template <int dim>
+Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Function<dim> &u) {
+  Displacement values = space.zero();
+  values.zero_out_ghost_values();
+  VectorTools::interpolate(space.mesh().mapping(), space.dofs(), u, values.entries());
+  values.update_ghost_values();
+  return values;
+}
+
+INSTANTIATE_FUNCTION(interpolate_at_nodes);
+} // namespace Signorini

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The tractions and the penetration of a piece of Γ_c.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/postprocessing/fields/contact_load.h>
+
+namespace Signorini {
+template <int dim>
+Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
+                                 const Multiplier &multiplier, const Piece<dim> &piece) {
+  Resultant<dim> resultant;
+  const SurfaceRule<dim> &rule = piece.on_mesh;
+  for (std::size_t q = 0; q < rule.size(); ++q) {
+    const Point<dim - 1> &s = rule.on_side[q];
+    const Tensor<1, dim> &n = rule.normals[q];
+    resultant.add((multipliers.value(multiplier.normal(), piece.patch, s) * n +
+                   tangential_traction(multipliers, multiplier, piece.patch, s, n)) *
+                    rule.weights[q],
+                  rule.points[q]);
+  }
+  return resultant;
+}
+
+template <int dim>
+std::vector<double> penetration(const ContactSurface<dim> &surface, const Piece<dim> &piece,
+                                const SurfaceRule<dim> &rule, const Displacement &U,
+                                TraceValues<dim> &traces, const Component component) {
+  const auto u = traces.displacement(surface.faces()[piece.face], rule, U);
+  const BoundaryCondition<dim> &condition = surface.condition(piece);
+  const auto &data = component == Component::normal ? condition.data : condition.shift;
+  std::vector<double> depths(rule.size());
+  for (std::size_t q = 0; q < rule.size(); ++q)
+    depths[q] = u[q] * direction_of(component, rule.normals[q]) -
+                (data != nullptr ? data->value(rule.points[q]) : 0.);
+  return depths;
+}
+
+INSTANTIATE_FUNCTION(contact_resultant);
+INSTANTIATE_FUNCTION(penetration);
+} // namespace Signorini
