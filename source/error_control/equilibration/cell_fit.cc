@@ -200,8 +200,10 @@ CellFit CellFitter::fit(const Cell &cell, const TractionCell &place, Known &know
   for (const auto &triangle : fit.airy->points())
     for (const AiryPoint &point : triangle)
       fit.min_eigenvalue = std::min(fit.min_eigenvalue, point.min_eigenvalue);
-  if (known.is_alone)
+  if (known.is_alone) {
     known.airy->forget_points();
+    known.tables.clear();
+  }
   return fit;
 }
 
