@@ -6,6 +6,8 @@
 #include <signorini/driver/level/level.h>
 #include <signorini/error_control/bound/error_bound.h>
 #include <signorini/error_control/estimate/error_estimate.h>
+#include <signorini/error_control/estimate/missed_contact.h>
+#include <signorini/error_control/estimate/pressure_correction.h>
 #include <signorini/postprocessing/errors/errors.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>

@@ -4,6 +4,7 @@
 
 #include <signorini/discretization/elasticity/internal_forces.h>
 #include <signorini/error_control/estimate/error_estimate.h>
+#include <signorini/error_control/estimate/pressure_correction.h>
 #include <signorini/solvers/contact/compliance.h>
 
 #include "one_level.h"

@@ -4,46 +4,11 @@
 #include <signorini/base/columns.h>
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/internal_forces.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
-#include <signorini/solvers/methods/contact_method.h>
+#include <signorini/error_control/estimate/pressure_correction.h>
 
 #include <optional>
 
 namespace Signorini {
-/** The correction z_h in V^h of u_h for p_H being constant on patches, and its energy norm. */
-struct PressureCorrection {
-  /** The nodal values of z_h, zero where displacements are prescribed; if there are none, z_h = 0.
-   */
-  Displacement z;
-  /** The energy norm |||z_h||| (root of force x length^{dim-1}). */
-  double energy_norm = 0.;
-};
-
-/** Returns b_j = ∫_{Γ_c} p v_n for v = φ_j, condensed, as a coupling with a single column.
- * p is the recovered pressure of @p P, shifted to the means of @p P and cut off at zero. */
-template <int dim>
-Coupling recovered_load(const DisplacementSpace<dim> &space,
-                        const MultiplierSpace<dim> &multipliers, const Pressure &P);
-
-/**
- * Returns z_h = A⁻¹(b - D P) with b_j = ∫ p v_n: with p = σ_n(u), u_h + z_h would be the
- * best approximation of u in V^h. p is the RecoveredPressure of p_H with the means of p_H, see
- * recovered_load(). Where patches are longer than two faces, V^h resolves more of the pressure than
- * p_H does. Then p is recovered from the solution on patches of two faces per direction, which
- * costs one more dual problem with the same A (not after V-cycles, where each column of C would be
- * a linear solve, and not with friction). That solution does not penetrate between the means of the
- * given patches, either.
- *
- * With friction b contains q v_t, where q is recovered like p and cut off at the bound of friction.
- *
- * The correction costs one solve. It is zero, without a solve, where the pressure vanishes. Patches
- * shorter than two faces are not corrected: p_H oscillates on them, and no function of V^h sees the
- * difference. Collective.
- */
-template <int dim>
-PressureCorrection correct_pressure(const Discretization<dim> &discretization,
-                                    const Scene<dim> &scene, const ContactSolution<dim> &contact);
-
 /** The parts of an error that neither π^{2h} nor a recovered pressure shows (energy norms). */
 struct OtherErrors {
   /** The error that the contact solver leaves, see algebraic_error(). */
@@ -96,19 +61,4 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const Scene<di
  * solution the quartic oscillates more than that. Collective. */
 template <int dim>
 unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Displacement &U);
-
-/**
- * Returns the energy norm of a w that removes the penetration of open patches which touch no
- * pressing one. There u_h may be deep in the foundation while u_n - g has a mean that is not
- * positive, and no recovered pressure shows it. With d = (u_n - g)_+ on a patch of length H, w has
- * about the energy of a half-space with waves of the length 4 H,
- *
- *     |||w|||² = modulus π/(2 H) ‖d‖_0².
- *
- * The function is for 3-D only: in 2-D the guaranteed bound has the energy of a true w.
- * @throws InputError where g has no value. Collective.
- */
-double energy_of_missed_contact(const DisplacementSpace<3> &space,
-                                const MultiplierSpace<3> &multipliers, const Scene<3> &scene,
-                                const Displacement &U, const Pressure &P);
 } // namespace Signorini

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The displacement z_h that belongs to a better pressure than p_H.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/error_control/estimate/pressure_correction.h>
+#include <signorini/postprocessing/fields/contact_load.h>
+#include <signorini/postprocessing/fields/pressure_transfer.h>
+#include <signorini/postprocessing/fields/recovered_pressure.h>
+#include <signorini/solvers/contact/compliance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace Signorini {
+namespace {
+/** The number of faces per patch of the partition that pressures are recovered from. */
+constexpr unsigned int recovery_ratio = 2;
+
+bool presses_nowhere(const dealii::Vector<double> &P) {
+  return std::none_of(P.begin(), P.end(), [](const double p) { return p < 0.; });
+}
+
+/** Returns P of the dual problem on another partition; none where a patch contains no free node, or
+ * where the solver fails. */
+template <int dim>
+std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multipliers,
+                                               const Discretization<dim> &given,
+                                               const ContactSolution<dim> &contact) {
+  const Coupling D = assemble_coupling(given.space, multipliers);
+  const Coupling condensed_D = condense(D, given.space.constraints());
+  for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
+    if (condensed_D.column(k).empty())
+      return {};
+  FreeState free;
+  free.F = assemble_gap(multipliers, multipliers.surface().scene().boundary, given.n_points);
+  free.F -= D.transpose_product(contact.dual->free.U);
+  if (free.nothing_touches(AdmissibleSet::nonpositive(free.F.size())))
+    return dealii::Vector<double>(multipliers.n_multipliers());
+  return solve_on_other_patches(
+    contact, {D, condensed_D}, free.F,
+    transfer_pressure<dim>({given.surface.patches(), contact.P.normal()},
+                           multipliers.surface().patches()));
+}
+
+/** The recovered p or q, shifted on every patch so that its mean is that of p_H or q_H; p is cut
+ * off at zero. R^H p - p_H converges faster than p - p_H, see (25). The means of a line through the
+ * middles of patches do not, and whole patches act on the body far more than what varies on them.
+ */
+template <int dim>
+class ShiftedPressure {
+public:
+  ShiftedPressure(const MultiplierSpace<dim> &multipliers, const Pressure &P,
+                  const Component component = Component::normal)
+    : recovered_(multipliers, P)
+    , most_(component == Component::normal ? 0. : std::numeric_limits<double>::infinity())
+    , shifts_(P) {
+    dealii::Vector<double> integrals(P.size()), lengths(P.size());
+    for (const Piece<dim> &piece : multipliers.surface().pieces())
+      for (std::size_t q = 0; q < piece.on_mesh.size(); ++q) {
+        const double weight = piece.on_mesh.weights[q];
+        lengths[piece.patch] += weight;
+        integrals[piece.patch] +=
+          std::min(most_, recovered_.without_sign(piece.patch, piece.on_mesh.on_side[q])) * weight;
+      }
+    for (unsigned int k = 0; k < P.size(); ++k)
+      shifts_[k] -= integrals[k] / lengths[k];
+  }
+  /** Returns the values at the points of a rule. */
+  std::vector<double> operator()(const Piece<dim> &piece, const SurfaceRule<dim> &rule) const {
+    std::vector<double> p;
+    for (const Point<dim - 1> &s : rule.on_side)
+      p.push_back(std::min(most_, std::min(most_, recovered_.without_sign(piece.patch, s)) +
+                                    shifts_[piece.patch]));
+    return p;
+  }
+
+private:
+  RecoveredPressure<dim> recovered_;
+  /** Zero for p, infinity for q. */
+  double most_;
+  dealii::Vector<double> shifts_;
+};
+
+/** The recovered q by components. It is cut off at s, or at f times the recovered |p|; where a
+ * patch slips, it is as long as that. */
+template <int dim>
+class RecoveredFriction {
+public:
+  RecoveredFriction(const MultiplierSpace<dim> &space, const Scene<dim> &scene,
+                    const Multiplier &multiplier)
+    : space_(space)
+    , scene_(scene)
+    , multiplier_(multiplier)
+    , pressure_(space, multiplier.normal()) {
+    for (const Pressure &part : multiplier.tangential()) {
+      components_.emplace_back(space, part, Component::tangential);
+      largest_ = std::max(largest_, 2. * part.linfty_norm());
+    }
+  }
+  /** Returns component c of q at the points of a rule. */
+  std::vector<double> operator()(const unsigned int c, const Piece<dim> &piece,
+                                 const SurfaceRule<dim> &rule) const {
+    const auto &given = *scene_.boundary[space_.surface().faces()[piece.face].side].friction;
+    const bool slips = multiplier_.state(piece.patch).slip != State::inside;
+    const std::vector<double> p = pressure_(piece, rule);
+    std::vector<std::vector<double>> q;
+    for (const ShiftedPressure<dim> &component : components_)
+      q.push_back(component(piece, rule));
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      const double given_here = given.value(rule.points[i]);
+      const double bound =
+        multiplier_.is_coupled() ? std::min(largest_, given_here * std::abs(p[i])) : given_here;
+      double square = 0.;
+      for (const std::vector<double> &component : q)
+        square += component[i] * component[i];
+      const double length = std::sqrt(square);
+      if (length > 0. && (slips || length > bound))
+        q[c][i] *= bound / length;
+    }
+    return q[c];
+  }
+
+private:
+  const MultiplierSpace<dim> &space_;
+  const Scene<dim> &scene_;
+  const Multiplier &multiplier_;
+  ShiftedPressure<dim> pressure_;
+  std::vector<ShiftedPressure<dim>> components_;
+  /** A large coefficient must not multiply what the recovered p has beyond its mean. */
+  double largest_ = 0.;
+};
+
+const auto rule_on_mesh = [](const auto &piece) -> const auto & {
+  return piece.on_mesh;
+};
+
+/** Adds the load of the recovered q. */
+template <int dim>
+void add_friction_load(const Discretization<dim> &discretization, const Scene<dim> &scene,
+                       const Multiplier &multiplier, Coupling::Column &load) {
+  const RecoveredFriction<dim> friction(discretization.multipliers, scene, multiplier);
+  for (unsigned int c = 0; c < tangents<dim>().size(); ++c) {
+    const auto values_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
+      return friction(c, piece, rule);
+    };
+    for (const auto &[row, value] : contact_load(discretization.space, discretization.surface,
+                                                 rule_on_mesh, values_on, tangents<dim>()[c]))
+      load[row] += value;
+  }
+}
+
+/** Returns z_h for a load. */
+template <int dim>
+PressureCorrection correct_by(const Coupling &load, const Discretization<dim> &discretization,
+                              const ContactSolution<dim> &contact) {
+  const DisplacementSpace<dim> &space = discretization.space;
+  dealii::Vector<double> minus_P(contact.P.values());
+  minus_P *= -1.;
+  DualVector forces = space.make_vector();
+  load.add_product(dealii::Vector<double>{1.}, forces);
+  discretization.condensed_D.add_product(minus_P, forces);
+  PressureCorrection correction;
+  correction.z = solve_homogeneous(*contact.inverse, space, forces);
+  // b.z = a(z, z): z is in V^h with homogeneous conditions.
+  const double work = forces * correction.z;
+  correction.energy_norm = std::sqrt(std::max(0., work));
+  return correction;
+}
+
+/** Returns the load of the recovered pressure. */
+template <int dim>
+Coupling::Column pressure_load(const DisplacementSpace<dim> &space,
+                               const MultiplierSpace<dim> &multipliers, const Pressure &P) {
+  const ShiftedPressure<dim> pressure(multipliers, P);
+  return contact_load(space, multipliers.surface(), rule_on_mesh, pressure);
+}
+} // namespace
+
+template <int dim>
+Coupling recovered_load(const DisplacementSpace<dim> &space,
+                        const MultiplierSpace<dim> &multipliers, const Pressure &P) {
+  return condense(Coupling({pressure_load(space, multipliers, P)}), space.constraints());
+}
+
+template <int dim>
+PressureCorrection correct_pressure(const Discretization<dim> &discretization,
+                                    const Scene<dim> &scene, const ContactSolution<dim> &contact) {
+  const auto &[space, surface, multipliers] =
+    std::tie(discretization.space, discretization.surface, discretization.multipliers);
+  const Pressure &given = contact.P.normal();
+  if (surface.has_unstable_patch())
+    return {};
+  if (contact.P.has_friction()) {
+    Coupling::Column load = pressure_load(space, multipliers, given);
+    add_friction_load(discretization, scene, contact.P, load);
+    return correct_by<dim>(condense(Coupling({load}), space.constraints()), discretization,
+                           contact);
+  }
+  if (contact.dual) {
+    const ContactSurface<dim> finer(space.mesh(), scene, Partition{recovery_ratio, 0});
+    const MultiplierSpace<dim> finer_multipliers(finer);
+    if (finer.patches().size() > surface.patches().size())
+      if (const auto P = solve_on(finer_multipliers, discretization, contact))
+        return presses_nowhere(given) && presses_nowhere(*P)
+                 ? PressureCorrection()
+                 : correct_by<dim>(recovered_load(space, finer_multipliers, Pressure(*P)),
+                                   discretization, contact);
+  }
+  return presses_nowhere(given)
+           ? PressureCorrection()
+           : correct_by<dim>(recovered_load(space, multipliers, given), discretization, contact);
+}
+
+INSTANTIATE_FUNCTION(recovered_load);
+INSTANTIATE_FUNCTION(correct_pressure);
+} // namespace Signorini
