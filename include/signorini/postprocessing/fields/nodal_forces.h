@@ -4,6 +4,7 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/internal_forces.h>
 #include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/discretization/multiplier/multiplier_space.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/resultant.h>
+#include <signorini/discretization/multiplier/multiplier.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 
