@@ -59,7 +59,9 @@ std::unique_ptr<SessionFolder> configure_single_process() {
 SessionFolder::SessionFolder() {
   if (const char *const given = std::getenv("TMPDIR"))
     before_ = given;
-  if (mkdtemp(path_.data()) != nullptr)
+  if (mkdtemp(path_.data()) == nullptr)
+    path_.clear();
+  else
     setenv("TMPDIR", path_.c_str(), 1);
 }
 

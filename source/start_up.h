@@ -18,8 +18,9 @@ void keep_ignoring_hangup();
  */
 void check_surroundings();
 
-/** The folder of temporary files while MPI starts, in memory. Open MPI 5 leaves those of its
- * session there, empty ones, which it does not read again; this one is removed. */
+/** The directory of temporary files (TMPDIR) while MPI starts: a new one in memory, which the
+ * destructor removes. Open MPI 5 makes folders there, never uses them in a single process, and
+ * leaves them behind. */
 class SessionFolder {
 public:
   SessionFolder();
@@ -28,7 +29,9 @@ public:
   ~SessionFolder();
 
 private:
+  /** The folder; mkdtemp() replaces the letters X. Empty where it cannot be made. */
   std::string path_ = "/dev/shm/signorini-XXXXXX";
+  /** The value of TMPDIR before. */
   std::optional<std::string> before_;
 };
 

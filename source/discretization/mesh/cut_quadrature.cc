@@ -181,24 +181,19 @@ void divide(const Polygon &polygon, const BoxTree &boxes, const unsigned int nod
 } // namespace
 
 template <int dim>
-std::vector<KinkLine<dim>> lines_across(const Kinks<dim> &kinks,
-                                        const typename Triangulation<dim>::cell_iterator &cell) {
-  std::vector<KinkLine<dim>> lines;
-  std::vector<double> distances(cell->n_vertices());
-  for (const KinkLine<dim> &line : kinks.lines()) {
-    for (const unsigned int v : cell->vertex_indices())
-      distances[v] = line.signed_distance(cell->vertex(v));
-    const auto [lowest, highest] = std::minmax_element(distances.begin(), distances.end());
-    const double margin = Kinks<dim>::tolerance * (*highest - *lowest);
-    if (*lowest<-margin && * highest> margin)
-      lines.push_back(line);
-  }
-  return lines;
+bool crosses(const KinkLine<dim> &line, const typename Triangulation<dim>::cell_iterator &cell) {
+  std::vector<double> distances;
+  for (const unsigned int v : cell->vertex_indices())
+    distances.push_back(line.signed_distance(cell->vertex(v)));
+  const auto [lowest, highest] = std::minmax_element(distances.begin(), distances.end());
+  const double margin = Kinks<dim>::tolerance * (*highest - *lowest);
+  return *lowest<-margin && * highest> margin;
 }
 
 template <int dim>
 bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell) {
-  if (!lines_across(kinks, cell).empty())
+  if (std::any_of(kinks.lines().begin(), kinks.lines().end(),
+                  [&cell](const KinkLine<dim> &line) { return crosses<dim>(line, cell); }))
     return true;
   if constexpr (dim == 2)
     if (kinks.boxes().divides(cell->bounding_box()))
@@ -257,6 +252,6 @@ std::vector<double> graded_positions(const double s, const double distance) {
   return positions;
 }
 
-INSTANTIATE_FUNCTION(lines_across);
+INSTANTIATE_FUNCTION(crosses);
 INSTANTIATE_FUNCTION(needs_cuts);
 } // namespace Signorini

@@ -283,8 +283,11 @@ double LiftField::energy(const CellIterator &cell, Rule &rule) const {
 
 bool LiftField::needs_equal_parts(const CellIterator &cell) const {
   const Kinks<2> &kinks = data_.scene.law_kinks;
-  const std::vector<KinkLine<2>> lines = lines_across<2>(kinks, cell);
   const auto is_oblique = [&](const KinkLine<2> &line) {
+    if (!crosses<2>(line, cell))
+      return false;
+    if (data_.space.mesh().is_curved())
+      return true;
     std::array<double, 4> d;
     for (const unsigned int v : cell->vertex_indices())
       d[v] = line.signed_distance(cell->vertex(v));
@@ -294,8 +297,7 @@ bool LiftField::needs_equal_parts(const CellIterator &cell) const {
     return std::abs(d[0] * d[3] - d[1] * d[2]) > 1e-12 * std::pow(*highest - *lowest, 2);
   };
   return kinks.boxes().divides(cell->bounding_box()) ||
-         (data_.space.mesh().is_curved() && !lines.empty()) ||
-         std::any_of(lines.begin(), lines.end(), is_oblique);
+         std::any_of(kinks.lines().begin(), kinks.lines().end(), is_oblique);
 }
 
 dealii::Vector<double> LiftField::cell_energies() const {

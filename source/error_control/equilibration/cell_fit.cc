@@ -92,19 +92,18 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
   return points;
 }
 
-CellFitter::Known &CellFitter::find_known(const TractionCell &place) {
+CellFitter::Known &CellFitter::find_known(const TractionCell &place, std::list<Known> &alone) {
   constexpr std::size_t max_known = 256;
   const CellShape shape(place.corners);
   const auto x = at_unit_size(shape, shape.diameter()).corners;
   const std::array<Tensor<1, 2>, 3> edges = {{x[1] - x[0], x[2] - x[0], x[3] - x[0]}};
-  const bool is_alone = !is_constant_ || known_.size() >= max_known;
-  if (is_constant_)
-    for (Known &other : known_)
-      if (!other.is_alone && other.degree == place.degree &&
-          std::equal(edges.begin(), edges.end(), other.edges.begin(),
-                     [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; }))
-        return other;
-  return known_.emplace_back(is_alone, place.degree, shape, edges);
+  for (Known &other : known_)
+    if (other.degree == place.degree &&
+        std::equal(edges.begin(), edges.end(), other.edges.begin(),
+                   [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; }))
+      return other;
+  const bool is_alone = !is_constant_ || known_.size() == max_known;
+  return (is_alone ? alone : known_).emplace_back(is_alone, place.degree, shape, edges);
 }
 
 Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &known) const {
@@ -222,11 +221,11 @@ std::vector<CellFit> CellFitter::fit_all(const EquilibrationMesh &mesh, const Tr
     else
       fresh.push_back(cell);
   }
-  // The first cell of a shape makes what others of the same shape share: which cell that is must
-  // not depend on threads.
+  // Threads must not decide which cell of a shape is the first: the others share what it makes.
+  std::list<Known> alone;
   std::vector<Known *> shared;
   for (const Cell &cell : fresh)
-    shared.push_back(&find_known(space.cells()[cell->active_cell_index()]));
+    shared.push_back(&find_known(space.cells()[cell->active_cell_index()], alone));
   work_on_ranges(n_available_threads(data_.space.mesh().communicator()), fresh.size(),
                  [&](const std::size_t begin, const std::size_t end) {
                    for (std::size_t i = begin; i < end; ++i) {
@@ -234,7 +233,6 @@ std::vector<CellFit> CellFitter::fit_all(const EquilibrationMesh &mesh, const Tr
                      fits[number] = fit(fresh[i], space.cells()[number], *shared[i]);
                    }
                  });
-  known_.remove_if([](const Known &known) { return known.is_alone; });
   return fits;
 }
 } // namespace Signorini

@@ -41,8 +41,8 @@ struct Workspace {
     if (common.status == CHOLMOD_OUT_OF_MEMORY)
       throw std::bad_alloc();
     if (common.status == CHOLMOD_TOO_LARGE)
-      throw ComputationError("The factor of the stiffness matrix has more than 2^31 entries, which "
-                             "CHOLMOD cannot number; set Linear solver = amesos_mumps.");
+      throw ComputationError("The factor of the stiffness matrix has more than 2^31 entries, the "
+                             "limit of CHOLMOD; Solver/Linear solver = amesos_mumps has none.");
     if (common.status == CHOLMOD_NOT_POSDEF)
       throw ComputationError("The factorisation of the stiffness matrix by CHOLMOD failed: the "
                              "matrix is singular or not positive definite.");

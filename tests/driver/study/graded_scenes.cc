@@ -79,7 +79,7 @@ void check_files(Checks &checks) {
 }
 
 /** A disc and a plane: four ends of contact, two of which lie in one patch of the first meshes.
- * Where an end is known to a patch only, layers that are deeper fill the patch. */
+ * Deep layers would fill that patch with cells. */
 void check_two_things(Checks &checks) {
   checks.about("disc and plane");
   std::vector<std::string> overrides = graded("1e-3");

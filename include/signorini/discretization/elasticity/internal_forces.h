@@ -26,6 +26,7 @@ struct InternalForces {
 template <int dim>
 InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                                     const Displacement &U);
+
 /** Returns, where the body moves as a whole, the energy norm that such a displacement has if it
  * strains the body: max|u_h| E_0^{1/2} l^{(dim-2)/2} with the unit of stiffness_unit(); max|u_h|
  * counts as at least 1e-6 of the body's size. |||u_h|||, forces and their errors are only rounding

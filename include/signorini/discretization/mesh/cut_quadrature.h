@@ -25,10 +25,9 @@ struct PolygonPart {
 /** Returns the parts into which lines and boxes cut a convex polygon. */
 std::vector<PolygonPart> cut_polygon(const Kinks<2> &kinks, const Polygon &polygon);
 
-/** Returns the lines that cross a cell. */
+/** Returns whether a line crosses a cell. */
 template <int dim>
-std::vector<KinkLine<dim>> lines_across(const Kinks<dim> &kinks,
-                                        const typename Triangulation<dim>::cell_iterator &cell);
+bool crosses(const KinkLine<dim> &line, const typename Triangulation<dim>::cell_iterator &cell);
 
 /** Returns whether the plain rule is not enough on a cell: a line crosses it or meets a contact
  * side near it, or data varies too fast in it. */

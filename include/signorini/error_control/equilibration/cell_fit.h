@@ -84,8 +84,9 @@ private:
   };
 
   CellFit fit(const Cell &cell, const TractionCell &place, Known &known) const;
-  /** Returns what the cell shares, a new one if it is the first. */
-  Known &find_known(const TractionCell &place);
+  /** Returns what the cell shares. A new one is added to @p alone where no other cell may share it.
+   */
+  Known &find_known(const TractionCell &place, std::list<Known> &alone);
   std::array<std::vector<AiryPoint>, 4> make_points(const CellShape &shape, double size,
                                                     unsigned int degree) const;
   /** Returns the weighted values of σ(u_h) at the points. */

@@ -14,7 +14,6 @@
 namespace Signorini {
 /** The rows of a serial matrix, with columns in increasing order. */
 struct Rows {
-  Rows() = default;
   explicit Rows(const TrilinosWrappers::SparseMatrix &A);
 
   bool same_pattern(const int i, const int j) const {
