@@ -35,6 +35,7 @@ std::vector<Tensor<1, 2>> CellFit::force(const TractionCell &place,
                                          const std::vector<Point<2>> &points) const {
   const CellShape shape(place.corners);
   std::vector<Tensor<1, 2>> f;
+  f.reserve(points.size());
   for (const Point<2> &x : points)
     f.push_back(airy->value(load, airy->on_diagonals((x - shape.crossing) / size)) / size);
   return f;
@@ -224,6 +225,7 @@ std::vector<CellFit> CellFitter::fit_all(const EquilibrationMesh &mesh, const Tr
   // Threads must not decide which cell of a shape is the first: the others share what it makes.
   std::list<Known> alone;
   std::vector<Known *> shared;
+  shared.reserve(fresh.size());
   for (const Cell &cell : fresh)
     shared.push_back(&find_known(space.cells()[cell->active_cell_index()], alone));
   work_on_ranges(n_available_threads(data_.space.mesh().communicator()), fresh.size(),
