@@ -201,6 +201,19 @@ bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell
   return !ends_near(kinks, cell).empty();
 }
 
+bool varies_fast(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell) {
+  if (std::any_of(kinks.lines().begin(), kinks.lines().end(),
+                  [&cell](const KinkLine<2> &line) { return crosses<2>(line, cell); }))
+    return true;
+  if (!kinks.boxes().divides(cell->bounding_box()))
+    return false;
+  // Larger boxes leave four parts at most.
+  const auto parts =
+    cut_polygon(kinks, {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)});
+  return parts.size() > 4 || std::any_of(parts.begin(), parts.end(),
+                                         [](const PolygonPart &part) { return part.is_rough; });
+}
+
 std::vector<PolygonPart> cut_polygon(const Kinks<2> &kinks, const Polygon &polygon) {
   std::vector<Polygon> pieces = {polygon};
   for (const KinkLine<2> &line : kinks.lines()) {

@@ -10,6 +10,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,10 +83,9 @@ struct FaceLift {
   FaceLift(const BoundData &data, const ContactTrace &trace, const PenetrationFace &face,
            const Displacement &w_h)
     : n_components(data.has_friction() ? 2 : 1) {
-    for (unsigned int c = 0; c < n_components; ++c) {
-      w[c] = face.trace(w_h, direction_of(contact_components[c], face.normal));
-      lacking[c] = trace.lacking(face, contact_components[c], w[c]);
-    }
+    w = face.trace(w_h);
+    for (unsigned int c = 0; c < n_components; ++c)
+      lacking[c] = trace.lacking(face, contact_components[c], w);
     r[0] = remainder(face, lacking[0], trace.rounding(face));
     if (face.lifts_slip)
       r[1] = without_chord(lacking[1], lacking[1].value(0.), lacking[1].value(1.));
@@ -104,7 +104,7 @@ struct FaceLift {
                           const double missing = follows
                                                    ? lacking[c].value(t)
                                                    : trace.misfit(face, contact_components[c], t) -
-                                                       w[c].value(t),
+                                                       face.value(w, contact_components[c], t),
                                        v = missing - r[c].value(t);
                           if (std::abs(v) > rounding)
                             term += ((c == 1 ? trace.friction_bound(face, t) * std::abs(v) : 0.) +
@@ -115,7 +115,7 @@ struct FaceLift {
   }
 
   unsigned int n_components;
-  std::array<FacePolynomial, 2> w;
+  FaceVector w;
   std::array<EdgeFunction, 2> lacking;
   Remainders r;
 };
@@ -192,6 +192,7 @@ LiftField::LiftField(const BoundData &data, const ContactTrace &trace, Displacem
                      std::vector<Remainders> remainders)
   : data_(data)
   , trace_(trace)
+  , maps_(data.space.mesh(), data.scene.geometry.sides)
   , w_h_(std::move(w_h))
   , remainders_(std::move(remainders)) {
   for (unsigned int i = 0; i < remainders_.size(); ++i)
@@ -201,8 +202,8 @@ LiftField::LiftField(const BoundData &data, const ContactTrace &trace, Displacem
         const PenetrationFace &face = trace.faces()[i];
         const double height = cell->face(face_no)->center().distance(
           cell->face(GeometryInfo<2>::opposite_face[face_no])->center());
-        const double depth = face.length * std::sqrt(3. * ratio_of_moduli(data.scene, face, c) *
-                                                     r.square_integral() / r.slope_integral());
+        const double depth = face.length() * std::sqrt(3. * ratio_of_moduli(data.scene, face, c) *
+                                                       r.square_integral() / r.slope_integral());
         columns_.emplace(cell->active_cell_index(),
                          Column{i, face_no, c, std::min(1., depth / height)});
       }
@@ -233,12 +234,16 @@ std::vector<double> LiftField::cuts(const CellIterator &cell, const unsigned int
   return cuts;
 }
 
+/** A rule on cells with the same map of the same degree. Sums over the nodes of the map in one
+ * direction after the other are faster than FEValues, which tabulates maps for each rule. */
 struct LiftField::Rule {
   Rule(const Mapping<2> &mapping, const unsigned int degree, const Quadrature<1> &x,
        const Quadrature<1> &y)
-    : lines({make_line_table(degree, positions(x)), make_line_table(degree, positions(y))})
-    , values(mapping, no_functions, QAnisotropic<2>(x, y),
-             update_quadrature_points | update_inverse_jacobians | update_JxW_values) {}
+    : map_degree(dynamic_cast<const MappingQ<2> &>(mapping).get_degree())
+    , points(QAnisotropic<2>(x, y))
+    , lines({make_line_table(degree, positions(x)), make_line_table(degree, positions(y))})
+    , map_lines(
+        {make_line_table(map_degree, positions(x)), make_line_table(map_degree, positions(y))}) {}
 
   static std::vector<double> positions(const Quadrature<1> &rule) {
     std::vector<double> positions;
@@ -247,38 +252,52 @@ struct LiftField::Rule {
     return positions;
   }
 
-  std::array<LineTable, 2> lines;
-  FE_Nothing<2> no_functions;
-  FEValues<2> values;
+  unsigned int map_degree;
+  Quadrature<2> points;
+  std::array<LineTable, 2> lines, map_lines;
 };
 
-double LiftField::energy(const CellIterator &cell, Rule &rule) const {
-  rule.values.reinit(static_cast<const Triangulation<2>::active_cell_iterator &>(cell));
-  const FEValues<2> &values = rule.values;
+double LiftField::energy(const CellIterator &cell, const Rule &rule, FEValues<2> &nodes) const {
+  nodes.reinit(static_cast<const Triangulation<2>::active_cell_iterator &>(cell));
+  std::vector<Tensor<1, 2>> from_first;
+  for (const Point<2> &x : nodes.get_quadrature_points())
+    from_first.push_back(x - nodes.quadrature_point(0));
+  const FieldValues<2> map =
+    evaluate_products<2>(from_first, {&rule.map_lines[0], &rule.map_lines[1]});
   std::vector<Tensor<2, 2>> gradients =
-    CellField(cell, w_h_).gradients(rule.lines[0], rule.lines[1]);
-  for (const unsigned int q : values.quadrature_point_indices())
-    gradients[q] = gradients[q] * Tensor<2, 2>(values.inverse_jacobian(q));
+                              CellField(cell, w_h_).gradients(rule.lines[0], rule.lines[1]),
+                            inverse;
+  for (std::size_t q = 0; q < gradients.size(); ++q) {
+    inverse.push_back(invert(map.gradients[q]));
+    gradients[q] = gradients[q] * inverse[q];
+  }
   const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
-  for (const unsigned int q : values.quadrature_point_indices()) {
-    const Point<2> &x = values.get_quadrature().point(q);
+  for (std::size_t q = 0; q < gradients.size(); ++q) {
+    const Point<2> &x = rule.points.point(q);
     for (auto entry = begin; entry != end; ++entry) {
       const auto &[face, face_no, component, depth] = entry->second;
       const unsigned int across = face_no / 2;
       const bool from_above = face_no % 2 == 1;
       const double psi = 1. - (from_above ? 1. - x[across] : x[across]) / depth;
       const EdgeFunction &r = remainders_[face][component];
-      Tensor<1, 2> gradient;
-      gradient[across] = (from_above ? 1. : -1.) / depth * r.value(x[1 - across]);
-      gradient[1 - across] = psi * r.slope(x[1 - across]);
+      const double t = x[1 - across], value = r.value(t);
+      Tensor<1, 2> gradient, along;
+      gradient[across] = (from_above ? 1. : -1.) / depth * value;
+      gradient[1 - across] = psi * r.slope(t);
+      along[1 - across] = psi * value;
+      const PenetrationFace &on = trace_.faces()[face];
       if (psi > 0.)
-        gradients[q] +=
-          outer_product(direction_of(component == 0 ? Component::normal : Component::tangential,
-                                     trace_.faces()[face].normal),
-                        gradient * Tensor<2, 2>(values.inverse_jacobian(q)));
+        gradients[q] += (outer_product(on.direction(contact_components[component], t), gradient) +
+                         outer_product(on.turning(contact_components[component], t), along)) *
+                        inverse[q];
     }
   }
-  return EnergyMeasure<2>(*data_.scene.material).energy(values, gradients);
+  EnergyMeasure<2> measure(*data_.scene.material);
+  double sum = 0.;
+  for (std::size_t q = 0; q < gradients.size(); ++q)
+    sum += measure.at(nodes.quadrature_point(0) + map.values[q]).density(strain_of(gradients[q])) *
+           rule.points.weight(q) * determinant(map.gradients[q]);
+  return sum;
 }
 
 bool LiftField::needs_equal_parts(const CellIterator &cell) const {
@@ -309,12 +328,16 @@ dealii::Vector<double> LiftField::cell_energies() const {
     const double n = cell->diameter() / (smallest * data_.scene.geometry.diameter());
     return needs_equal_parts(cell) ? static_cast<unsigned int>(std::clamp(n, 1., 24.)) : 1;
   };
-  // Products of derivatives of w_h, or of r_F, which has the degree two; more where E varies.
+  // Products of derivatives of w_h, or of r_F, which has the degree two; more where E or maps vary.
   const auto n_points = [&](const unsigned int degree, const bool is_cut) {
-    return constant ? std::max(is_cut ? 2U : 1U, degree) + 1 : degree + 3;
+    return (constant ? std::max(is_cut ? 2U : 1U, degree) + 1 : degree + 3) +
+           (data_.space.mesh().is_curved() ? 3 : 0);
   };
-  // The rule of cells that are not cut, by degree; that of the last one that is cut.
-  std::map<unsigned int, std::unique_ptr<Rule>> rules;
+  // The rules of cells that are not cut, by degree and map; that of the last one that is cut.
+  std::map<std::pair<unsigned int, bool>, std::unique_ptr<Rule>> rules;
+  // The nodes of maps, also by map.
+  const FE_Nothing<2> no_functions;
+  std::map<bool, std::unique_ptr<FEValues<2>>> nodes;
   dealii::Vector<double> energies(n_cells), nodal;
   for (const auto &cell : data_.space.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned())
@@ -327,16 +350,22 @@ dealii::Vector<double> LiftField::cell_energies() const {
     const std::vector<double> x = cuts(cell, 0, n_equal), y = cuts(cell, 1, n_equal);
     const bool is_cut = x.size() > 2 || y.size() > 2;
     const unsigned int degree = cell->get_fe().degree;
-    std::unique_ptr<Rule> &rule = rules[is_cut ? 0 : degree];
+    const bool is_exact = maps_.is_exact(cell);
+    std::unique_ptr<Rule> &rule = rules[{is_cut ? 0 : degree, is_exact}];
     if (is_cut || rule == nullptr) {
       // On parts of half the size, one point less has the same effect.
       constexpr int least = 6;
       const int n_gauss = n_points(degree, is_cut);
       const QGauss<1> gauss(std::max(std::min(least, n_gauss), n_gauss - std::ilogb(n_equal)));
-      rule = std::make_unique<Rule>(data_.space.mesh().mapping(), degree,
+      rule = std::make_unique<Rule>(is_exact ? maps_.exact() : maps_.of_mesh(), degree,
                                     split_quadrature(gauss, x), split_quadrature(gauss, y));
     }
-    energies[cell->active_cell_index()] = energy(cell, *rule);
+    std::unique_ptr<FEValues<2>> &values = nodes[is_exact];
+    if (values == nullptr)
+      values = std::make_unique<FEValues<2>>(is_exact ? maps_.exact() : maps_.of_mesh(),
+                                             no_functions, QGaussLobatto<2>(rule->map_degree + 1),
+                                             update_quadrature_points);
+    energies[cell->active_cell_index()] = energy(cell, *rule, *values);
   }
   return energies;
 }

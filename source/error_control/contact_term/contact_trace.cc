@@ -2,6 +2,7 @@
 // The penetration of u_h or π^{2h} u_h along Γ_c, and the contact nodes.
 
 #include <signorini/error_control/contact_term/contact_trace.h>
+#include <signorini/error_control/loads/cell_shape.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe.h>
@@ -33,18 +34,41 @@ bool PenetrationFace::presses_everywhere() const {
                      [](const Pressed &part) { return part.presses; });
 }
 
-FacePolynomial PenetrationFace::trace(const Displacement &V, const Tensor<1, 2> &direction) const {
-  const auto at = [&](const std::size_t i) {
-    return direction[0] * V[dofs[i][0]] + direction[1] * V[dofs[i][1]];
-  };
-  FacePolynomial sum = {at(0), at(1)};
-  for (std::size_t i = 2; i < dofs.size(); ++i) {
-    Polynomial at_node = basis[i - 2];
-    const double t = nodes[i];
-    at_node *= (at(i) - (1. - t) * sum.first - t * sum.last) / (t * (1. - t));
-    sum.inner += at_node;
+Tensor<1, 2> PenetrationFace::direction(const Component component, const double t) const {
+  if (line.is_flat())
+    return direction_of(component, normal);
+  const Tensor<1, 2> n = line.normal(t * length());
+  return direction_of(component, n * normal > 0. ? n : -1. * n);
+}
+
+Tensor<1, 2> PenetrationFace::turning(const Component component, const double t) const {
+  if (line.is_flat())
+    return {};
+  // x turns about the centre like n and t.
+  const Tensor<1, 2> from_centre = point(t) - line.centre_of_circle();
+  const double turn = cross(from_centre, line.tangent(t * length(), 0.)) / line.radius();
+  return -turn * length() / line.radius() * cross_product_2d(direction(component, t));
+}
+
+FaceVector PenetrationFace::trace(const Displacement &V) const {
+  FaceVector sum;
+  for (unsigned int d = 0; d < 2; ++d) {
+    sum[d].first = V[dofs[0][d]];
+    sum[d].last = V[dofs[1][d]];
+    for (std::size_t i = 2; i < dofs.size(); ++i) {
+      Polynomial at_node = basis[i - 2];
+      const double t = nodes[i];
+      at_node *= (V[dofs[i][d]] - (1. - t) * sum[d].first - t * sum[d].last) / (t * (1. - t));
+      sum[d].inner += at_node;
+    }
   }
   return sum;
+}
+
+double PenetrationFace::value(const FaceVector &v, const Component component,
+                              const double t) const {
+  const Tensor<1, 2> along = direction(component, t);
+  return along[0] * v[0].value(t) + along[1] * v[1].value(t);
 }
 
 void PenetrationFace::for_each_point(const EdgeFunction &function,
@@ -54,7 +78,7 @@ void PenetrationFace::for_each_point(const EdgeFunction &function,
   for (const EdgeFunction::Part &part : function.parts())
     for (unsigned int q = 0; q < gauss.size(); ++q) {
       const double share = part.end - part.start;
-      visit(part.start + share * gauss.point(q)[0], length * share * gauss.weight(q));
+      visit(part.start + share * gauss.point(q)[0], length() * share * gauss.weight(q));
     }
 }
 
@@ -69,24 +93,15 @@ ContactTrace::ContactTrace(const BoundData &data, const std::vector<FaceField> &
 
 PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact,
                                         const FaceField &field) const {
-  PenetrationFace face = {};
   const auto cell = data_.space.dof_cell(contact.cell);
   const auto line = cell->face(contact.face_no);
-  face.side = contact.side;
-  face.start = line->vertex(0);
-  face.end = line->vertex(1);
-  face.length = face.start.distance(face.end);
-  if (data_.space.mesh().is_curved()) {
-    Point<2> middle(0.5, 0.5);
-    middle[contact.face_no / 2] = contact.face_no % 2;
-    face.bulge =
-      data_.space.mesh().mapping().transform_unit_to_real_cell(cell, middle) - face.point(0.5);
-  }
   const Side<2> &side = data_.scene.geometry.sides[contact.side];
+  PenetrationFace face(contact.side, side.between(line->vertex(0), line->vertex(1)));
   face.normal = side.normal(side.arc_length(face.point(0.5)));
   constexpr double beside = 1e-9;
   const auto is_corner = [&side](const Point<2> &x) { return side.has_corner(side.arc_length(x)); };
-  face.inside = {{is_corner(face.start) ? beside : 0., is_corner(face.end) ? 1. - beside : 1.}};
+  face.inside = {
+    {is_corner(face.line.start()) ? beside : 0., is_corner(face.line.end()) ? 1. - beside : 1.}};
 
   const FiniteElement<2> &element = data_.space.element(contact.cell),
                          &base = element.base_element(0);
@@ -103,11 +118,9 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact,
   // Where π^{2h} u_h = u_h but for rounding, the contact term would be rounding, and the root of
   // rounding is not.
   const bool has_bubble = field.bubble.norm() > 1e-14 * size_of_U_;
-  for (unsigned int d = 0; d < 2; ++d) {
-    face.u[d] = face.trace(data_.U, Point<2>::unit_vector(d));
-    if (has_bubble)
-      face.u[d].inner += PenetrationFace::Polynomial(std::vector<double>{4. * field.bubble[d]});
-  }
+  face.u = face.trace(data_.U);
+  for (unsigned int d = 0; d < 2 && has_bubble; ++d)
+    face.u[d].inner += PenetrationFace::Polynomial(std::vector<double>{4. * field.bubble[d]});
   face.traction = field.traction;
   return face;
 }
@@ -140,13 +153,13 @@ bool ContactTrace::wants_lift_of_slip(const PenetrationFace &face) const {
   const auto shear =
     symmetrize(outer_product(face.normal, direction_of(Component::tangential, face.normal)));
   return shear * (data_.scene.material->hooke(face.point(0.5)) * shear) * largest <=
-         bound * face.length;
+         bound * face.length();
 }
 
 unsigned int ContactTrace::condition_at(const PenetrationFace &face, const std::size_t node,
                                         const Component component,
                                         std::vector<unsigned int> &known) {
-  const Tensor<1, 2> direction = direction_of(component, face.normal);
+  const Tensor<1, 2> direction = face.direction(component, face.nodes[node]);
   for (const unsigned int k : known)
     if (conditions_[k].component == component &&
         (conditions_[k].direction - direction).norm() < 1e-10)
@@ -228,16 +241,11 @@ void ContactTrace::condense_columns() {
 
 double ContactTrace::misfit(const PenetrationFace &face, const Component component,
                             const double t) const {
-  const Point<2> x = face.point(t);
-  const Tensor<1, 2> direction =
-    direction_of(component, data_.space.mesh().is_curved()
-                              ? data_.scene.geometry.sides[face.side].normal_at(x, face.point(0.5))
-                              : face.normal);
   const BoundaryCondition<2> &condition = data_.scene.boundary[face.side];
-  const double u = direction[0] * face.u[0].value(t) + direction[1] * face.u[1].value(t);
+  const double u = face.value(face.u, component, t);
   if (component == Component::normal)
     return u - condition.data->value(face.point(std::clamp(t, face.inside[0], face.inside[1])));
-  return condition.shift == nullptr ? u : u - condition.shift->value(x);
+  return condition.shift == nullptr ? u : u - condition.shift->value(face.point(t));
 }
 
 double ContactTrace::friction_bound(const PenetrationFace &face, const double t) const {
@@ -261,32 +269,35 @@ double ContactTrace::work_of_penetration() const {
 }
 
 UpperInterpolant ContactTrace::sample(const PenetrationFace &face, const Component component,
-                                      const FacePolynomial &w) const {
+                                      const FaceVector &w) const {
   // About 20000 points on all faces: a power of two per quarter of a face.
   unsigned int n_scanned = 4;
   while (n_scanned < 256 && 2 * n_scanned * 4 * faces_.size() <= 20000)
     n_scanned *= 2;
-  const double resolution = 1e-15 * std::max(face.start.norm(), face.end.norm()) / face.length;
+  const double resolution =
+    1e-15 * std::max(face.line.start().norm(), face.line.end().norm()) / face.length();
   // Next to contact w_n touches: what rises there counts with the pressure.
   const auto is_pinned = [&](const unsigned int end) {
     const NodeCondition &condition = conditions_[face.conditions[end]];
     return component != Component::normal || condition.held() || condition.presses;
   };
   return interpolate_from_above(
-    [&](const double t) { return misfit(face, component, t) - w.value(t); }, face.breaks,
-    rounding(face), {is_pinned(0), is_pinned(1)}, n_scanned, resolution);
+    [&](const double t) { return misfit(face, component, t) - face.value(w, component, t); },
+    face.breaks, rounding(face), {is_pinned(0), is_pinned(1)}, n_scanned, resolution);
 }
 
 void ContactTrace::sample() {
   for (PenetrationFace &face : faces_) {
-    face.breaks = data_.scene.kinks.cut(face.start, face.end);
+    face.breaks = data_.scene.kinks.cut(Side<2>("", face.line), 0., face.length());
+    for (double &s : face.breaks)
+      s /= face.length();
     for (const auto &pressed : face.pressures)
       for (const double t : {pressed.from, pressed.to})
         if (std::none_of(face.breaks.begin(), face.breaks.end(),
                          [t](const double other) { return std::abs(t - other) < 1e-9; }))
           face.breaks.push_back(t);
     std::sort(face.breaks.begin(), face.breaks.end());
-    const UpperInterpolant upper = sample(face, Component::normal, FacePolynomial());
+    const UpperInterpolant upper = sample(face, Component::normal, {});
     face.d = upper.function;
     if (upper.largest > max_) {
       max_ = upper.largest;

@@ -174,7 +174,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
       {Interval().lower, condition.is_normal() ? 0. : std::numeric_limits<double>::infinity()});
     required[i] = condition.required;
     if (condition.presses)
-      start[i] = -P_n.linfty_norm() * trace.faces()[0].length;
+      start[i] = -P_n.linfty_norm() * trace.faces()[0].length();
     held.push_back(condition.presses || required[i] > 0.);
   }
   if (!data.inverse.has_factors())

@@ -27,6 +27,11 @@ void factorise_positive(LAPACKFullMatrix<double> &matrix) {
   }
 }
 
+/** Returns τ n. */
+Tensor<1, 2> traction(const Components &s, const Tensor<1, 2> &n) {
+  return Tensor<1, 2>({s[0] * n[0] + s[2] * n[1], s[2] * n[0] + s[1] * n[1]});
+}
+
 /** Returns f_0, ..., f_n at x, those of the half-axis on which x lies. */
 std::vector<Jet> axis_functions(const unsigned int n, const double x, const double half_axis) {
   const double t = std::abs(x) / half_axis, z = 2. * t - 1.,
@@ -58,6 +63,9 @@ AiryCell::AiryCell(const CellShape &unit_shape, const unsigned int degree,
                                 {a[0] * a[1], b[0] * b[1], a[0] * b[1] + a[1] * b[0]}});
   half_axes_ = {
     {1., 1., x[2].distance(shape_.crossing) / a.norm(), x[3].distance(shape_.crossing) / b.norm()}};
+  for (unsigned int k = 0; k < 4; ++k)
+    if (shape_.centres[k])
+      lifts_[k].emplace(shape_.seen_from_crossing().edge(k), degree);
   number_functions();
   factorise();
 }
@@ -79,6 +87,15 @@ void AiryCell::number_functions() {
             .first->second);
     }
   n_functions_ = known.size();
+  for (unsigned int k = 0; k < 4; ++k)
+    for (unsigned int i = 0; i < 2 * (degree_ + 1) && lifts_[k]; ++i)
+      numbers_[k].push_back(n_functions_++);
+}
+
+unsigned int AiryCell::first_condition(const unsigned int k) const {
+  const auto n_before = std::count_if(lifts_.begin(), lifts_.begin() + k,
+                                      [](const auto &lift) { return lift.has_value(); });
+  return 8 * (degree_ + 1) + ArcLift::n_conditions * n_before;
 }
 
 std::vector<Components> AiryCell::stresses(const unsigned int k, const Point<2> &at) const {
@@ -93,12 +110,17 @@ std::vector<Components> AiryCell::stresses(const unsigned int k, const Point<2> 
 }
 
 std::vector<AiryCell::TracePoint> AiryCell::trace_points(const unsigned int k) const {
+  std::vector<TracePoint> points;
+  if (lifts_[k]) {
+    for (const ArcLift::Node &node : lifts_[k]->nodes())
+      points.push_back({on_diagonals(node.x), {}});
+    return points;
+  }
   const QGauss<1> gauss(degree_ + 2);
   const Tensor<1, 2> a = shape_.corners[k] - shape_.crossing,
                      d = shape_.corners[(k + 1) % 4] - shape_.corners[k], t = d / d.norm();
   const Components on_normal({t[1] * t[1], t[0] * t[0], -2. * t[0] * t[1]}),
     on_shear({t[0] * t[1], -t[0] * t[1], t[1] * t[1] - t[0] * t[0]});
-  std::vector<TracePoint> points;
   for (unsigned int q = 0; q < gauss.size(); ++q) {
     const double s = gauss.point(q)[0];
     const std::vector<double> L = legendre_values(degree_, s);
@@ -112,33 +134,78 @@ std::vector<AiryCell::TracePoint> AiryCell::trace_points(const unsigned int k) c
   return points;
 }
 
+LAPACKFullMatrix<double> AiryCell::subtract_lift(const unsigned int k,
+                                                 const LAPACKFullMatrix<double> &r,
+                                                 LAPACKFullMatrix<double> &values) const {
+  LAPACKFullMatrix<double> lifted(values.m(), values.n()), conditions(ArcLift::n_conditions, r.n());
+  lifts_[k]->stresses().mmult(lifted, r);
+  lifts_[k]->conditions().mmult(conditions, r);
+  for (std::size_t q = 0; q < points_[k].size(); ++q)
+    for (unsigned int l = 0; l < values.n(); ++l) {
+      const Components weighted =
+        points_[k][q].of_stress *
+        Components({lifted(3 * q, l), lifted(3 * q + 1, l), lifted(3 * q + 2, l)});
+      for (unsigned int c = 0; c < 3; ++c)
+        values(3 * q + c, l) -= weighted[c];
+    }
+  return conditions;
+}
+
+void AiryCell::tabulate(const unsigned int k) {
+  const unsigned int n_local = numbers_[k].size(), n_airy = pairs_.size();
+  LAPACKFullMatrix<double> &values = values_[k];
+  values.reinit(3 * points_[k].size(), n_local);
+  for (std::size_t q = 0; q < points_[k].size(); ++q) {
+    const std::vector<Components> at_point = stresses(k, points_[k][q].on_diagonals);
+    for (unsigned int l = 0; l < n_airy; ++l) {
+      const Components weighted = points_[k][q].of_stress * at_point[l];
+      for (unsigned int c = 0; c < 3; ++c)
+        values(3 * q + c, l) = weighted[c];
+    }
+  }
+  trace_points_[k] = trace_points(k);
+  // What lifts take away at the nodes of an arc: τ n, and -λ.
+  LAPACKFullMatrix<double> tractions(lifts_[k] ? 2 * lifts_[k]->nodes().size() : 0, n_local);
+  for (std::size_t i = 0; i < trace_points_[k].size(); ++i) {
+    const std::vector<Components> at_point = stresses(k, trace_points_[k][i].on_diagonals);
+    for (const auto &[row, factors] : trace_points_[k][i].factors)
+      for (unsigned int l = 0; l < n_airy; ++l)
+        traces_(row, numbers_[k][l]) += factors * at_point[l];
+    if (!lifts_[k])
+      continue;
+    const ArcLift::Node &node = lifts_[k]->nodes()[i];
+    const std::vector<double> L = legendre_values(degree_, node.position);
+    for (unsigned int c = 0; c < 2; ++c) {
+      for (unsigned int l = 0; l < n_airy; ++l)
+        tractions(2 * i + c, l) = traction(at_point[l], node.normal)[c];
+      for (unsigned int j = 0; j <= degree_; ++j) {
+        tractions(2 * i + c, n_airy + j) = -L[j] * node.normal[c];
+        tractions(2 * i + c, n_airy + degree_ + 1 + j) = -L[j] * node.tangent[c];
+      }
+    }
+  }
+  if (!lifts_[k])
+    return;
+  const LAPACKFullMatrix<double> conditions = subtract_lift(k, tractions, values);
+  for (unsigned int l = 0; l < n_local; ++l)
+    for (unsigned int r = 0; r < ArcLift::n_conditions; ++r)
+      traces_(first_condition(k) + r, numbers_[k][l]) = -conditions(r, l);
+  for (unsigned int i = 0; i < 2 * (degree_ + 1); ++i)
+    traces_(2 * k * (degree_ + 1) + i, numbers_[k][n_airy + i]) = 1.;
+}
+
 void AiryCell::factorise() {
-  const unsigned int n = n_functions_, n_traces = 8 * (degree_ + 1), n_local = pairs_.size();
+  const unsigned int n = n_functions_, n_traces = first_condition(4);
   gram_.reinit(n);
   traces_.reinit(n_traces, n);
   for (unsigned int k = 0; k < 4; ++k) {
-    LAPACKFullMatrix<double> &values = values_[k];
-    values.reinit(3 * points_[k].size(), n_local);
-    for (std::size_t q = 0; q < points_[k].size(); ++q) {
-      const std::vector<Components> at_point = stresses(k, points_[k][q].on_diagonals);
-      for (unsigned int l = 0; l < n_local; ++l) {
-        const Components weighted = points_[k][q].of_stress * at_point[l];
-        for (unsigned int c = 0; c < 3; ++c)
-          values(3 * q + c, l) = weighted[c];
-      }
-    }
+    tabulate(k);
+    const unsigned int n_local = numbers_[k].size();
     LAPACKFullMatrix<double> local(n_local);
-    values.Tmmult(local, values);
+    values_[k].Tmmult(local, values_[k]);
     for (unsigned int l = 0; l < n_local; ++l)
       for (unsigned int j = 0; j < n_local; ++j)
         gram_(numbers_[k][l], numbers_[k][j]) += local(l, j);
-    trace_points_[k] = trace_points(k);
-    for (const TracePoint &point : trace_points_[k]) {
-      const std::vector<Components> at_point = stresses(k, point.on_diagonals);
-      for (const auto &[row, factors] : point.factors)
-        for (unsigned int l = 0; l < n_local; ++l)
-          traces_(row, numbers_[k][l]) += factors * at_point[l];
-    }
   }
   norms_.reinit(n);
   for (unsigned int i = 0; i < n; ++i)
@@ -182,7 +249,7 @@ AiryCell::Vector AiryCell::project(Vector &values) const {
   for (unsigned int k = 0; k < 4; begin += 3 * points_[k++].size()) {
     parts[k].reinit(3 * points_[k].size());
     std::copy_n(values.begin() + begin, parts[k].size(), parts[k].begin());
-    Vector local(pairs_.size());
+    Vector local(numbers_[k].size());
     values_[k].Tvmult(local, parts[k]);
     for (unsigned int l = 0; l < local.size(); ++l)
       a[numbers_[k][l]] += local[l] / norms_[numbers_[k][l]];
@@ -190,7 +257,7 @@ AiryCell::Vector AiryCell::project(Vector &values) const {
   gram_.solve(a);
   begin = 0;
   for (unsigned int k = 0; k < 4; begin += 3 * points_[k++].size()) {
-    Vector local(pairs_.size());
+    Vector local(numbers_[k].size());
     for (unsigned int l = 0; l < local.size(); ++l)
       local[l] = -a[numbers_[k][l]] / norms_[numbers_[k][l]];
     values_[k].vmult(parts[k], local, true);
@@ -206,6 +273,7 @@ void AiryCell::forget_points() {
     points_[k] = {};
     trace_points_[k] = {};
     values_[k].reinit(0);
+    lifts_[k].reset();
   }
   gram_.reinit(0);
 }
@@ -307,13 +375,38 @@ AiryCell::Vector AiryCell::subtract_load(const PolynomialLoad &load, Vector &val
       for (unsigned int c = 0; c < 3; ++c)
         values[at++] -= weighted[c];
     }
-  Vector traces(8 * (degree_ + 1));
-  for (const auto &edge : trace_points_)
-    for (const TracePoint &point : edge) {
+  Vector traces(traces_.m());
+  for (unsigned int k = 0; k < 4; ++k) {
+    std::vector<Tensor<1, 2>> minus_traction;
+    for (const TracePoint &point : trace_points_[k]) {
       const Components s = stress(load, point.on_diagonals);
       for (const auto &[row, factors] : point.factors)
         traces[row] += factors * s;
+      if (lifts_[k])
+        minus_traction.push_back(-1. *
+                                 traction(s, lifts_[k]->nodes()[minus_traction.size()].normal));
     }
+    if (lifts_[k])
+      traces += subtract_traction(k, minus_traction, values);
+  }
+  return traces;
+}
+
+AiryCell::Vector AiryCell::subtract_traction(const unsigned int k,
+                                             const std::vector<Tensor<1, 2>> &r,
+                                             Vector &values) const {
+  LAPACKFullMatrix<double> column(2 * r.size(), 1), of_triangle(3 * points_[k].size(), 1);
+  for (std::size_t i = 0; i < column.m(); ++i)
+    column(i, 0) = r[i / 2][i % 2];
+  const LAPACKFullMatrix<double> conditions = subtract_lift(k, column, of_triangle);
+  Vector traces(traces_.m());
+  for (unsigned int i = 0; i < ArcLift::n_conditions; ++i)
+    traces[first_condition(k) + i] = conditions(i, 0);
+  std::size_t begin = 0;
+  for (unsigned int before = 0; before < k; ++before)
+    begin += 3 * points_[before].size();
+  for (std::size_t i = 0; i < of_triangle.m(); ++i)
+    values[begin + i] += of_triangle(i, 0);
   return traces;
 }
 } // namespace Signorini

@@ -78,8 +78,6 @@ BestStress find(const BoundData &data) {
 } // namespace
 
 std::string objection_to_stress(const BoundData &data) {
-  if (data.space.mesh().is_curved() && data.space.mesh().is_graded())
-    return "the mesh is graded, and sides are curved";
   if (data.space.strain_operator() != StrainOperator::symmetric_gradient &&
       data.space.max_element_degree() > 1)
     return "the strain is that of B-bar, with elements of a degree above one";
@@ -87,6 +85,7 @@ std::string objection_to_stress(const BoundData &data) {
 }
 
 BestStress find_best_stress(const BoundData &data) {
-  return data.space.mesh().is_graded() ? find<DifferenceMisfit>(data) : find<EnergyMisfit>(data);
+  return EquilibrationMesh::is_that_of_u(data) ? find<DifferenceMisfit>(data)
+                                               : find<EnergyMisfit>(data);
 }
 } // namespace Signorini

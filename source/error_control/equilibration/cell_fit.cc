@@ -17,23 +17,33 @@ namespace {
 using Vector = dealii::Vector<double>;
 
 CellShape at_unit_size(const CellShape &shape, const double size) {
-  std::array<Point<2>, 4> corners;
-  for (unsigned int k = 0; k < 4; ++k)
-    corners[k] = Point<2>((shape.corners[k] - shape.corners[0]) / size);
-  return CellShape(corners);
+  return shape.image([&](const Point<2> &z) { return Point<2>((z - shape.corners[0]) / size); });
+}
+
+using RulePoints = std::vector<std::pair<Point<2>, double>>;
+
+/** Returns the points and weights of the rule behind edge k, an arc. */
+RulePoints points_behind_arc(const CellShape &shape, const unsigned int k,
+                             const unsigned int degree) {
+  RulePoints points = ArcLift(shape.seen_from_crossing().edge(k), degree).points();
+  for (auto &place : points)
+    place.first += shape.crossing - Point<2>();
+  return points;
 }
 } // namespace
 
 Vector CellFit::traces(const TractionSpace &space, const std::size_t number,
                        const Vector &x) const {
+  // The conditions of arcs are traces, too.
   Vector y = space.traces(space.cells()[number], x);
+  y.grow_or_shrink(shift.size());
   y -= shift;
   return y;
 }
 
 std::vector<Tensor<1, 2>> CellFit::force(const TractionCell &place,
                                          const std::vector<Point<2>> &points) const {
-  const CellShape shape(place.corners);
+  const CellShape &shape = place.shape;
   std::vector<Tensor<1, 2>> f;
   f.reserve(points.size());
   for (const Point<2> &x : points)
@@ -62,48 +72,58 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
   if (is_constant_)
     law.emplace(material.hooke(shape.crossing));
   std::array<std::vector<AiryPoint>, 4> points;
-  for (unsigned int k = 0; k < 4; ++k)
+  const auto add_part = [&](const unsigned int k, const RulePoints &part, const bool is_rough) {
+    // Where the law is not resolved, the energy of stresses is taken from above.
+    std::optional<Law> softest = law;
+    for (auto place = part.begin(); place != part.end() && is_rough; ++place)
+      if (const Law here(material.hooke(place->first));
+          !softest || here.compliance.norm() > softest->compliance.norm())
+        softest = here;
+    for (const auto &[at, weight] : part) {
+      AiryPoint &point = points[k].emplace_back();
+      point.reference = shape.reference(at - shape.corners[0]);
+      point.on_diagonals = Point<2>(inverse * (at - shape.crossing));
+      point.weight = weight / (size * size);
+      const Law here = softest ? *softest : Law(material.hooke(at));
+      const Tensor<2, 3> root = here.root();
+      point.of_strain = std::sqrt(point.weight) * transpose(root);
+      point.of_stress = std::sqrt(point.weight) * invert(root);
+      point.min_eigenvalue = here.min_eigenvalue;
+    }
+  };
+  for (unsigned int k = 0; k < 4; ++k) {
+    if (shape.centres[k]) {
+      add_part(k, points_behind_arc(shape, k, degree), false);
+      continue;
+    }
     for (const TrianglePart &part : parts[k]) {
-      const Triangle &x = part.corners;
       // On parts of half the size, two degrees less have the same effect.
       constexpr unsigned int least = 6;
       const unsigned int of_part = whole - std::min(whole - least, part.halvings);
       Quadrature<2> &rule = rules[of_part];
       if (rule.size() == 0)
         rule = triangle_rule(of_part);
-      // Where the law is not resolved, the energy of stresses is taken from above.
-      std::optional<Law> softest = law;
-      for (unsigned int q = 0; q < rule.size() && part.is_rough; ++q)
-        if (const Law here(material.hooke(point_of(x, rule.point(q))));
-            !softest || here.compliance.norm() > softest->compliance.norm())
-          softest = here;
-      for (unsigned int q = 0; q < rule.size(); ++q) {
-        const Point<2> at = point_of(x, rule.point(q));
-        AiryPoint &point = points[k].emplace_back();
-        point.reference = shape.reference(at - shape.corners[0]);
-        point.on_diagonals = Point<2>(inverse * (at - shape.crossing));
-        point.weight = rule.weight(q) * twice_area(x) / (size * size);
-        const Law here = softest ? *softest : Law(material.hooke(at));
-        const Tensor<2, 3> root = here.root();
-        point.of_strain = std::sqrt(point.weight) * transpose(root);
-        point.of_stress = std::sqrt(point.weight) * invert(root);
-        point.min_eigenvalue = here.min_eigenvalue;
-      }
+      RulePoints places;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        places.emplace_back(point_of(part.corners, rule.point(q)),
+                            rule.weight(q) * twice_area(part.corners));
+      add_part(k, places, part.is_rough);
     }
+  }
   return points;
 }
 
 CellFitter::Known &CellFitter::find_known(const TractionCell &place, std::list<Known> &alone) {
   constexpr std::size_t max_known = 256;
-  const CellShape shape(place.corners);
+  const CellShape &shape = place.shape;
   const auto x = at_unit_size(shape, shape.diameter()).corners;
   const std::array<Tensor<1, 2>, 3> edges = {{x[1] - x[0], x[2] - x[0], x[3] - x[0]}};
   for (Known &other : known_)
-    if (other.degree == place.degree &&
+    if (other.degree == place.degree && !shape.has_arcs() && !other.shape.has_arcs() &&
         std::equal(edges.begin(), edges.end(), other.edges.begin(),
                    [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; }))
       return other;
-  const bool is_alone = !is_constant_ || known_.size() == max_known;
+  const bool is_alone = !is_constant_ || shape.has_arcs() || known_.size() == max_known;
   return (is_alone ? alone : known_).emplace_back(is_alone, place.degree, shape, edges);
 }
 
@@ -137,15 +157,26 @@ Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &
 
 void CellFitter::project_load(const CellShape &shape, const Quadrature<2> &rule,
                               CellFit &fit) const {
+  RulePoints places;
+  for (unsigned int q = 0; q < rule.size(); ++q) {
+    const CellFunctions functions(rule.point(q));
+    places.emplace_back(shape.corners[0] + shape.offset(functions),
+                        rule.weight(q) * determinant(shape.jacobian(functions)));
+  }
+  if (shape.has_arcs()) {
+    places.clear();
+    for (unsigned int k = 0; k < 4; ++k)
+      for (const AiryPoint &point : fit.airy->points()[k])
+        places.emplace_back(shape.crossing + shape.half_diagonals() * point.on_diagonals,
+                            point.weight * fit.size * fit.size);
+  }
   std::vector<Point<2>> points;
   std::vector<double> weights;
   std::vector<Tensor<1, 2>> forces;
   Vector f(2);
-  for (unsigned int q = 0; q < rule.size(); ++q) {
-    const CellFunctions functions(rule.point(q));
-    const Point<2> x = shape.corners[0] + shape.offset(functions);
+  for (const auto &[x, weight] : places) {
     points.push_back(fit.airy->on_diagonals((x - shape.crossing) / fit.size));
-    weights.push_back(rule.weight(q) * determinant(shape.jacobian(functions)));
+    weights.push_back(weight);
     data_.scene.body_force->vector_value(x, f);
     forces.emplace_back(Tensor<1, 2>({f[0], f[1]}) * fit.size);
   }
@@ -157,7 +188,7 @@ void CellFitter::project_load(const CellShape &shape, const Quadrature<2> &rule,
 Vector CellFitter::subtract_load(const Cell &cell, const CellShape &shape, Vector &values,
                                  CellFit &fit) const {
   if (data_.scene.body_force == nullptr)
-    return Vector(8 * (fit.airy->degree() + 1));
+    return Vector(fit.airy->n_traces());
   // Products of f_K with itself, and f of as many degrees more as f_K has.
   const unsigned int n = fit.airy->degree() + 4;
   if (needs_cuts<2>(data_.scene.kinks, cell))
@@ -177,13 +208,34 @@ Vector CellFitter::subtract_load(const Cell &cell, const CellShape &shape, Vecto
   return fit.airy->subtract_load(fit.load, values);
 }
 
-CellFit CellFitter::fit(const Cell &cell, const TractionCell &place, Known &known) const {
+Vector CellFitter::subtract_given(const TractionSpace &space, const TractionCell &place,
+                                  Vector &values, const AiryCell &airy) const {
+  const CellShape &shape = place.shape;
+  Vector traces(airy.n_traces()), t(2);
+  for (unsigned int k = 0; k < 4; ++k) {
+    const unsigned int side = space.edges()[place.sides[k].edge].side;
+    if (!shape.centres[k] || data_.scene.boundary[side].role != Role::traction)
+      continue;
+    const Function<2> &given = *data_.scene.boundary[side].data;
+    std::vector<Tensor<1, 2>> r;
+    for (const ArcLift::Node &node : airy.lift(k)->nodes()) {
+      const Tensor<1, 2> from_crossing = shape.diameter() * node.x;
+      given.vector_value(shape.crossing + from_crossing, t);
+      r.emplace_back(Tensor<1, 2>({t[0], t[1]}));
+    }
+    traces += airy.subtract_traction(k, r, values);
+  }
+  return traces;
+}
+
+CellFit CellFitter::fit(const Cell &cell, const TractionSpace &space, Known &known) const {
+  const TractionCell &place = space.cells()[cell->active_cell_index()];
   std::call_once(known.is_made, [&]() {
     const double size = known.shape.diameter();
     known.airy = std::make_shared<AiryCell>(at_unit_size(known.shape, size), known.degree,
                                             make_points(known.shape, size, known.degree));
   });
-  const CellShape shape(place.corners);
+  const CellShape &shape = place.shape;
   CellFit fit;
   fit.id = cell->id();
   fit.size = shape.diameter();
@@ -192,6 +244,7 @@ CellFit CellFitter::fit(const Cell &cell, const TractionCell &place, Known &know
   if (compares_)
     values = stress_of_u(cell, shape, known);
   fit.shift = subtract_load(cell, shape, values, fit);
+  fit.shift += subtract_given(space, place, values, *fit.airy);
   // The second projection removes what rounding left of the first.
   for (unsigned int pass = 0; pass < 2 && !values.all_zero(); ++pass)
     fit.shift += fit.airy->project(values);
@@ -232,7 +285,7 @@ std::vector<CellFit> CellFitter::fit_all(const EquilibrationMesh &mesh, const Tr
                  [&](const std::size_t begin, const std::size_t end) {
                    for (std::size_t i = begin; i < end; ++i) {
                      const unsigned int number = fresh[i]->active_cell_index();
-                     fits[number] = fit(fresh[i], space.cells()[number], *shared[i]);
+                     fits[number] = fit(fresh[i], space, *shared[i]);
                    }
                  });
   return fits;

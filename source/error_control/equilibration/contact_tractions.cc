@@ -88,8 +88,7 @@ void ContactTractions::press_by_multipliers(const unsigned int number) {
 
 double ContactTractions::friction_bound(const unsigned int number, const double s) const {
   const TractionEdge &edge = tractions_.space.edges()[number];
-  const double given =
-    data_.scene.boundary[edge.side].friction->value(edge.start + s * (edge.end - edge.start));
+  const double given = data_.scene.boundary[edge.side].friction->value(edge.point(s));
   if (!data_.P.is_coupled())
     return given;
   return given *
@@ -98,7 +97,7 @@ double ContactTractions::friction_bound(const unsigned int number, const double 
 
 std::vector<double> ContactTractions::lower_friction_bound(const unsigned int number) {
   const TractionEdge &edge = tractions_.space.edges()[number];
-  const std::vector<double> cuts = data_.scene.kinks.cut(edge.start, edge.end);
+  const std::vector<double> cuts = data_.scene.kinks.cut(edge.line.start(), edge.line.end());
   // About 20000 points on all edges; at a jump, on both sides of it.
   const unsigned int degree = edge.degree,
                      n = std::clamp<std::size_t>(20000 / edges_.size() / cuts.size(), 16, 256);

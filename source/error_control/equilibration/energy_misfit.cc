@@ -16,6 +16,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
+#include <utility>
 
 namespace Signorini {
 namespace {
@@ -24,14 +27,12 @@ class FieldVisitor {
 public:
   using Cell = DoFHandler<2>::active_cell_iterator;
 
-  FieldVisitor(const BoundData &data, const Kinks<2> &kinks)
+  FieldVisitor(const BoundData &data, const Kinks<2> &kinks, const ExactMaps &maps)
     : data_(data)
     , kinks_(kinks)
-    , values_(StaticMappingQ1<2>::mapping, data.space.element(), QGauss<2>(n_points(data)),
-              update_values | update_gradients | update_inverse_jacobians | update_JxW_values |
-                update_quadrature_points) {
-    for (unsigned int k = 0; k < n_fields(data); ++k)
-      fields_.emplace_back(data.space, values_.get_quadrature(), k);
+    , maps_(maps) {
+    for (unsigned int k = 0; k < n_fields(data) && !data.space.mesh().is_graded(); ++k)
+      fields_.emplace_back(data.space, QGauss<2>(n_points(data.space.element().degree)), k);
   }
   static unsigned int n_fields(const BoundData &data) {
     return data.space.mesh().has_parents() ? 2 : 1;
@@ -40,9 +41,11 @@ public:
    * once, and for those of each rough one. */
   template <typename Visitor>
   void operator()(const Cell &cell, const Visitor &visit) {
-    if (!needs_cuts<2>(kinks_, cell)) {
-      values_.reinit(cell);
-      visit(values_, values_.get_JxW_values(), fields_at(cell, values_), false);
+    // On curved bodies data varies slowly, or the bound is an estimate.
+    if (data_.space.mesh().is_curved() || !needs_cuts<2>(kinks_, cell)) {
+      FEValues<2> &values = values_on(cell);
+      values.reinit(cell);
+      visit(values, values.get_JxW_values(), fields_at(cell, values), false);
       return;
     }
     const auto visit_points = [&](const std::vector<Point<2>> &points,
@@ -50,7 +53,7 @@ public:
       if (points.empty())
         return;
       FEValues<2> values(StaticMappingQ1<2>::mapping, data_.space.element(), Quadrature<2>(points),
-                         values_.get_update_flags());
+                         flags_);
       values.reinit(cell);
       visit(values, weights, fields_at(cell, values), is_rough);
     };
@@ -72,15 +75,45 @@ public:
 private:
   using Fields = std::vector<const FieldValues<2> *>;
 
+  const UpdateFlags flags_ = update_values | update_gradients | update_inverse_jacobians |
+                             update_JxW_values | update_quadrature_points;
+
   /** Returns the number of points per direction: for products of functions of degree two on
-   * parallelograms; more where the law varies, or a load that is integrated itself. */
-  static unsigned int n_points(const BoundData &data) {
-    const unsigned int n = (data.space.element().degree << (n_fields(data) - 1)) +
-                           (data.scene.material->is_constant() ? 1 : 3);
-    return EquilibrationMesh::aligns(data) || data.scene.body_force == nullptr ? n : n + 6;
+   * parallelograms; more where maps or the law vary, or a load that is integrated itself. */
+  unsigned int n_points(const unsigned int degree) const {
+    const unsigned int n =
+      (degree << (n_fields(data_) - 1)) + (data_.scene.material->is_constant() ? 1 : 3);
+    if (!EquilibrationMesh::aligns(data_) && data_.scene.body_force != nullptr)
+      return n + 6;
+    return data_.space.mesh().is_curved() ? n + 2 : n;
+  }
+  FEValues<2> &values_on(const Cell &cell) {
+    const bool is_exact = maps_.is_exact(cell);
+    const unsigned int degree = cell->get_fe().degree;
+    auto &values = values_[{degree, is_exact}];
+    if (values == nullptr)
+      values = std::make_unique<FEValues<2>>(is_exact ? maps_.exact() : maps_.of_mesh(),
+                                             data_.space.element(cell), QGauss<2>(n_points(degree)),
+                                             flags_);
+    return *values;
   }
   Fields fields_at(const Cell &cell, const FEValues<2> &values) {
     Fields fields;
+    if (data_.space.mesh().is_graded()) {
+      const unsigned int degree = cell->get_fe().degree;
+      LineTable &table = tables_[degree];
+      if (table.values.empty()) {
+        std::vector<double> positions;
+        const QGauss<1> gauss(n_points(degree));
+        for (const Point<1> &x : gauss.get_points())
+          positions.push_back(x[0]);
+        table = make_line_table(degree, positions);
+      }
+      graded_ = CellField(cell, data_.U).evaluate(table, table);
+      for (const unsigned int q : values.quadrature_point_indices())
+        graded_.gradients[q] = graded_.gradients[q] * Tensor<2, 2>(values.inverse_jacobian(q));
+      return {&graded_};
+    }
     for (auto &field : fields_)
       fields.push_back(&field.evaluate(data_.U, cell, values));
     return fields;
@@ -88,7 +121,12 @@ private:
 
   const BoundData &data_;
   const Kinks<2> kinks_;
-  FEValues<2> values_;
+  const ExactMaps &maps_;
+  /** By the degree of the element, and whether maps are exact. */
+  std::map<std::pair<unsigned int, bool>, std::unique_ptr<FEValues<2>>> values_;
+  /** On graded meshes: the polynomials at the points by degree, and u_h on a cell. */
+  std::map<unsigned int, LineTable> tables_;
+  FieldValues<2> graded_;
   std::vector<PatchInterpolation<2>> fields_;
 };
 
@@ -126,6 +164,7 @@ std::array<double, 3> energies(EnergyMeasure<2> &measure, const FEValues<2> &val
 
 EnergyMisfit::EnergyMisfit(const BoundData &data)
   : data_(data)
+  , maps_(data.space.mesh(), data.scene.geometry.sides)
   , translation_(CellField(data.space.dofs().begin_active(), data.U).on_face(0, 0.))
   , distances_(data.space.mesh().triangulation().n_active_cells()) {
   find_bubbles();
@@ -158,7 +197,7 @@ void EnergyMisfit::integrate_energies() {
   integrate_by_chunks<ChunkEnergies, 2>(
     data_.space,
     [&](const Cells<2> &cells) {
-      FieldVisitor visit(data_, kinks);
+      FieldVisitor visit(data_, kinks, maps_);
       EnergyMeasure<2> measure(material);
       ChunkEnergies chunk;
       for (const auto &cell : cells) {
@@ -191,6 +230,10 @@ void EnergyMisfit::add_lifts() {
   for (unsigned int k = 0; k < fields_.size(); ++k) {
     double square = 0.;
     fields_[k].lift.visit_cells(data_, [&](const LiftedCell &lifted) {
+      square += lifted.energy();
+      // On graded meshes there is no bound if z is not zero (gap_of_proof()).
+      if (data_.space.mesh().is_graded())
+        return;
       const auto gradients = PatchInterpolation<2>(data_.space, Quadrature<2>(), k)
                                .evaluate(data_.U, lifted.cell, lifted.values)
                                .gradients;
@@ -199,7 +242,6 @@ void EnergyMisfit::add_lifts() {
           lifted.places[q].weight *
           ((components_of(strain_of(gradients[q])) * 2. + lifted.places[q].strain) *
            lifted.places[q].stress);
-      square += lifted.energy();
     });
     fields_[k].lift_norm = std::sqrt(square);
   }
@@ -236,7 +278,7 @@ void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const Equilibra
   integrate_by_chunks<Sums, 2>(
     data_.space,
     [&](const Cells<2> &cells) {
-      FieldVisitor visit(data_, data_.scene.kinks);
+      FieldVisitor visit(data_, data_.scene.kinks, maps_);
       Sums sums = {{0., 0.}};
       for (const auto &cell : cells)
         visit(cell, [&](const auto &values, const auto &weights, const auto &fields, bool) {
@@ -262,9 +304,11 @@ void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const Equilibra
 }
 
 void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
-  FaceValues<2> face_values(StaticMappingQ1<2>::mapping, data_.space, data_.scene.kinks, 8,
+  // Arcs take more points than segments, on which the integrands are polynomials.
+  FaceValues<2> face_values(maps_.exact(), data_.space, data_.scene.kinks,
+                            data_.space.mesh().is_curved() ? 16 : 8,
                             update_quadrature_points | update_JxW_values | update_normal_vectors);
-  dealii::Vector<double> u_D(2);
+  dealii::Vector<double> given(2);
   for (const auto &cell : data_.space.dofs().active_cell_iterators())
     for (const unsigned int f : cell->face_indices()) {
       if (!cell->at_boundary(f))
@@ -274,19 +318,22 @@ void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
       const BoundaryCondition<2> &condition = data_.scene.boundary[line->boundary_id()];
       const TractionEdge &edge = space.edges()[space.edge_at(cell, f)];
       const FEFaceValues<2> &values = face_values.reinit(cell, f);
-      const Tensor<1, 2> n = values.normal_vector(0), t({-n[1], n[0]});
       for (const unsigned int q : values.quadrature_point_indices()) {
         const Point<2> &x = values.quadrature_point(q);
+        const Tensor<1, 2> n = values.normal_vector(q), t({-n[1], n[0]});
         const auto L = legendre_values(edge.degree, edge.position_of(x));
-        const double s = line->vertex(0).distance(x) / line->diameter();
+        const double s = values.get_quadrature().point(q)[0];
         for (std::size_t k = 0; k < works.size(); ++k) {
           Tensor<1, 2> v = u.on_face(f, s) - translation_;
           if (k == 1)
             v += 4. * s * (1. - s) * bubbles_.at(line->index());
-          if (condition.role == Role::displacement) {
-            condition.data->vector_value(x, u_D);
-            v = Tensor<1, 2>({u_D[0], u_D[1]}) - translation_;
-          }
+          if (condition.role == Role::displacement || condition.role == Role::traction)
+            condition.data->vector_value(x, given);
+          if (condition.role == Role::displacement)
+            v = Tensor<1, 2>({given[0], given[1]}) - translation_;
+          // Tractions that are given on arcs are no coefficients.
+          if (condition.role == Role::traction && !edge.line.is_flat())
+            works[k].load += measure_at(values, q) * (given[0] * v[0] + given[1] * v[1]);
           for (unsigned int i = 0; i <= edge.degree; ++i)
             for (unsigned int c = 0; c < 2; ++c)
               works[k].moments[edge.position(c, i)] +=
@@ -318,8 +365,10 @@ double EnergyMisfit::distance(const std::size_t k, const EquilibratedStress &str
   constexpr double rounding = 1e-14;
   square = std::max(0., square + of_stress) + (rounding + stress.defect) * (size + of_stress);
   // With f in place of f_K: ∫ (f - f_K).v ≤ Σ osc_K |||v|||_K.
-  if (!is_aligned())
-    square += 2. * std::sqrt(stress.oscillation_square() * strain);
+  double load_square = 0.;
+  for (std::size_t c = 0; c < stress.fits.size() && !is_aligned(); ++c)
+    load_square += std::pow(stress.load_oscillation(c), 2);
+  square += 2. * std::sqrt(load_square * strain);
   return std::sqrt(square);
 }
 
@@ -334,9 +383,9 @@ Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
       continue;
     for (unsigned int i = edge.first; i < edge.first + edge.n_coefficients(); ++i)
       work += x[i] * works[0].moments[i];
-    const auto [n, t] = edge.directions(data_.scene.geometry);
-    work +=
-      edge.length() * translation_ * (x[edge.position(0, 0)] * n + x[edge.position(1, 0)] * t);
+    const auto forces = edge.resultants(data_.scene.geometry, {});
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      work += x[edge.first + i] * (forces[i][0] * translation_[0] + forces[i][1] * translation_[1]);
   }
   Bracket energy = {-work, -work};
   for (std::size_t c = 0; c < stress.fits.size(); ++c) {
@@ -347,45 +396,14 @@ Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
   return energy;
 }
 
-double EnergyMisfit::geometry() const {
-  if (!data_.space.mesh().is_curved())
-    return 0.;
-  FEFaceValues<2> values(data_.space.mesh().mapping(), data_.space.element(), QMidpoint<1>(),
-                         update_gradients | update_quadrature_points);
-  double square = 0.;
-  std::vector<SymmetricTensor<2, 2>> strain(1);
-  for (const auto &cell : data_.space.dofs().active_cell_iterators())
-    for (const unsigned int f : cell->face_indices()) {
-      const auto face = cell->face(f);
-      if (!cell->at_boundary(f) ||
-          data_.scene.boundary[face->boundary_id()].role == Role::clamped ||
-          data_.scene.boundary[face->boundary_id()].role == Role::displacement)
-        continue;
-      values.reinit(cell, f);
-      const Point<2> &middle = values.quadrature_point(0);
-      const Tensor<1, 2> d = face->vertex(1) - face->vertex(0);
-      const double length = d.norm(), bulge = middle.distance(face->vertex(0) + 0.5 * d) / length;
-      values[FEValuesExtractors::Vector(0)].get_function_symmetric_gradients(data_.U.entries(),
-                                                                             strain);
-      const SymmetricTensor<4, 2> hooke = data_.scene.material->hooke(middle);
-      const double turned = (Tensor<2, 2>(hooke * strain[0]) * d).norm() / length;
-      square +=
-        std::pow(4. * bulge * turned * turning_constant(length, cell->measure() / length), 2) /
-        Law(hooke).min_eigenvalue;
-    }
-  return std::sqrt(square);
-}
-
 StressBound EnergyMisfit::bound(const EquilibratedStress &stress, const Works &works) const {
-  const double mesh = total(stress, works), rest = std::sqrt(stress.oscillation_square()),
-               geometry = this->geometry();
+  const double mesh = total(stress, works), rest = std::sqrt(stress.oscillation_square());
   StressBound result;
   result.energy_norm = std::sqrt(fields_[0].strain);
   result.lift_misfit = fields_[0].lift.max_misfit();
   result.lift = fields_[0].lift_norm;
-  result.square = std::pow(mesh + rest + geometry, 2);
+  result.square = std::pow(mesh + rest, 2);
   result.oscillation_square = rest * rest;
-  result.geometry_square = geometry * geometry;
   result.complementary_energy = complementary_energy(stress, works);
   const double whole = distances_.l2_norm();
   for (const double norm : distances_) {

@@ -25,12 +25,20 @@ double EquilibratedStress::oscillation(const std::size_t cell) const {
         return normal[side.edge] + shear[side.edge] > 0.;
       }))
     return 0.;
-  const OscillationConstants constants(CellShape(place.corners), fit.airy->degree() - 1);
+  const OscillationConstants constants(place.shape, fit.airy->degree() - 1);
   double sum = constants.body * fit.load_rest;
   for (unsigned int k = 0; k < 4; ++k)
     sum += constants.normal[k] * normal[place.sides[k].edge] +
            constants.edge[k] * shear[place.sides[k].edge];
   return sum / std::sqrt(fit.min_eigenvalue);
+}
+
+double EquilibratedStress::load_oscillation(const std::size_t cell) const {
+  const CellFit &fit = fits[cell];
+  if (fit.load_rest == 0.)
+    return 0.;
+  return OscillationConstants(tractions.space.cells()[cell].shape, fit.airy->degree() - 1).body *
+         fit.load_rest / std::sqrt(fit.min_eigenvalue);
 }
 
 double EquilibratedStress::distance_square() const {
@@ -62,9 +70,8 @@ std::vector<FaceField> EquilibratedStress::face_fields(
     const TractionEdge &edge =
       tractions.space.edges()[tractions.space.edge_at(face.cell, face.face_no)];
     const auto line = face.cell->face(face.face_no);
-    const double along =
-                   (edge.end - edge.start) * (line->vertex(1) - line->vertex(0)) > 0. ? 1. : -1.,
-                 share = along * line->vertex(0).distance(line->vertex(1)) / edge.length();
+    const double from = edge.position_of(line->vertex(0)),
+                 share = edge.position_of(line->vertex(1)) - from;
     FaceField &field = fields.emplace_back();
     for (unsigned int c = 0; c < 2; ++c) {
       Polynomials::Polynomial<double> &sum = field.traction[c] = Polynomials::Polynomial<double>(0);
@@ -73,7 +80,7 @@ std::vector<FaceField> EquilibratedStress::face_fields(
         term *= tractions.x[edge.position(c, k)];
         sum += term;
       }
-      sum.shift(edge.position_of(line->vertex(0)));
+      sum.shift(from);
       sum.scale(share);
     }
     if (const auto bubble = bubbles.find(line->index()); bubble != bubbles.end())

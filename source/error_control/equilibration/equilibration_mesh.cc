@@ -2,6 +2,7 @@
 // The mesh on which the stress of the bound lives.
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/error_control/equilibration/arc_lift.h>
 #include <signorini/error_control/equilibration/equilibration_mesh.h>
 #include <signorini/error_control/loads/law.h>
 
@@ -31,20 +32,33 @@ std::vector<Point<2>> singular_points(const BoundData &data) {
       points.push_back(data.scene.geometry.sides[patches[i].side].point(patches[i].upper[0]));
   return points;
 }
+
+/** Returns the cell of another mesh with the same coarse mesh, or the active one that contains it.
+ */
+Triangulation<2>::cell_iterator follow(const Triangulation<2> &mesh, const CellId &id) {
+  Triangulation<2>::cell_iterator cell(&mesh, 0, id.get_coarse_cell_id());
+  for (const std::uint8_t child : id.get_child_indices()) {
+    if (cell->is_active())
+      break;
+    cell = cell->child(child);
+  }
+  return cell;
+}
 } // namespace
 
 EquilibrationMesh::EquilibrationMesh(const BoundData &data)
   : data_(data)
   , finest_(data.space.mesh().level()) {
-  if (data.space.mesh().is_graded())
+  if (is_that_of_u(data))
     return;
   own_ = std::make_unique<Triangulation<2>>();
   data.scene.geometry.make_coarse_mesh(*own_);
-  // Edges are straight except on curved sides, so that nodes hang on them.
+  // Edges are straight inside of the body, so that nodes hang on them.
   for (const auto &cell : own_->active_cell_iterators()) {
     cell->set_manifold_id(numbers::flat_manifold_id);
+    const ArcCentres centres = arc_centres(data.scene.geometry.sides, cell);
     for (const unsigned int f : cell->face_indices())
-      if (!is_on_curve(cell, f))
+      if (!centres[f])
         cell->face(f)->set_manifold_id(numbers::flat_manifold_id);
   }
   constexpr unsigned int most_generations = 4;
@@ -53,11 +67,15 @@ EquilibrationMesh::EquilibrationMesh(const BoundData &data)
   unsigned int base = finest_;
   while (base > 0 && finest_ - base < most_generations && (n_cells /= 4.) >= least_cells)
     --base;
-  own_->refine_global(base);
+  const bool is_graded = data.space.mesh().is_graded();
+  if (is_graded)
+    split_like_u();
+  else
+    own_->refine_global(base);
   constexpr unsigned int many_cells = 4096;
   lowest_ = own_->n_active_cells() > many_cells ? 1 : 2;
   const std::vector<Point<2>> singular = singular_points(data);
-  for (bool changed = true; changed;) {
+  for (bool changed = !is_graded; changed;) {
     std::vector<Cell> rough;
     for (const auto &cell : own_->active_cell_iterators())
       if (is_rough(cell, singular))
@@ -68,11 +86,6 @@ EquilibrationMesh::EquilibrationMesh(const BoundData &data)
     data.scene.geometry.number_after_refinement(*own_);
 }
 
-bool EquilibrationMesh::is_on_curve(const Cell &cell, const unsigned int face_no) const {
-  return data_.space.mesh().is_curved() && cell->at_boundary(face_no) &&
-         !data_.scene.geometry.sides[cell->face(face_no)->boundary_id()].is_flat();
-}
-
 bool EquilibrationMesh::is_rough(const Cell &cell, const std::vector<Point<2>> &singular) const {
   if (static_cast<unsigned int>(cell->level()) == finest_)
     return false;
@@ -80,8 +93,9 @@ bool EquilibrationMesh::is_rough(const Cell &cell, const std::vector<Point<2>> &
   if (std::any_of(singular.begin(), singular.end(),
                   [&](const Point<2> &x) { return box.point_inside(x, 1e-10); }))
     return true;
-  for (const unsigned int f : cell->face_indices())
-    if (is_on_curve(cell, f))
+  const CellShape shape = shape_of(cell, data_.scene.geometry.sides).seen_from_crossing();
+  for (unsigned int k = 0; k < 4; ++k)
+    if (shape.centres[k] && !ArcLift::is_seen(shape.edge(k)))
       return true;
   if (data_.scene.material->is_constant())
     return false;
@@ -89,10 +103,23 @@ bool EquilibrationMesh::is_rough(const Cell &cell, const std::vector<Point<2>> &
          law_varies(*data_.scene.material, corners_of(cell));
 }
 
+void EquilibrationMesh::split_like_u() {
+  for (bool changed = true; changed; own_->execute_coarsening_and_refinement()) {
+    changed = false;
+    for (const auto &cell : own_->active_cell_iterators())
+      if (follow(data_.space.mesh().triangulation(), cell->id())->has_children()) {
+        cell->set_refine_flag();
+        changed = true;
+      }
+  }
+}
+
 bool EquilibrationMesh::refine(const std::vector<Cell> &cells, const bool by_degree) {
   bool splits = false, rises = false;
   for (const Cell &cell : cells) {
-    const bool can_split = own_ && static_cast<unsigned int>(cell->level()) < finest_,
+    // Tractions are integrated face by face of u_h.
+    const bool can_split = own_ && !data_.space.mesh().is_graded() &&
+                           static_cast<unsigned int>(cell->level()) < finest_,
                can_rise = by_degree && inner_degree(cell) + 2 <= (can_split ? 7 : max_degree);
     if (can_split && (is_aligned() || !can_rise)) {
       cell->set_refine_flag();
@@ -115,17 +142,13 @@ unsigned int EquilibrationMesh::inner_degree(const Cell &cell) const {
 unsigned int EquilibrationMesh::degree(const Cell &cell) const {
   if (!own_)
     return data_.space.element(cell).degree;
+  if (data_.space.mesh().is_graded())
+    return std::max(
+      3U, data_.space.element(follow(data_.space.mesh().triangulation(), cell->id())).degree);
   return std::min(lowest_ + finest_ - cell->level(), most);
 }
 
 EquilibrationMesh::Cell EquilibrationMesh::find(const Cell &cell_of_u) const {
-  const CellId id = cell_of_u->id();
-  Triangulation<2>::cell_iterator cell(own_.get(), 0, id.get_coarse_cell_id());
-  for (const std::uint8_t child : id.get_child_indices()) {
-    if (cell->is_active())
-      break;
-    cell = cell->child(child);
-  }
-  return cell;
+  return follow(*own_, cell_of_u->id());
 }
 } // namespace Signorini

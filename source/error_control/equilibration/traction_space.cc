@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The tractions on the edges of a mesh with hanging nodes, and what its cells see of them.
 
+#include <signorini/discretization/mesh/arc_mapping.h>
+#include <signorini/error_control/equilibration/arc_lift.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/traction_space.h>
 
@@ -34,19 +36,17 @@ FullMatrix<double> make_restriction(const unsigned int degree, const double from
 TractionSpace::TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scene)
   : on_side_(scene.geometry.sides.size())
   , sides_(scene.geometry.sides) {
-  constexpr std::array<unsigned int, 4> vertex_in_circle = {{0, 1, 3, 2}},
-                                        face_in_circle = {{2, 1, 3, 0}};
+  constexpr std::array<unsigned int, 4> face_in_circle = {{2, 1, 3, 0}};
   const Triangulation<2> &triangulation = mesh.triangulation();
   edge_of_line_.assign(triangulation.n_raw_lines(), none);
   unsigned int highest = 2;
   for (const auto &cell : triangulation.active_cell_iterators()) {
-    TractionCell &here = cells_.emplace_back();
-    for (unsigned int k = 0; k < 4; ++k)
-      here.corners[k] = cell->vertex(vertex_in_circle[k]);
+    cells_.push_back({shape_of(cell, sides_), {}});
+    TractionCell &here = cells_.back();
     const unsigned int degree = mesh.degree(cell);
     here.degree = mesh.inner_degree(cell);
     for (unsigned int k = 0; k < 4; ++k) {
-      here.sides[k] = find_side(cell, face_in_circle[k], here.corners[k], scene);
+      here.sides[k] = find_side(cell, face_in_circle[k], here.shape.corners[k], scene);
       unsigned int &on_edge = edges_[here.sides[k].edge].degree;
       on_edge = std::max(on_edge, degree);
     }
@@ -67,16 +67,15 @@ unsigned int TractionSpace::find_edge(const LineIterator &line, const Scene<2> &
   unsigned int &number = edge_of_line_[line->index()];
   if (number == none) {
     number = edges_.size();
-    TractionEdge &edge = edges_.emplace_back();
-    edge.start = line->vertex(0);
-    edge.end = line->vertex(1);
-    if (line->at_boundary()) {
-      edge.side = line->boundary_id();
-      edge.is_free = freedom_on(scene.boundary[edge.side].role);
-      on_side_[edge.side].emplace(
-        sides_[edge.side].arc_length(edge.start + 0.5 * (edge.end - edge.start)) -
-          0.5 * edge.length(),
-        number);
+    const Point<2> &a = line->vertex(0), &b = line->vertex(1);
+    if (!line->at_boundary())
+      edges_.push_back({Curve(a, b)});
+    else {
+      const unsigned int side = line->boundary_id();
+      const Curve on_side = sides_[side].between(a, b);
+      edges_.push_back({on_side, side, 1, 0, freedom_on(scene.boundary[side].role)});
+      on_side_[side].emplace(sides_[side].arc_length(a + 0.5 * (b - a)) - 0.5 * on_side.length(),
+                             number);
     }
   }
   return number;
@@ -100,7 +99,7 @@ TractionSide TractionSpace::find_side(const Triangulation<2>::active_cell_iterat
                      edge = find_edge(cell->neighbor(face_no)->face(face), scene);
   const TractionEdge &whole = edges_[edge];
   const auto position = [&whole](const Point<2> &x) {
-    return std::round(2. * whole.start.distance(x) / whole.length()) / 2.;
+    return std::round(2. * whole.line.start().distance(x) / whole.length()) / 2.;
   };
   return {edge, position(reversed ? line->vertex(1) : line->vertex(0)),
           position(reversed ? line->vertex(0) : line->vertex(1))};
@@ -132,22 +131,37 @@ TractionSpace::Vector TractionSpace::traces(const TractionCell &cell, const Vect
   return traces;
 }
 
-FullMatrix<double> balance_rows(const CellShape &shape, const unsigned int degree) {
-  FullMatrix<double> rows(3, 8 * (degree + 1));
-  const Point<2> centre = shape.centre();
-  for (unsigned int k = 0; k < 4; ++k) {
-    const Point<2> &a = shape.corners[k], &b = shape.corners[(k + 1) % 4];
-    const Tensor<1, 2> d = b - a, normal = cross_product_2d(d),
-                       arm = 0.5 * (a - centre + (b - centre));
-    const unsigned int shear = (2 * k + 1) * (degree + 1), n = 2 * k * (degree + 1);
-    // A mean of one gives the force d or its normal; the slope of τ_nn a couple.
-    for (unsigned int c = 0; c < 2; ++c) {
-      rows(c, n) = normal[c];
-      rows(c, shear) = d[c];
+std::vector<Tensor<1, 3>> resultants(const Curve &line, const double side,
+                                     const unsigned int degree, const Point<2> &about) {
+  std::vector<Tensor<1, 3>> sums(2 * (degree + 1));
+  const QGauss<1> gauss(degree + (line.is_flat() ? 2 : 10));
+  for (unsigned int q = 0; q < gauss.size(); ++q) {
+    const double s = gauss.point(q)[0], weight = gauss.weight(q) * line.length();
+    const Tensor<1, 2> t = side * line.tangent(s * line.length(), 0.), n({t[1], -t[0]}),
+                       arm = line.point(s * line.length()) - about;
+    const std::vector<double> L = legendre_values(degree, s);
+    for (unsigned int i = 0; i <= degree; ++i) {
+      sums[i] += weight * L[i] * Tensor<1, 3>({n[0], n[1], cross(arm, n)});
+      sums[degree + 1 + i] += weight * L[i] * Tensor<1, 3>({t[0], t[1], cross(arm, t)});
     }
-    rows(2, n) = cross(arm, normal);
-    rows(2, shear) = cross(arm, d);
-    rows(2, n + 1) = -d.norm_square() / std::sqrt(12.);
+  }
+  return sums;
+}
+
+FullMatrix<double> balance_rows(const CellShape &shape, const unsigned int degree) {
+  const auto n_arcs = std::count_if(shape.centres.begin(), shape.centres.end(),
+                                    [](const auto &centre) { return centre.has_value(); });
+  FullMatrix<double> rows(3, 8 * (degree + 1) + ArcLift::n_conditions * n_arcs);
+  unsigned int trace = 0, condition = 8 * (degree + 1);
+  for (unsigned int k = 0; k < 4; ++k) {
+    for (const Tensor<1, 3> &sum : resultants(shape.edge(k), 1., degree, shape.crossing)) {
+      for (unsigned int r = 0; r < 3; ++r)
+        rows(r, trace) = sum[r];
+      ++trace;
+    }
+    for (unsigned int r = 0; r < 3 && shape.centres[k]; ++r)
+      rows(r, condition + r) = -1.;
+    condition += shape.centres[k] ? ArcLift::n_conditions : 0;
   }
   for (unsigned int r = 0; r < 3; ++r) {
     for (unsigned int before = 0; before < r; ++before) {

@@ -53,6 +53,9 @@ void Tractions::project_given(const BoundData &data) {
         continue;
       const unsigned int number = space.edge_at(cell, f);
       const TractionEdge &edge = space.edges()[number];
+      // On arcs cells lift the traction itself.
+      if (!edge.line.is_flat())
+        continue;
       const FEFaceValues<2> &rule = values.reinit(cell, f);
       for (const unsigned int q : rule.quadrature_point_indices()) {
         data.scene.boundary[edge.side].data->vector_value(rule.quadrature_point(q), t);
@@ -84,14 +87,15 @@ void Tractions::add_plates(const Scene<2> &scene) {
     for (const TractionEdge &edge : space.edges()) {
       if (edge.side != plate.side)
         continue;
-      const double length = edge.length();
-      const std::array<Tensor<1, 2>, 2> directions = edge.directions(scene.geometry);
-      const Tensor<1, 2> d = edge.end - edge.start, arm = edge.start + 0.5 * d - plate.centre;
-      for (unsigned int c = 0; c < 2; ++c) {
-        force.row.emplace_back(edge.position(c, 0), length * (directions[c] * plate.direction));
-        moment.row.emplace_back(edge.position(c, 0), length * cross(arm, directions[c]));
+      const std::vector<Tensor<1, 3>> sums = edge.resultants(scene.geometry, plate.centre);
+      for (unsigned int i = 0; i < sums.size(); ++i) {
+        const double along = sums[i][0] * plate.direction[0] + sums[i][1] * plate.direction[1],
+                     rounding = 1e-13 * edge.length();
+        if (std::abs(along) > rounding)
+          force.row.emplace_back(edge.first + i, along);
+        if (std::abs(sums[i][2]) > rounding * sums[0].norm())
+          moment.row.emplace_back(edge.first + i, sums[i][2]);
       }
-      moment.row.emplace_back(edge.position(0, 1), -(directions[1] * d) / std::sqrt(12.) * length);
     }
     const auto add = [this](TractionCondition condition, const double value) {
       double square = 0.;

@@ -17,14 +17,20 @@ CellFunctions::CellFunctions(const Point<2> &at) {
   }
 }
 
-CellShape::CellShape(const std::array<Point<2>, 4> &corners)
-  : corners(corners) {
+CellShape shape_of(const Triangulation<2>::cell_iterator &cell, const std::vector<Side<2>> &sides) {
+  const ArcCentres by_face = arc_centres(sides, cell);
+  return CellShape(corners_of(cell), {{by_face[2], by_face[1], by_face[3], by_face[0]}});
+}
+
+CellShape::CellShape(const std::array<Point<2>, 4> &corners, const ArcCentres &centres)
+  : corners(corners)
+  , centres(centres) {
   const Tensor<1, 2> first = corners[2] - corners[0], second = corners[3] - corners[1];
   crossing = corners[0] + cross(corners[1] - corners[0], second) / cross(first, second) * first;
   for (unsigned int k = 0; k < 4; ++k)
     areas[k] = 0.5 * twice_area(triangle(k));
   const Tensor<1, 2> difference = (corners[0] - corners[1]) + (corners[2] - corners[3]);
-  affine = difference.norm() < 1e-12 * first.norm();
+  affine = difference.norm() < 1e-12 * first.norm() && !has_arcs();
 }
 
 Tensor<2, 2> CellShape::half_diagonals() const {

@@ -13,23 +13,29 @@ namespace Signorini {
 namespace {
 using numbers::PI;
 
-/** Returns ρ/R for the discs about a point of the cell. */
-double roundness(const CellShape &shape, const Point<2> &x) {
-  double rho = std::numeric_limits<double>::max(), R = 0.;
-  for (unsigned int k = 0; k < 4; ++k) {
-    const Tensor<1, 2> edge = shape.corners[(k + 1) % 4] - shape.corners[k];
-    rho = std::min(rho, cross(edge, x - shape.corners[k]) / edge.norm());
-    R = std::max(R, x.distance(shape.corners[k]));
+/** The discs about a point of the cell: inside of the one with the radius ρ all points see the
+ * whole cell, and the one with the radius R contains it. */
+struct Discs {
+  Discs(const CellShape &shape, const Point<2> &x) {
+    for (unsigned int k = 0; k < 4; ++k) {
+      const Curve edge = shape.edge(k);
+      // Between so many points of an arc the distances change by less than the margin.
+      const unsigned int n = edge.is_flat() ? 1 : 32;
+      const double margin = edge.is_flat() ? 0. : 1e-3 * edge.length();
+      for (unsigned int i = 0; i <= n; ++i) {
+        const double s = i * edge.length() / n;
+        rho = std::min(rho, cross(edge.tangent(s, 0.), x - edge.point(s)) - margin);
+        R = std::max(R, x.distance(edge.point(s)) + margin);
+      }
+    }
   }
-  return rho / R;
-}
+  double beta() const {
+    const double tau = std::max(0., rho / R);
+    return tau / std::sqrt(2. * (1. + std::sqrt(std::max(0., 1. - tau * tau))));
+  }
 
-/** Returns Korn's constant, with the better of two centres. */
-double korn_constant(const CellShape &shape) {
-  const double tau = std::max(roundness(shape, shape.centre()), roundness(shape, shape.crossing));
-  const double beta = tau / std::sqrt(2. * (1. + std::sqrt(std::max(0., 1. - tau * tau))));
-  return std::sqrt(1. + 2. / (beta * beta));
-}
+  double rho = std::numeric_limits<double>::max(), R = 0.;
+};
 
 /** Returns the constant in ‖v‖_e ≤ constant ‖grad v‖_T on the triangle of an edge from a to b and
  * a point P. */
@@ -60,14 +66,13 @@ double beam_constant(const double L, const double max_depth) {
 }
 } // namespace
 
-double turning_constant(const double L, const double max_depth) {
-  const double d = std::min(L, max_depth);
-  return std::sqrt(4. * L * L * L / (30. * d) + 4. * L * d / 45. + 4. * d * d * d / (105. * L));
-}
-
-OscillationConstants::OscillationConstants(const CellShape &shape, const unsigned int degree)
-  : korn(korn_constant(shape))
-  , body(korn * shape.diameter() / PI) {
+OscillationConstants::OscillationConstants(const CellShape &shape, const unsigned int degree) {
+  // The better of two centres.
+  const Discs of_centre(shape, shape.centre()), of_crossing(shape, shape.crossing);
+  const Discs &discs = of_centre.beta() > of_crossing.beta() ? of_centre : of_crossing;
+  const double beta = discs.beta();
+  korn = std::sqrt(1. + 2. / (beta * beta));
+  body = korn * (shape.has_arcs() ? 2. * discs.R / beta : shape.diameter()) / PI;
   const auto &x = shape.corners;
   if (shape.affine) {
     // |J|_2² is the larger eigenvalue of Jᵀ J.
@@ -79,9 +84,11 @@ OscillationConstants::OscillationConstants(const CellShape &shape, const unsigne
   }
   for (unsigned int k = 0; k < 4; ++k) {
     const auto &a = x[k], &b = x[(k + 1) % 4];
-    edge[k] =
-      korn * std::min(trace_constant(a, b, x[(k + 2) % 4]), trace_constant(a, b, x[(k + 3) % 4]));
-    const double d = depth(shape, k);
+    // Triangles with another corner, and rectangles, may leave a cell with an arc.
+    edge[k] = korn * (shape.has_arcs() ? trace_constant(a, b, shape.crossing)
+                                       : std::min(trace_constant(a, b, x[(k + 2) % 4]),
+                                                  trace_constant(a, b, x[(k + 3) % 4])));
+    const double d = shape.has_arcs() ? 0. : depth(shape, k);
     normal[k] = d > 0. ? std::min(edge[k], beam_constant(a.distance(b), d)) : edge[k];
   }
 }

@@ -54,7 +54,7 @@ Curve Curve::arc(const Point<2> &centre, const double radius, const double first
   Curve curve({}, {}, {});
   curve.circle_ = Circle{centre, radius, first, orientation, last < first ? -1. : 1.};
   curve.length_ = radius * std::abs(last - first);
-  curve.start_ = curve.point(0.);
+  curve.start_ = centre + radius * curve.circle_->direction(0.);
   curve.end_ = curve.point(curve.length_);
   curve.normal_ = curve.normal(0.);
   return curve;
@@ -70,6 +70,24 @@ Curve Curve::arc_between(const Point<2> &start, const Point<2> &end, const Point
     turn -= 2. * PI;
   return arc(centre, centre.distance(start), first, first + turn,
              counter_clockwise ? Body::inside : Body::outside);
+}
+
+Curve Curve::between(const Point<2> &start, const Point<2> &end,
+                     const std::optional<Point<2>> &centre) {
+  if (!centre)
+    return Curve(start, end);
+  // From the chord: in cells that are small compared with the radius, differences of angles would
+  // be rounding.
+  const double radius = centre->distance(start),
+               turn = angle_between(start - *centre, end - *centre) > 0. ? 1. : -1.,
+               half = std::asin(std::min(1., 0.5 * start.distance(end) / radius)),
+               first = angle_of(end - start) - turn * (0.5 * PI + half);
+  Curve curve =
+    arc(*centre, radius, first, first + 2. * turn * half, turn > 0. ? Body::inside : Body::outside);
+  curve.start_ = start;
+  curve.end_ = end;
+  curve.length_ = 2. * half * radius;
+  return curve;
 }
 
 Curve Curve::chain(const std::vector<Curve> &pieces) {
@@ -151,6 +169,13 @@ std::vector<unsigned int> Curve::pieces_near(const Point<2> &x, const double dis
   return found;
 }
 
+std::optional<Point<2>> Curve::centre_at(const Point<2> &x) const {
+  if (is_flat())
+    return {};
+  const Curve &on = place(arc_length(x)).piece;
+  return on.circle_ ? std::optional<Point<2>>(on.circle_->centre) : std::nullopt;
+}
+
 BoundingBox<2> Curve::box() const {
   BoundingBox<2> box(std::vector<Point<2>>{start_, end_});
   for (unsigned int k = 0; chain_ && k < n_pieces(); ++k)
@@ -192,8 +217,12 @@ Curve::Place Curve::place(const double s, const double towards) const {
 
 Point<2> Curve::point(const double s) const {
   const auto [on, t] = place(s);
-  return on.circle_ ? on.circle_->centre + on.circle_->radius * on.circle_->direction(t)
-                    : on.start_ + (t / on.length_) * (on.end_ - on.start_);
+  if (!on.circle_)
+    return on.start_ + (t / on.length_) * (on.end_ - on.start_);
+  // The chord from the start: small arcs keep their digits.
+  const auto &[centre, radius, first, orientation, turn] = *on.circle_;
+  return on.start_ - 2. * radius * std::sin(0.5 * t / radius) * turn *
+                       cross_product_2d(on.circle_->direction(0.5 * t));
 }
 
 Tensor<1, 2> Curve::normal(const double s) const {
@@ -308,18 +337,12 @@ Point<2> on(const Curve &edge, const double t) {
 Tensor<1, 2> bend(const Curve &edge, const double t) {
   return edge.length() * edge.tangent(t * edge.length(), 0.) - (edge.end() - edge.start());
 }
-
-Curve make_edge(const Point<2> &start, const Point<2> &end, const std::optional<Point<2>> &centre) {
-  return centre ? Curve::arc_between(start, end, *centre,
-                                     angle_between(start - *centre, end - *centre) > 0.)
-                : Curve(start, end);
-}
 } // namespace
 
 ArcCell::ArcCell(const std::array<Point<2>, 4> &x,
                  const std::array<std::optional<Point<2>>, 4> &centres)
-  : edges_{{make_edge(x[0], x[1], centres[0]), make_edge(x[3], x[2], centres[2]),
-            make_edge(x[0], x[3], centres[3]), make_edge(x[1], x[2], centres[1])}} {}
+  : edges_{{Curve::between(x[0], x[1], centres[0]), Curve::between(x[3], x[2], centres[2]),
+            Curve::between(x[0], x[3], centres[3]), Curve::between(x[1], x[2], centres[1])}} {}
 
 std::unique_ptr<Manifold<2, 2>> ArcCell::clone() const {
   return std::make_unique<ArcCell>(*this);

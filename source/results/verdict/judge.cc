@@ -73,7 +73,7 @@ std::string why_no_bound(const LevelRecord &level) {
 }
 
 bool is_guaranteed(const LevelRecord &level) {
-  return bound_of(level) && level.bound->guaranteed;
+  return bound_of(level) && level.bound->is_guaranteed();
 }
 
 std::optional<double> relative_error(const LevelRecord &level) {
@@ -106,8 +106,7 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
       text << ")";
     } else
       text << "the error is at most about " << percent(*bound)
-           << " (energy norm, estimated bound; the sides are curved: geometric part "
-           << percent(finest.bound->relative_geometry.value_or(0.)) << ")";
+           << " (energy norm, estimated bound: " << finest.bound->only_estimated << ")";
   } else {
     text << "there is no bound of the error";
     if (const std::string reason = why_no_bound(finest); !reason.empty())

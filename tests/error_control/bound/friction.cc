@@ -51,7 +51,7 @@ void brackets(Checks &checks) {
     for (const unsigned int number : {2U, 3U, 4U}) {
       checks.about(given.name + ", level " + std::to_string(number));
       const Bounded level(given.text, number);
-      checks.that("guaranteed", level.bound.absolute && level.bound.guaranteed);
+      checks.that("guaranteed", level.bound.absolute && level.bound.is_guaranteed());
       if (!level.bound.absolute)
         continue;
       lower = std::max(lower, *level.bound.energy_lower);
@@ -79,7 +79,7 @@ void contact_force(Checks &checks) {
 void coulomb(Checks &checks) {
   const Bounded level(named_scene("K1"), 4);
   checks.that("K1: the bound is conditional",
-              level.bound.absolute && !level.bound.guaranteed && level.bound.is_conditional &&
+              level.bound.absolute && !level.bound.is_guaranteed() && level.bound.is_conditional &&
                 !level.bound.energy_lower && !level.bound.force_error);
   checks.that("K1: not certified", solve(named_scene("K1"), levels(2, 4)).verdict.outcome ==
                                      Outcome::equations_certified);

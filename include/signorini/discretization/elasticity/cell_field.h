@@ -61,7 +61,11 @@ public:
   /** Returns the derivatives with respect to the reference coordinates of the cell at the points
    * (x_i, y_j), point i + n_x j; [c][d] is that of component c with respect to coordinate d. */
   std::vector<Tensor<2, 2>> gradients(const LineTable &x, const LineTable &y) const {
-    return evaluate_products<2>(values_, {&x, &y}).gradients;
+    return evaluate(x, y).gradients;
+  }
+  /** Returns the values at these points, too. */
+  FieldValues<2> evaluate(const LineTable &x, const LineTable &y) const {
+    return evaluate_products<2>(values_, {&x, &y});
   }
   /** Returns the same at the point (x_q, y_q), from displacements relative to a corner: large
    * translations have rounding errors, but no strain. */

@@ -34,6 +34,10 @@ bool crosses(const KinkLine<dim> &line, const typename Triangulation<dim>::cell_
 template <int dim>
 bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell);
 
+/** Returns whether data varies faster on a cell than a plain rule shows: a line crosses it, or its
+ * boxes are smaller than the cell. */
+bool varies_fast(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell);
+
 /**
  * Returns a rule on the reference cell that integrates on the pieces into which lines and boxes
  * cut a cell: Gauss' rule on rectangles, Duffy's on the triangles of other pieces, each with

@@ -38,25 +38,24 @@ struct ErrorBound {
    * where u_h vanishes. */
   std::optional<double> relative;
   /** The bound of |||u - π^{2h} u_h|||, and the same divided like relative. There is none where
-   * cells have no parents and on curved sides. */
+   * cells have no parents and on curved bodies. */
   std::optional<double> post_absolute, post_relative;
   /** The parts of the bound for u_h: the first sum without oscillation, the oscillation of loads
    * and of prescribed displacements, and the contact part. */
   std::optional<double> mesh, oscillation, contact;
-  /** Whether the bound is guaranteed; on curved sides it is an estimate (BestStress). */
-  bool guaranteed = true;
+  /** Why the bound is only an estimate, one sentence; mostly empty. */
+  std::string only_estimated;
+  bool is_guaranteed() const {
+    return only_estimated.empty() && !is_conditional;
+  }
   /** Whether friction is Coulomb's: u is the solution of Tresca's law with s = f |τ_n|. */
   bool is_conditional = false;
-  /** The part that curved sides add, an estimate; 0 for straight sides. */
-  std::optional<double> geometry;
-  /** The geometry part as a share, like relative. */
-  std::optional<double> relative_geometry;
   /** What the tractions on a cell lack of balance, relative to the largest one. */
   std::optional<double> algebra;
-  /** The bounds between which J(u) lies; none on curved sides. */
+  /** The bounds between which J(u) lies. */
   std::optional<double> energy_lower, energy_upper;
-  /** The bound of the error of the contact force (force); none where contact meets a held side, and
-   * on curved sides. */
+  /** The bound of the error of the contact force (force); none where contact meets a held side.
+   */
   std::optional<double> force_error;
   /** The penetration max (u_{h,n} - g)_+ (length), and its place in words. */
   double penetration = 0.;
@@ -90,7 +89,7 @@ struct LocatedBound {
   BoundFields fields;
 };
 
-/** Computes the bound of a 2-D body. It is guaranteed if the sides are straight, else an estimate.
- * ErrorBound::missing has the reason if there is none. Collective. */
+/** Computes the bound of a 2-D body. ErrorBound::missing has the reason if there is none.
+ * Collective. */
 LocatedBound compute_located_bound(const BoundData &data);
 } // namespace Signorini

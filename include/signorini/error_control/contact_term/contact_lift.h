@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/mesh/arc_mapping.h>
 #include <signorini/error_control/contact_term/contact_trace.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
@@ -73,13 +74,14 @@ private:
   /** Returns whether the law varies fast in a cell, or has a line there that does not run along the
    * cell's edges. */
   bool needs_equal_parts(const CellIterator &cell) const;
-  /** Points on a cell, with the polynomials of w_h and the geometry there. */
+  /** Points on a cell, with the polynomials of w_h and the map there. */
   struct Rule;
-  /** Returns the energy on a cell. */
-  double energy(const CellIterator &cell, Rule &rule) const;
+  /** Returns the energy on a cell. @param nodes those of the map. */
+  double energy(const CellIterator &cell, const Rule &rule, FEValues<2> &nodes) const;
 
   const BoundData &data_;
   const ContactTrace &trace_;
+  const ExactMaps maps_;
   Displacement w_h_;
   std::vector<Remainders> remainders_;
   /** The columns by active cell index. */

@@ -42,20 +42,24 @@ struct FacePolynomial {
   Polynomials::Polynomial<double> inner = Polynomials::Polynomial<double>(0);
 };
 
+/** A vector field along a face, its components x and y. */
+using FaceVector = std::array<FacePolynomial, 2>;
+
 /** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from vertex 0 to vertex 1 of
  * the face. */
 struct PenetrationFace {
   using Dofs = std::array<types::global_dof_index, 2>;
   using Polynomial = Polynomials::Polynomial<double>;
 
+  PenetrationFace(const unsigned int side, Curve line)
+    : side(side)
+    , line(std::move(line)) {}
+
   unsigned int side;
-  Point<2> start, end;
-  /** The outward unit normal. */
+  /** The segment or arc from vertex 0 to vertex 1, t by arc length. */
+  Curve line;
+  /** The outward unit normal in the middle. */
   Tensor<1, 2> normal;
-  double length;
-  /** The vector from the middle of the chord to that of the face. It is zero unless the face is
-   * curved. */
-  Tensor<1, 2> bulge;
   /** The least and the largest t at which data of the side is that of this face: not at the corners
    * of the side. */
   std::array<double, 2> inside;
@@ -72,8 +76,7 @@ struct PenetrationFace {
     bool presses, sticks;
   };
   std::vector<Pressed> pressures;
-  /** The components of ũ. */
-  std::array<FacePolynomial, 2> u;
+  FaceVector u;
   /** τ_n and τ_t. */
   std::array<Polynomial, 2> traction;
   /** The places where p_H jumps or data has a kink, with 0 and 1. */
@@ -83,15 +86,24 @@ struct PenetrationFace {
   /** Whether w_t = ũ_t - g_t on the face. */
   bool lifts_slip = false;
 
-  Point<2> point(const double t) const {
-    return start + t * (end - start) + 4. * t * (1. - t) * bulge;
+  double length() const {
+    return line.length();
   }
+  Point<2> point(const double t) const {
+    return line.point(t * length());
+  }
+  /** Returns n or t at a point of the face. */
+  Tensor<1, 2> direction(Component component, double t) const;
+  /** Returns d/dt of direction(), zero on segments. */
+  Tensor<1, 2> turning(Component component, double t) const;
   /** Returns whether p_H presses on a part of the face; presses_everywhere() whether on all parts.
    */
   bool presses() const;
   bool presses_everywhere() const;
-  /** Returns v.direction on the face for a function of V^h. */
-  FacePolynomial trace(const Displacement &V, const Tensor<1, 2> &direction) const;
+  /** Returns a function of V^h on the face. */
+  FaceVector trace(const Displacement &V) const;
+  /** Returns a component of a vector field. */
+  double value(const FaceVector &v, Component component, double t) const;
   /** Calls visit(t, weight) for Gauss points on each part of a function on the face, four for
    * bilinear elements; the weights are lengths. */
   void for_each_point(const EdgeFunction &function,
@@ -157,10 +169,9 @@ public:
   double friction_bound(const PenetrationFace &face, double t) const;
   /** Returns what rounding makes of d = 0 on a face. */
   double rounding(const PenetrationFace &face) const;
-  /** Returns an EdgeFunction that is not below d - w_n, for a polynomial w_n of t, or close to ũ_t
-   * - g_t - w_t. */
+  /** Returns an EdgeFunction that is not below d - w_n, or close to ũ_t - g_t - w_t. */
   EdgeFunction lacking(const PenetrationFace &face, Component component,
-                       const FacePolynomial &w) const {
+                       const FaceVector &w) const {
     return sample(face, component, w).function;
   }
   /** Returns ∫ τ_n d + τ_t (ũ_t - g_t) over Γ_c, by the same points. */
@@ -192,7 +203,7 @@ private:
                             std::vector<unsigned int> &known);
   void condense_columns();
   UpperInterpolant sample(const PenetrationFace &face, Component component,
-                          const FacePolynomial &w) const;
+                          const FaceVector &w) const;
   void sample();
   void require();
 

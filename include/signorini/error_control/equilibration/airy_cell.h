@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/error_control/equilibration/arc_lift.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/traction_space.h>
 #include <signorini/error_control/loads/law.h>
@@ -10,6 +11,7 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,11 @@ using PolynomialLoad = std::vector<Tensor<1, 2>>;
  * spaces: M.-J. Lai, L. L. Schumaker, Spline Functions on Triangulations, 2007, chapter 6.) Their
  * traces are all tractions of degree q that are in balance: the rank of N is 8 (q + 1) - 3.
  *
+ * In the triangle of an edge that is an arc φ goes on, and stresses are τ - L(τ n) + L(λ): the
+ * ArcLift L replaces the traction of τ by λ, polynomials of the angle, which are 2 (q + 1) further
+ * functions and the traces on this edge. The conditions of the lift on λ - τ n are five further
+ * traces, which are zero.
+ *
  * With the Gram matrix G of these stresses in the norm ‖.‖_{E⁻¹}, the traces y in balance cost the
  * energy yᵀ S y, S = (N G⁻¹ Nᵀ)⁺. All of that is for the cell at unit size: stresses do not depend
  * on it, energies are multiplied by its square.
@@ -50,8 +57,8 @@ class AiryCell {
 public:
   using Vector = dealii::Vector<double>;
 
-  /** Tabulates the stresses. @param points those of the four triangles. @throws ComputationError
-   * if the cell is so flat that rounding hides the rank. */
+  /** Tabulates the stresses. @param points those of the four triangles; behind arcs those of the
+   * ArcLift. @throws ComputationError if the cell is so flat that rounding hides the rank. */
   AiryCell(const CellShape &unit_shape, unsigned int degree,
            std::array<std::vector<AiryPoint>, 4> points);
 
@@ -63,6 +70,9 @@ public:
   }
   unsigned int degree() const {
     return degree_;
+  }
+  unsigned int n_traces() const {
+    return traces_.m();
   }
   /**
    * Returns the part of a body force that stresses balance, of the degree q - 1: the projection of
@@ -76,6 +86,13 @@ public:
   /** Subtracts the weighted values of stresses δ with div δ = -f from those at the points, three
    * for each, and returns the traces of δ. */
   Vector subtract_load(const PolynomialLoad &load, Vector &values) const;
+  /** Subtracts the weighted values of the stress that lifts a given traction on edge k, an arc,
+   * from those at the points. @param r at the nodes of lift(). @return its traces. */
+  Vector subtract_traction(unsigned int k, const std::vector<Tensor<1, 2>> &r,
+                           Vector &values) const;
+  const std::optional<ArcLift> &lift(const unsigned int k) const {
+    return lifts_[k];
+  }
   /**
    * Projects weighted values onto the stresses without loads.
    * @param values receives the rest. @return the traces of the projection.
@@ -114,6 +131,14 @@ private:
     std::vector<std::pair<unsigned int, Components>> factors;
   };
   std::vector<TracePoint> trace_points(unsigned int k) const;
+  /** Returns the number of the first condition on edge k among the traces. */
+  unsigned int first_condition(unsigned int k) const;
+  /** Subtracts the weighted values of L(r) from the columns of values on triangle k. @param r by
+   * component at the nodes (rows). @return the conditions on r (rows). */
+  LAPACKFullMatrix<double> subtract_lift(unsigned int k, const LAPACKFullMatrix<double> &r,
+                                         LAPACKFullMatrix<double> &values) const;
+  /** Tabulates the functions of triangle k, and adds their traces. */
+  void tabulate(unsigned int k);
   /** Adds weight BᵀB. */
   void add_balance(double weight, FullMatrix<double> &matrix) const;
   void number_functions();
@@ -124,12 +149,13 @@ private:
   std::array<std::vector<AiryPoint>, 4> points_;
   /** Those on the edges of the triangles. */
   std::array<std::vector<TracePoint>, 4> trace_points_;
+  std::array<std::optional<ArcLift>, 4> lifts_;
   /** The matrix F, its inverse, and s -> F s Fᵀ by components. */
   Tensor<2, 2> F_, inverse_;
   Tensor<2, 3> push_forward_;
   /** The half-axes +X, +Y, -X, -Y. */
   std::array<double, 4> half_axes_;
-  /** The pairs (i, j), and the number of the function on every triangle. */
+  /** The pairs (i, j), and the number of the function on every triangle; then those of λ. */
   std::vector<std::array<unsigned int, 2>> pairs_;
   std::array<std::vector<unsigned int>, 4> numbers_;
   unsigned int n_functions_ = 0;

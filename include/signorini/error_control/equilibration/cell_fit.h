@@ -83,7 +83,7 @@ private:
     std::map<unsigned int, std::array<LineTable, 2>> tables;
   };
 
-  CellFit fit(const Cell &cell, const TractionCell &place, Known &known) const;
+  CellFit fit(const Cell &cell, const TractionSpace &space, Known &known) const;
   /** Returns what the cell shares. A new one is added to @p alone where no other cell may share it.
    */
   Known &find_known(const TractionCell &place, std::list<Known> &alone);
@@ -96,6 +96,9 @@ private:
   /** Subtracts the stresses of f_K. @return their traces. */
   dealii::Vector<double> subtract_load(const Cell &cell, const CellShape &shape,
                                        dealii::Vector<double> &values, CellFit &fit) const;
+  /** Subtracts the stresses that lift tractions given on arcs. @return their traces. */
+  dealii::Vector<double> subtract_given(const TractionSpace &space, const TractionCell &place,
+                                        dealii::Vector<double> &values, const AiryCell &airy) const;
 
   const BoundData &data_;
   bool compares_, is_constant_;

@@ -10,7 +10,7 @@
 
 namespace Signorini {
 /** The highest degree of Legendre's polynomials here, and one more. */
-constexpr unsigned int max_legendre = 16;
+constexpr unsigned int max_legendre = 24;
 
 /** Returns Legendre's polynomials P_0 to P_degree at z in [-1,1]; zeros after them. */
 std::array<double, max_legendre> legendre(unsigned int degree, double z);

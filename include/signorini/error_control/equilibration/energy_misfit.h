@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/mesh/arc_mapping.h>
 #include <signorini/error_control/equilibration/equilibrated_stress.h>
 #include <signorini/error_control/equilibration/stress_bound.h>
 #include <signorini/error_control/loads/prescribed_lift.h>
@@ -18,7 +19,7 @@ namespace Signorini {
  *     ‖σ(v) - τ‖² = |||v|||² - 2 ∫ f_K.(v - c) - 2 ∫_Γ τ n.(v - c) + ‖τ‖².
  *
  * v is u_h + z or, where cells have parents, π^{2h} u_h + z' with the PrescribedLift: v = u_D where
- * that is given. A curved mesh is taken with straight edges.
+ * that is given. Cells with an arc have exact arcs (ExactMaps).
  */
 class EnergyMisfit {
 public:
@@ -26,7 +27,7 @@ public:
   static constexpr bool compares = false;
   /** The works on v - c on a mesh of the stress. */
   struct Work {
-    /** ∫ f_K.(v - c) (force x length per thickness). */
+    /** ∫ f_K.(v - c), and that of tractions given on arcs (force x length per thickness). */
     double load = 0.;
     /** The integrals of (v - c)_n and (v - c)_t times Legendre's polynomials, by coefficients of
      * edges on Γ. */
@@ -72,10 +73,9 @@ private:
   void add_moments(const TractionSpace &space, Works &works) const;
   /** Returns bounds of J*(τ) + ∫ τ_n d, d = u_{h,n} - g. */
   Bracket complementary_energy(const EquilibratedStress &stress, const Works &works) const;
-  /** Returns an estimate of what a polygon in place of curved sides adds: shears turn on chords. */
-  double geometry() const;
 
   const BoundData &data_;
+  const ExactMaps maps_;
   /** The translation c. */
   Tensor<1, 2> translation_;
   /** What is known of one v: |||v|||², z and |||z|||. */

@@ -17,6 +17,8 @@ struct EquilibratedStress {
   double distance(std::size_t cell) const;
   /** Returns a bound of the norm of a stress that balances f - f_K and t - t_h. */
   double oscillation(std::size_t cell) const;
+  /** Returns the part of f - f_K in it. */
+  double load_oscillation(std::size_t cell) const;
   /** Returns the sum of the squares of either, over all cells. */
   double distance_square() const;
   double oscillation_square() const;

@@ -15,11 +15,13 @@ namespace Signorini {
 /**
  * The mesh of a stress in equilibrium, with the degrees of tractions.
  *
- * A graded mesh of u_h is that of the stress, too. For u_h on a uniform mesh of level L the stress
- * has a mesh of its own over the same body: stresses of a high degree need few cells. It is the
- * mesh of level L - 4, or of a finer one with at least 64 cells, split up to level L where the
- * stress is less smooth: at corners and ends of sides, at ends of contact, where Hooke's tensor
- * jumps or varies much, where loads are not resolved, and on curved sides. The degree rises with
+ * A graded mesh of u_h is that of the stress, too, or on curved bodies has the same cells with
+ * edges that are straight inside of the body, and tractions of degree three at least. For u_h on a
+ * uniform mesh of level L the stress has a mesh of its own over the same body: stresses of a high
+ * degree need few cells. It is the mesh of level L - 4, or of a finer one with at least 64 cells,
+ * split up to level L where the stress is less smooth: at corners and ends of sides, at ends of
+ * contact, where Hooke's tensor jumps or varies much, where loads are not resolved, and where an
+ * arc turns too much in a cell. Its edges inside of the body are straight. The degree rises with
  * the size of the cells.
  */
 class EquilibrationMesh {
@@ -28,6 +30,10 @@ public:
 
   explicit EquilibrationMesh(const BoundData &data);
 
+  /** Returns whether the stress lives on the mesh of u_h. */
+  static bool is_that_of_u(const BoundData &data) {
+    return data.space.mesh().is_graded() && !data.space.mesh().is_curved();
+  }
   bool is_own() const {
     return own_ != nullptr;
   }
@@ -52,7 +58,8 @@ public:
   Cell find(const Cell &cell_of_u) const;
 
 private:
-  bool is_on_curve(const Cell &cell, unsigned int face_no) const;
+  /** Splits the cells that are split in the mesh of u_h. */
+  void split_like_u();
   bool is_rough(const Cell &cell, const std::vector<Point<2>> &singular) const;
 
   const BoundData &data_;

@@ -73,12 +73,10 @@ struct StressBound {
    * themselves. Where the stress has a mesh of its own, the sums are divided among the cells like
    * |||π^{2h} u_h - u_h|||_K. */
   std::vector<double> misfit, oscillation;
-  /** The sum over K of (misfit_K + osc_K)², with the part that curved sides add. */
+  /** The sum over K of (misfit_K + osc_K)². */
   double square = 0.;
   /** The sum over K of osc_K². */
   double oscillation_square = 0.;
-  /** The square of the part that curved sides add, an estimate; zero for straight sides. */
-  double geometry_square = 0.;
   /** The norm |||z||| of the PrescribedLift, which makes up for prescribed displacements that are
    * no polynomials along edges and is zero elsewhere. The bound is for u_h + z; that for u_h is
    * larger by |||z|||. */

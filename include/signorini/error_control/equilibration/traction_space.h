@@ -12,16 +12,23 @@
 #include <vector>
 
 namespace Signorini {
+/** Returns the forces (two) and the moments about a point of Legendre's polynomials as τ_nn (first)
+ * and τ_nt on a segment or an arc. @param side 1 if the body is on the left of the line, else -1.
+ */
+std::vector<Tensor<1, 3>> resultants(const Curve &line, double side, unsigned int degree,
+                                     const Point<2> &about);
+
 /**
  * A line of the mesh that carries a traction; where a node hangs, the longer line. The traction is
  * given by its normal component τ_nn and its shear τ_nt, n outwards and t counter-clockwise. Both
- * are the same seen from either side. Each is a polynomial of the position from start (0) to end
- * (1), by its coefficients of orthonormal Legendre polynomials.
+ * are the same seen from either side. Each is a polynomial of the position, the share of arc
+ * length from start (0) to end (1), by its coefficients of orthonormal Legendre polynomials.
  */
 struct TractionEdge {
   static constexpr unsigned int no_side = static_cast<unsigned int>(-1);
 
-  Point<2> start, end;
+  /** The segment, or on the boundary the arc. */
+  Curve line;
   /** The number of the side in the geometry, on the boundary; else no_side. */
   unsigned int side = no_side;
   /** The degree of the polynomials. */
@@ -32,19 +39,21 @@ struct TractionEdge {
   std::array<bool, 2> is_free = {{true, true}};
 
   double length() const {
-    return start.distance(end);
+    return line.length();
   }
-  /** Returns the position of a point of the edge, from 0 to 1. */
+  /** Returns the point at a position; position_of() returns the position of a point of the edge. */
+  Point<2> point(const double position) const {
+    return line.point(position * length());
+  }
   double position_of(const Point<2> &x) const {
-    return start.distance(x) / length();
+    return line.is_flat() ? line.start().distance(x) / length() : line.arc_length(x) / length();
   }
-  /** Returns the outward normal of a boundary edge, and the tangent counter-clockwise. */
-  std::array<Tensor<1, 2>, 2> directions(const Geometry<2> &geometry) const {
-    Tensor<1, 2> n = cross_product_2d(end - start) / length();
-    const Side<2> &on = geometry.sides[side];
-    if (n * on.normal(on.arc_length(start + 0.5 * (end - start))) < 0.)
-      n *= -1.;
-    return {{n, Tensor<1, 2>({-n[1], n[0]})}};
+  /** Returns the forces and moments of the coefficients of a boundary edge. */
+  std::vector<Tensor<1, 3>> resultants(const Geometry<2> &geometry, const Point<2> &about) const {
+    const Point<2> middle = point(0.5);
+    const Tensor<1, 2> n = geometry.sides[side].normal_at(middle, middle);
+    return Signorini::resultants(line, line.normal(0.5 * length()) * n > 0. ? 1. : -1., degree,
+                                 about);
   }
   unsigned int n_coefficients() const {
     return 2 * (degree + 1);
@@ -69,18 +78,18 @@ struct TractionSide {
   }
 };
 
-/** A quadrilateral with its corners and sides counter-clockwise; side k runs from corner k to
+/** A cell with its corners and sides counter-clockwise; side k runs from corner k to
  * corner k + 1. */
 struct TractionCell {
-  std::array<Point<2>, 4> corners;
+  CellShape shape;
   std::array<TractionSide, 4> sides;
   /** The degree of the stresses in the cell, at least that of the edges and two. */
   unsigned int degree = 2;
 };
 
 /**
- * The tractions on the edges of a 2-D mesh with straight sides, hanging nodes and elements of any
- * degree.
+ * The tractions on the edges of a 2-D mesh with straight edges, arcs on the boundary, hanging nodes
+ * and elements of any degree.
  *
  * The traces of a cell of degree q are the coefficients of τ_nn and τ_nt on its sides in its own
  * direction: entry (2 k + c)(q + 1) + i belongs to side k, component c and Legendre's degree i.
@@ -140,7 +149,8 @@ private:
   std::array<FullMatrix<double>, 4> halves_;
 };
 
-/** Returns the forces and the moment of the tractions on a cell by its traces (rows), orthonormal.
- * They are those of the cell at unit size. */
+/** Returns the forces and the moment of the tractions on a cell by its traces (rows), orthonormal,
+ * less what ArcLift's conditions, the last traces, miss of them on arcs. They are those of the cell
+ * at unit size. */
 FullMatrix<double> balance_rows(const CellShape &shape, unsigned int degree);
 } // namespace Signorini

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/mesh/arc_mapping.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/symmetric_tensor.h>
@@ -55,11 +56,19 @@ inline std::array<Point<2>, 4> corners_of(const Triangulation<2>::cell_iterator 
   return {{cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}};
 }
 
-/** The corners and diagonals of a convex quadrilateral, and its maps from [0,1]². */
+struct CellShape;
+
+/** Returns the shape of a cell with its arcs. */
+CellShape shape_of(const Triangulation<2>::cell_iterator &cell, const std::vector<Side<2>> &sides);
+
+/** The corners and diagonals of a convex quadrilateral, and its maps from [0,1]². Its edges may be
+ * arcs; then areas and maps are those of the quadrilateral of its corners. */
 struct CellShape {
-  explicit CellShape(const std::array<Point<2>, 4> &corners);
+  /** @param centres of edge k, from corner k on. */
+  explicit CellShape(const std::array<Point<2>, 4> &corners, const ArcCentres &centres = {});
 
   std::array<Point<2>, 4> corners;
+  ArcCentres centres;
   /** Whether the cell is a parallelogram. */
   bool affine;
   /** The point in which the diagonals meet. */
@@ -69,6 +78,28 @@ struct CellShape {
 
   double area() const {
     return areas[0] + areas[1] + areas[2] + areas[3];
+  }
+  bool has_arcs() const {
+    return Signorini::has_arcs(centres);
+  }
+  /** Returns edge k, counter-clockwise. */
+  Curve edge(const unsigned int k) const {
+    return Curve::between(corners[k], corners[(k + 1) % 4], centres[k]);
+  }
+  /** Returns the same cell with x(z) in place of points z. */
+  template <typename Map>
+  CellShape image(const Map &x) const {
+    CellShape shape(*this);
+    for (unsigned int k = 0; k < 4; ++k) {
+      shape.corners[k] = x(corners[k]);
+      if (centres[k])
+        shape.centres[k] = x(*centres[k]);
+    }
+    return CellShape(shape.corners, shape.centres);
+  }
+  /** Returns the cell with the crossing at the origin. */
+  CellShape seen_from_crossing() const {
+    return image([this](const Point<2> &z) { return Point<2>(z - crossing); });
   }
   /** Returns the matrix F of the half-diagonals to corners 0 and 1. */
   Tensor<2, 2> half_diagonals() const;

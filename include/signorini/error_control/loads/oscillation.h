@@ -36,9 +36,13 @@ namespace Signorini {
  * under a map with the matrix J, the polynomials of degree n contain the products of degree m =
  * floor(n/2) in each direction. Their projection is that in one direction after the other, so that
  * ‖v - Π v‖_K ≤ |J|_2/(2 ((m + 1) (m + 2))^{1/2}) ‖grad v‖_K.
- * 3. On the triangle T = conv(e, P) with another corner P of K: (x - P).n is 2|T|/|e| on e and zero
- * on the two other edges, so that (2|T|/|e|) ‖v‖_e² = ∫_T div((x - P) |v|²) ≤ 2 ‖v‖_T² + 2 l
- * ‖v‖_T ‖grad v‖_T with l = max_T |x - P|, and ‖v‖_T ≤ (h_T/π) ‖grad v‖_T.
+ * A cell with an arc need not be convex. Then β is that of the largest disc from which all of K is
+ * seen, and in a strip of width w, ‖v‖_K ≤ (w/(π β)) ‖grad v‖_K: ‖v‖ ≤ ‖grad v‖_{-1}/β for v with
+ * the mean zero, and the inequality of Friedrichs.
+ * 3. On the triangle T = conv(e, P) with another corner P of K, or the crossing of the diagonals:
+ * (x - P).n is 2|T|/|e| on e and zero on the two other edges, so that (2|T|/|e|) ‖v‖_e² = ∫_T
+ * div((x - P) |v|²) ≤ 2 ‖v‖_T² + 2 l ‖v‖_T ‖grad v‖_T with l = max_T |x - P|, and ‖v‖_T ≤ (h_T/π)
+ * ‖grad v‖_T.
  *
  * Normal tractions r_e n on an edge with right or obtuse angles at both ends need neither: with x
  * along e, y inwards and a rectangle [0,L] x [0,d] in K, Airy's function F(x) ψ(y/d) with F'' =
@@ -57,11 +61,4 @@ struct OscillationConstants {
   /** The constants for tractions in any direction, and for normal ones. */
   std::array<double, 4> edge, normal;
 };
-
-/** Returns the norm of a stress with the shear 1 - 2 x/L on the edge [0,L] of a rectangle with
- * depth d: that of Airy's function L x/L (1 - x/L) chi(y), chi = y (1 - y/d)², which vanishes with
- * its normal derivative at y = d. Its square is 4 L³/(30 d) + 4 L d/45 + 4 d³/(105 L); d is at most
- * L. The shear on the edges x = 0 and x = L, which neighbours with the same load take up, is not
- * balanced, so the norm is an estimate. */
-double turning_constant(double L, double d);
 } // namespace Signorini

@@ -40,6 +40,11 @@ public:
   static Curve arc_between(const Point<2> &start, const Point<2> &end, const Point<2> &centre,
                            bool counter_clockwise);
 
+  /** Returns the segment between two points, or the shorter arc about a centre, with the body on
+   * its left. */
+  static Curve between(const Point<2> &start, const Point<2> &end,
+                       const std::optional<Point<2>> &centre);
+
   /**
    * Returns the chain of segments and arcs, each of which begins where the one before it ends, all
    * with the body on the same hand. Segments in a row on one line become one.
@@ -90,6 +95,13 @@ public:
   bool has_corner(double s) const;
   /** Returns the numbers of the pieces that are not farther than @p distance from a point. */
   std::vector<unsigned int> pieces_near(const Point<2> &x, double distance) const;
+  /** Returns the centre of the circle on which the piece at a point lies; none on a segment. */
+  std::optional<Point<2>> centre_at(const Point<2> &x) const;
+  /** Returns the segment or the shorter arc of the curve between two of its points, with the body
+   * on its left or right. */
+  Curve between(const Point<2> &start, const Point<2> &end) const {
+    return between(start, end, centre_at(start + 0.5 * (end - start)));
+  }
   /** Returns the box around the curve. */
   BoundingBox<2> box() const;
 

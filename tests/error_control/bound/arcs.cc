@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The bound on bodies with circular arcs: the lift of a traction is in equilibrium, the least
+// energy of stresses is that of an independent program, and energies that are known lie in the
+// brackets.
+
+#include <signorini/error_control/equilibration/arc_lift.h>
+#include <signorini/error_control/equilibration/edge_polynomials.h>
+
+#include <deal.II/lac/full_matrix.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "bounded.h"
+#include "study_helpers.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace {
+/** Returns a traction at the nodes of a lift, of degree 6 in a, that fulfils its conditions. */
+std::vector<Tensor<1, 2>> lifted_traction(const ArcLift &lift) {
+  constexpr unsigned int n = 14;
+  std::vector<std::vector<Tensor<1, 2>>> basis(n);
+  FullMatrix<double> conditions(ArcLift::n_conditions, n);
+  for (std::size_t i = 0; i < lift.nodes().size(); ++i) {
+    const std::vector<double> L = legendre_values(6, lift.nodes()[i].position);
+    for (unsigned int k = 0; k < n; ++k) {
+      Tensor<1, 2> r;
+      r[k % 2] = L[k / 2];
+      basis[k].push_back(r);
+      for (unsigned int c = 0; c < ArcLift::n_conditions; ++c)
+        for (unsigned int d = 0; d < 2; ++d)
+          conditions(c, k) += lift.conditions()(c, 2 * i + d) * r[d];
+    }
+  }
+  // The part of a vector that is orthogonal to the rows.
+  Vector<double> x(n), rest(ArcLift::n_conditions), multipliers(rest);
+  for (unsigned int k = 0; k < n; ++k)
+    x[k] = std::cos(3. * k + 1.);
+  FullMatrix<double> gram(ArcLift::n_conditions);
+  conditions.mTmult(gram, conditions);
+  gram.gauss_jordan();
+  for (unsigned int pass = 0; pass < 2; ++pass) {
+    conditions.vmult(rest, x);
+    gram.vmult(multipliers, rest);
+    multipliers *= -1.;
+    conditions.Tvmult_add(x, multipliers);
+  }
+  std::vector<Tensor<1, 2>> r(lift.nodes().size());
+  for (unsigned int k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < r.size(); ++i)
+      r[i] += x[k] * basis[k][i];
+  return r;
+}
+
+/** int tau_L : grad v = int_arc r.v for all polynomials v: tau_L has no load and no other traction.
+ */
+void equilibrium(Checks &checks) {
+  const auto arc = [](const double radius, const double turn, const bool is_convex) {
+    // Seen from the origin, the chord from (0.5, -0.5) to (0.5, 0.5) or shorter.
+    const double half = std::min(0.5, radius * std::sin(0.5 * turn)),
+                 depth = std::sqrt(radius * radius - half * half);
+    return Curve::between({0.5, -half}, {0.5, half},
+                          Point<2>(0.5 + (is_convex ? -depth : depth), 0.));
+  };
+  const std::vector<std::pair<std::string, Curve>> arcs = {
+    {"convex", arc(1.3, 0.8, true)},
+    {"concave", arc(1.3, 0.6, false)},
+    {"R = 3", arc(3., 0.3, true)},
+    {"nearly straight", arc(1e6, 1., false)},
+    {"straight", Curve({0.6, -0.4}, {0.4, 0.5})}};
+  for (const auto &[name, curve] : arcs) {
+    const ArcLift lift(curve, 6);
+    const std::vector<Tensor<1, 2>> r = lifted_traction(lift);
+    double largest = 0.;
+    for (unsigned int i = 0; i < 5; ++i)
+      for (unsigned int j = 0; i + j < 5; ++j)
+        for (unsigned int c = 0; c < 2; ++c) {
+          double inside = 0., on_arc = 0., size = 1e-300;
+          for (std::size_t q = 0; q < lift.points().size(); ++q) {
+            const auto &[x, weight] = lift.points()[q];
+            Tensor<1, 3> stress;
+            for (unsigned int s = 0; s < 3; ++s)
+              for (unsigned int k = 0; k < 2 * r.size(); ++k)
+                stress[s] += lift.stresses()(3 * q + s, k) * r[k / 2][k % 2];
+            const double d_x = i == 0 ? 0. : i * std::pow(x[0], i - 1.) * std::pow(x[1], j),
+                         d_y = j == 0 ? 0. : j * std::pow(x[0], i) * std::pow(x[1], j - 1.);
+            inside += weight * (stress[c == 0 ? 0 : 2] * d_x + stress[c == 0 ? 2 : 1] * d_y);
+            size += weight * stress.norm();
+          }
+          for (std::size_t k = 0; k < r.size(); ++k)
+            on_arc += lift.nodes()[k].weight * r[k][c] * std::pow(lift.nodes()[k].x[0], i) *
+                      std::pow(lift.nodes()[k].x[1], j);
+          largest = std::max(largest, std::abs(inside - on_arc) / size);
+        }
+    checks.near(name + ": virtual work", largest, 0., 1e-11);
+  }
+}
+
+/** A quarter of the ring 1 < r < 2 in two cells, from 0 to 45 and to 90 degrees. */
+void write_ring() {
+  const double s = std::sqrt(0.5);
+  std::ofstream("ring.msh")
+    << std::setprecision(17)
+    << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n5\n1 1 \"y0\"\n"
+       "1 2 \"outer\"\n1 3 \"x0\"\n1 4 \"inner\"\n2 5 \"body\"\n"
+       "$EndPhysicalNames\n$Nodes\n6\n1 1 0 0\n2 2 0 0\n3 "
+    << s << " " << s << " 0\n4 " << 2. * s << " " << 2. * s
+    << " 0\n5 0 1 0\n6 0 2 0\n$EndNodes\n$Elements\n8\n1 1 2 1 1 1 2\n"
+       "2 1 2 2 1 2 4\n3 1 2 2 1 4 6\n4 1 2 3 1 6 5\n5 1 2 4 1 5 3\n"
+       "6 1 2 4 1 3 1\n7 3 2 5 1 1 2 4 3\n8 3 2 5 1 3 4 6 5\n$EndElements\n";
+}
+
+/** The least 1/2 |tau|² of stresses of degree 2 on two cells by an independent program (numpy),
+ * with the exact tractions of Lame (pressure inside) and of Kirsch (tension along x), and the
+ * energies themselves. */
+void least_energies(Checks &checks) {
+  write_ring();
+  const std::string
+    body = "Geometry/Shape = file\nGeometry/File = ring.msh\n"
+           "Geometry/Arcs = inner outer\nMaterial/Young's modulus = 1\n"
+           "Material/Poisson's ratio = 0.3\n",
+    kirsch = "Constants/Values = S=1\nBoundary/Rollers = x0 y0\nBoundary/Contact = inner\n"
+             "Contact/Gap = 10\n"
+             "Boundary/Traction = outer: "
+             "S*((1-(1.5*cos(2*atan2(y,x))+cos(4*atan2(y,x)))/4+1.5*cos(4*atan2(y,x))/16)*x/2"
+             "+(-(0.5*sin(2*atan2(y,x))+sin(4*atan2(y,x)))/4+1.5*sin(4*atan2(y,x))/16)*y/2); "
+             "S*((-(0.5*sin(2*atan2(y,x))+sin(4*atan2(y,x)))/4+1.5*sin(4*atan2(y,x))/16)*x/2"
+             "+(-(0.5*cos(2*atan2(y,x))-cos(4*atan2(y,x)))/4-1.5*cos(4*atan2(y,x))/16)*y/2)\n";
+  struct Row {
+    std::string name, text;
+    double least, exact;
+  };
+  for (const Row &row :
+       {Row{"Lame",
+            body + "Boundary/Rollers = x0 y0\nBoundary/Contact = outer\nContact/Gap = 10\n"
+                   "Boundary/Traction = inner: x; y\n",
+            2.998465974710, 2.9949849964223},
+        Row{"Kirsch", body + kirsch, 3.011782433130, 3.0008345764934}})
+    for (const unsigned int number : {0U, 1U, 3U}) {
+      const Bounded level(row.text, number);
+      checks.about(row.name + ", level " + std::to_string(number));
+      checks.that("guaranteed", level.bound.absolute && level.bound.is_guaranteed());
+      if (!level.bound.energy_lower)
+        continue;
+      if (number == 0)
+        checks.near("least energy", *level.bound.energy_lower, -0.5 * row.least, 1e-10);
+      checks.between("energy", -0.5 * row.exact, *level.bound.energy_lower,
+                     *level.bound.energy_upper);
+    }
+}
+
+/** A half disc on a plane, on nested and on graded meshes: J = 8.370223349e-4 by meshes that are
+ * finer. The bound is at most 1.3 times the error. */
+void half_disc(Checks &checks) {
+  const std::string text = "Geometry/Shape = half disc\nMaterial/Young's modulus = 1\n"
+                           "Material/Poisson's ratio = 0.3\nBoundary/Clamped = flat\n"
+                           "Boundary/Contact = arc\nContact/Foundation = plane 0,-1 normal 0,1\n"
+                           "Contact/Foundation position = 0, 0.05\n";
+  constexpr double J = 8.370223349e-4;
+  for (const std::string strategy : {"nested", "hp"}) {
+    checks.about("half disc, " + strategy);
+    const StudyResult<2> found =
+      strategy == "hp"
+        ? solve(text, {"Discretization/Strategy=hp", "Discretization/Target error=1e-4"})
+        : solve(text, levels(2, 5));
+    checks.that("certified", found.verdict.outcome == Outcome::certified);
+    checks.between("energy", J, last(found, "energy_lower") * (1. - 1e-9),
+                   last(found, "energy_upper") * (1. + 1e-9));
+    // The exact solution is at least so far away that the energies differ.
+    if (strategy == "hp")
+      checks.between("bound over error",
+                     last(found, "bound_energy") / std::sqrt(2. * (last(found, "energy") - J)),
+                     0.98, 1.3);
+  }
+}
+} // namespace
+
+int main(int argc, char **argv) {
+  return run_tests(argc, argv, {equilibrium, least_energies, half_disc});
+}
