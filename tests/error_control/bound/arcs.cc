@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "bounded.h"
+#include "error_control/hp/graded.h"
 #include "study_helpers.h"
 #include "tests.h"
 
@@ -151,6 +152,27 @@ void least_energies(Checks &checks) {
     }
 }
 
+/** The same for Lame's ring with stresses of higher degrees, on graded meshes. */
+void degrees(Checks &checks) {
+  write_ring();
+  const std::string text =
+    "Geometry/Shape = file\nGeometry/File = ring.msh\nGeometry/Arcs = inner outer\n"
+    "Material/Young's modulus = 1\nMaterial/Poisson's ratio = 0.3\nBoundary/Rollers = x0 y0\n"
+    "Boundary/Contact = outer\nContact/Gap = 10\nBoundary/Traction = inner: x; y\n"
+    "Discretization/Target error = 1e-9\n";
+  const std::vector<double> least = {2.995099902756, 2.994989380087, 2.994985156005, 2.994985001850,
+                                     2.994984996622};
+  for (unsigned int i = 0; i < least.size(); ++i) {
+    const GradedLevel level(text, uniform_plan(0, 3 + i));
+    const auto solution = level.solve();
+    const ErrorBound &bound = solution.record.bound.value();
+    checks.about("Lame, degree " + std::to_string(3 + i));
+    checks.that("guaranteed", bound.is_guaranteed() && bound.energy_lower);
+    if (bound.energy_lower)
+      checks.near("least energy", *bound.energy_lower, -0.5 * least[i], 1e-10);
+  }
+}
+
 /** A half disc on a plane, on nested and on graded meshes: J = 8.370223349e-4 by meshes that are
  * finer. The bound is at most 1.3 times the error. */
 void half_disc(Checks &checks) {
@@ -178,5 +200,5 @@ void half_disc(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {equilibrium, least_energies, half_disc});
+  return run_tests(argc, argv, {equilibrium, least_energies, degrees, half_disc});
 }
