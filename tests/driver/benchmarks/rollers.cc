@@ -40,8 +40,7 @@ struct Rest {
 Rest compare(Checks &checks, const std::string &name, const StudyResult<2> &result,
              const Roller &roller) {
   const LevelRecord &last = result.levels.back();
-  checks.that(name + ", the accuracy is reached",
-              result.verdict.outcome == Outcome::certified);
+  checks.that(name + ", the accuracy is reached", result.verdict.outcome == Outcome::certified);
   checks.that(name + ", one zone", last.answer.zones.size() == 1);
   checks.near(name + ", force", last.answer.contact_force.resultant.force[1] / roller.force, 1.,
               1e-9);
