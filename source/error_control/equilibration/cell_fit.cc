@@ -158,18 +158,15 @@ Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &
 void CellFitter::project_load(const CellShape &shape, const Quadrature<2> &rule,
                               CellFit &fit) const {
   RulePoints places;
-  for (unsigned int q = 0; q < rule.size(); ++q) {
+  for (unsigned int q = 0; q < rule.size() && !shape.has_arcs(); ++q) {
     const CellFunctions functions(rule.point(q));
     places.emplace_back(shape.corners[0] + shape.offset(functions),
                         rule.weight(q) * determinant(shape.jacobian(functions)));
   }
-  if (shape.has_arcs()) {
-    places.clear();
-    for (unsigned int k = 0; k < 4; ++k)
-      for (const AiryPoint &point : fit.airy->points()[k])
-        places.emplace_back(shape.crossing + shape.half_diagonals() * point.on_diagonals,
-                            point.weight * fit.size * fit.size);
-  }
+  for (unsigned int k = 0; k < 4 && shape.has_arcs(); ++k)
+    for (const AiryPoint &point : fit.airy->points()[k])
+      places.emplace_back(shape.crossing + shape.half_diagonals() * point.on_diagonals,
+                          point.weight * fit.size * fit.size);
   std::vector<Point<2>> points;
   std::vector<double> weights;
   std::vector<Tensor<1, 2>> forces;
