@@ -48,7 +48,8 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const S
     result.magnitudes.add(indices, magnitudes);
     const FiniteElement<dim> &element = cell->get_fe();
     Tensor<1, dim> corner;
-    for (unsigned int d = 0; d < dim; ++d)
+    // A translation away from an axis is no rigid motion.
+    for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d)
       corner[d] = on_cell[element.component_to_system_index(d, 0)];
     for (unsigned int i = 0; i < on_cell.size(); ++i)
       on_cell[i] -= corner[element.system_to_component_index(i).first];

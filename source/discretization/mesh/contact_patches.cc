@@ -189,6 +189,8 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece, const unsigned int
   const Quadrature<1> quadrature = split_quadrature(gauss, cuts);
   SurfaceRule<2> rule = points_at(piece, side, quadrature.get_points());
   rule.weights = quadrature.get_weights();
+  for (std::size_t q = 0; q < rule.size(); ++q)
+    rule.weights[q] *= scene_.geometry.circumference(rule.points[q]);
   return rule;
 }
 

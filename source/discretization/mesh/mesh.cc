@@ -12,6 +12,8 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <functional>
+#include <optional>
+#include <utility>
 
 namespace Signorini {
 namespace {
@@ -97,13 +99,75 @@ private:
   double size_;
 };
 
+/** A map of a body of revolution: dx and ds are those of the whole circumference. So no integral
+ * knows of it. */
+template <typename Map>
+class Revolved : public Map {
+public:
+  using Cell = Triangulation<2>::cell_iterator;
+  using Data = Mapping<2>::InternalDataBase;
+  using Output = dealii::internal::FEValuesImplementation::MappingRelatedData<2, 2>;
+
+  /** @param axis the x-coordinate of the axis in the range of the map. */
+  template <typename... Arguments>
+  explicit Revolved(const double axis, Arguments &&...arguments)
+    : Map(std::forward<Arguments>(arguments)...)
+    , axis_(axis) {}
+
+  std::unique_ptr<Mapping<2>> clone() const override {
+    return std::make_unique<Revolved>(*this);
+  }
+
+protected:
+  UpdateFlags requires_update_flags(const UpdateFlags flags) const override {
+    const bool weighs = (flags & update_JxW_values) != 0;
+    return Map::requires_update_flags(weighs ? flags | update_quadrature_points : flags);
+  }
+
+  CellSimilarity::Similarity fill_fe_values(const Cell &cell, CellSimilarity::Similarity,
+                                            const Quadrature<2> &rule, const Data &data,
+                                            Output &output) const override {
+    // Cells at different distances from the axis are not similar.
+    Map::fill_fe_values(cell, CellSimilarity::none, rule, data, output);
+    revolve(data, output);
+    return CellSimilarity::none;
+  }
+
+  using Map::fill_fe_face_values;
+  void fill_fe_face_values(const Cell &cell, const unsigned int face,
+                           const hp::QCollection<1> &rule, const Data &data,
+                           Output &output) const override {
+    Map::fill_fe_face_values(cell, face, rule, data, output);
+    revolve(data, output);
+  }
+
+private:
+  void revolve(const Data &data, Output &output) const {
+    if ((data.update_each & update_JxW_values) != 0)
+      for (unsigned int q = 0; q < output.JxW_values.size(); ++q)
+        output.JxW_values[q] *= 2. * numbers::PI * (output.quadrature_points[q][0] - axis_);
+  }
+
+  double axis_;
+};
+
+/** Makes a map of the body, or one of the body of revolution that has its axis at x = @p axis. */
+template <int dim, typename Map, typename... Arguments>
+std::unique_ptr<Map> make_map(const std::optional<double> &axis, Arguments &&...arguments) {
+  if constexpr (dim == 2)
+    if (axis)
+      return std::make_unique<Revolved<Map>>(*axis, std::forward<Arguments>(arguments)...);
+  return std::make_unique<Map>(std::forward<Arguments>(arguments)...);
+}
+
 /** Returns the maps that curved bodies need, of degree two on nested meshes. The manifolds are
  * evaluated once per cell and not in every integral. With bilinear maps, π^{2h} would lose an
  * order: the map of a cell of T^{2h} must be that of its children up to higher order. */
 template <int dim>
 std::unique_ptr<const Mapping<dim>> cache(const Mapping<dim> &mapping, const unsigned int degree,
-                                          const Triangulation<dim> &triangulation) {
-  auto cached = std::make_unique<MappingQCache<dim>>(degree);
+                                          const Triangulation<dim> &triangulation,
+                                          const std::optional<double> &axis) {
+  auto cached = make_map<dim, MappingQCache<dim>>(axis, degree);
   cached->initialize(mapping, triangulation);
   return cached;
 }
@@ -117,6 +181,7 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level
                    parallel::shared::Triangulation<dim>::partition_metis)
   , curved_(geometry.curved)
   , is_graded_(false)
+  , axisymmetric_(geometry.axisymmetric)
   , lower_(geometry.lower)
   , size_(geometry.longest_extent())
   , n_nested_ancestors_(geometry.distortion == 0. ? level : level - std::min(coarsest_level, level))
@@ -143,6 +208,7 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int base_level,
                    parallel::shared::Triangulation<dim>::partition_zorder)
   , curved_(geometry.curved)
   , is_graded_(true)
+  , axisymmetric_(geometry.axisymmetric)
   , lower_(geometry.lower)
   , size_(geometry.longest_extent())
   , n_nested_ancestors_(0)
@@ -173,12 +239,18 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int base_level,
 
 template <int dim>
 void Mesh<dim>::make_mappings(const unsigned int degree) {
+  std::optional<double> axis, unit_axis;
+  if (axisymmetric_) {
+    axis = 0.;
+    unit_axis = -lower_[0] / size_;
+  }
   if (curved_) {
-    mapping_ = cache(MappingQ<dim>(degree), degree, triangulation_);
-    unit_mapping_ = cache(UnitMapping<dim>(degree, lower_, size_), degree, triangulation_);
+    mapping_ = cache(MappingQ<dim>(degree), degree, triangulation_, axis);
+    unit_mapping_ =
+      cache(UnitMapping<dim>(degree, lower_, size_), degree, triangulation_, unit_axis);
   } else {
-    mapping_ = std::make_unique<MappingQ1<dim>>();
-    unit_mapping_ = std::make_unique<UnitMapping<dim>>(1, lower_, size_);
+    mapping_ = make_map<dim, MappingQ1<dim>>(axis);
+    unit_mapping_ = make_map<dim, UnitMapping<dim>>(unit_axis, 1, lower_, size_);
   }
 }
 

@@ -74,6 +74,16 @@ double MultiplierSpace<dim>::value(const Vector &P, const unsigned int patch,
 
 template <int dim>
 dealii::Vector<double> MultiplierSpace<dim>::integrals() const {
+  // The circumference has degree one on segments: there ∫ ψ_j ψ_k stays diagonal.
+  if (surface_.scene().geometry.axisymmetric)
+    return integrate_against_multipliers(
+      *this, 3, Grading::none,
+      [](const auto &, const auto &rule) { return std::vector<double>(rule.size(), 1.); });
+  return lengths();
+}
+
+template <int dim>
+dealii::Vector<double> MultiplierSpace<dim>::lengths() const {
   Vector integrals(n_multipliers());
   for (unsigned int k = 0; k < n_multipliers(); ++k) {
     const unsigned int patch = patch_of_[k];

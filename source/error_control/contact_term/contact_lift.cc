@@ -292,7 +292,7 @@ double LiftField::energy(const CellIterator &cell, const Rule &rule, FEValues<2>
                         inverse[q];
     }
   }
-  EnergyMeasure<2> measure(*data_.scene.material);
+  EnergyMeasure<2> measure(data_.scene);
   double sum = 0.;
   for (std::size_t q = 0; q < gradients.size(); ++q)
     sum += measure.at(nodes.quadrature_point(0) + map.values[q]).density(strain_of(gradients[q])) *

@@ -78,6 +78,8 @@ BestStress find(const BoundData &data) {
 } // namespace
 
 std::string objection_to_stress(const BoundData &data) {
+  if (data.scene.geometry.axisymmetric)
+    return "the body is one of revolution, for which there is no proof of a bound";
   if (data.space.strain_operator() != StrainOperator::symmetric_gradient &&
       data.space.max_element_degree() > 1)
     return "the strain is that of B-bar, with elements of a degree above one";

@@ -198,7 +198,7 @@ void EnergyMisfit::integrate_energies() {
     data_.space,
     [&](const Cells<2> &cells) {
       FieldVisitor visit(data_, kinks, maps_);
-      EnergyMeasure<2> measure(material);
+      EnergyMeasure<2> measure(data_.scene);
       ChunkEnergies chunk;
       for (const auto &cell : cells) {
         double distance = 0.;

@@ -61,6 +61,9 @@ void balance(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
       reactions.add(reaction, place.first);
     }
   sum += sum_over_ranks(reactions, space.mesh().communicator());
+  // All around the axis radial forces are in balance, and hoop stresses carry them.
+  if (scene.geometry.axisymmetric)
+    sum = {Tensor<1, dim>() + sum.force[dim - 1] * Point<dim>::unit_vector(dim - 1), {}};
   sum_of_sizes = Utilities::MPI::sum(sum_of_sizes, space.mesh().communicator());
   // About the centre of the body: the origin may be far away.
   const Point<dim> centre =
@@ -136,7 +139,7 @@ template <int dim>
 Deformation deformation(const DisplacementSpace<dim> &space, const Displacement &U) {
   Deformation result = {U};
   double range = 0.;
-  for (unsigned int d = 0; d < dim; ++d) {
+  for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d) {
     const IndexSet rows = DoFTools::extract_dofs(
       space.dofs(), space.elements()[0].component_mask(FEValuesExtractors::Scalar(d)));
     double low = std::numeric_limits<double>::max(), high = -low;

@@ -30,7 +30,7 @@ public:
 
   // Products of functions of degree two or four per direction: three or five points are exact on
   // parallelograms.
-  Distance(const DisplacementSpace<dim> &space, const Material<dim> *const material,
+  Distance(const DisplacementSpace<dim> &space, const Scene<dim> *const scene,
            const Displacement &U, const unsigned int fine)
     : U_(U)
     , values_(space.mesh().mapping(), space.element(),
@@ -39,8 +39,8 @@ public:
                 update_quadrature_points)
     , v_(space, values_.get_quadrature(), fine)
     , w_(space, values_.get_quadrature(), fine - 1) {
-    if (material != nullptr)
-      energy_.emplace(*material);
+    if (scene != nullptr)
+      energy_.emplace(*scene);
   }
   Squares integrate(const CellIterator &cell) {
     values_.reinit(cell);
@@ -49,10 +49,11 @@ public:
     Squares sum;
     for (const unsigned int q : values_.quadrature_point_indices()) {
       const Tensor<2, dim> gradient = v.gradients[q] - w.gradients[q];
+      const Tensor<1, dim> value = v.values[q] - w.values[q];
       const double energy =
-        energy_ ? energy_->at(values_.quadrature_point(q)).density(strain_of(gradient)) : 0.;
-      sum += measure_at(values_, q) *
-             Squares({(v.values[q] - w.values[q]).norm_square(), gradient.norm_square(), energy});
+        energy_ ? energy_->at(values_.quadrature_point(q)).density(value, gradient) : 0.;
+      sum +=
+        measure_at(values_, q) * Squares({value.norm_square(), gradient.norm_square(), energy});
     }
     return sum;
   }
@@ -67,13 +68,13 @@ private:
 
 /** Returns the sums over all ranks; the parts of the threads are added up in the order of cells. */
 template <int dim>
-Squares integrate(const DisplacementSpace<dim> &space, const Material<dim> *const material,
+Squares integrate(const DisplacementSpace<dim> &space, const Scene<dim> *const scene,
                   const Displacement &U, const unsigned int fine) {
   Squares sum;
   integrate_by_chunks<Squares, dim>(
     space,
     [&](const Cells<dim> &cells) {
-      Distance<dim> distance(space, material, U, fine);
+      Distance<dim> distance(space, scene, U, fine);
       Squares chunk_result;
       for (const auto &cell : cells)
         chunk_result += distance.integrate(cell);
@@ -93,13 +94,12 @@ template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                              const Displacement &U, const EnergyScale &scale,
                              const PressureCorrection &correction, const OtherErrors &others) {
-  const Material<dim> *const material = scene.material.get();
-  const Squares u_h_squares = integrate(space, material, U, 1);
+  const Squares u_h_squares = integrate(space, &scene, U, 1);
   double mesh_square = u_h_squares[2];
   if (correction.z.size() > 0) {
     Displacement corrected(U);
     corrected += correction.z;
-    mesh_square = integrate(space, material, corrected, 1)[2];
+    mesh_square = integrate(space, &scene, corrected, 1)[2];
   }
   ErrorEstimate estimate;
   estimate.h1 = norm_1(u_h_squares, 1.);

@@ -100,11 +100,12 @@ std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space, const Sce
     const double lengths[] = {0.5 * (cell->face(2)->diameter() + cell->face(3)->diameter()),
                               0.5 * (cell->face(0)->diameter() + cell->face(1)->diameter())};
     const double modulus = indicator_modulus(scene, cell->center());
+    const double area = area_of(cell) * scene.geometry.circumference(cell->center());
     CellIndicator indicator;
     double square = 0.;
     for (unsigned int d = 0; d < 2; ++d) {
       const CellIndicator along = extrapolate(parts_along(d, u, analysis));
-      const double size = modulus * area_of(cell) / (lengths[d] * lengths[d]);
+      const double size = modulus * area / (lengths[d] * lengths[d]);
       square += size * along.error * along.error;
       // The direction that the error comes from decides.
       indicator.decay += along.decay * size * along.error * along.error;

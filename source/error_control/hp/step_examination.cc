@@ -69,22 +69,26 @@ struct Window {
 class DistanceIntegrals {
 public:
   explicit DistanceIntegrals(const Scene<2> &scene)
-    : measure_(*scene.material) {}
+    : measure_(scene) {}
 
   double integrate(const Mesh<2> &mesh, const Triangulation<2>::active_cell_iterator &cell,
                    const CellField &on_cell, const CellField &on_ancestor, const Window &window) {
     const unsigned int n = std::max(on_cell.degree(), on_ancestor.degree()) + 1;
     const FEValues<2> &values = values_on(mesh, n, cell);
     const LineTable &table = table_on_cell(on_cell.degree(), n);
-    std::vector<Tensor<2, 2>> gradients = on_cell.gradients(table, table);
+    const FieldValues<2> fine = on_cell.evaluate(table, table);
     const auto part = [&](const unsigned int d) {
       return make_line_table(on_ancestor.degree(), points_of(n, window.corner[d], window.edge));
     };
-    const std::vector<Tensor<2, 2>> coarse = on_ancestor.gradients(part(0), part(1));
+    const FieldValues<2> coarse = on_ancestor.evaluate(part(0), part(1));
+    double energy = 0.;
     for (const unsigned int q : values.quadrature_point_indices())
-      gradients[q] =
-        (gradients[q] - window.edge * coarse[q]) * Tensor<2, 2>(values.inverse_jacobian(q));
-    return measure_.energy(values, gradients);
+      energy += measure_at(values, q) *
+                measure_.at(values.quadrature_point(q))
+                  .density(fine.values[q] - coarse.values[q],
+                           (fine.gradients[q] - window.edge * coarse.gradients[q]) *
+                             Tensor<2, 2>(values.inverse_jacobian(q)));
+    return energy;
   }
 
 private:

@@ -63,7 +63,7 @@ public:
     , cell_values_(fields.space.mesh().mapping(), fields.space, fields.scene.kinks, fields.n_points,
                    update_values | update_gradients | update_quadrature_points | update_JxW_values |
                      update_inverse_jacobians)
-    , energy_(*fields.scene.material) {
+    , energy_(fields.scene) {
     const unsigned int n_generations = std::min(2U, fields.space.mesh().n_nested_ancestors());
     for (unsigned int g = 1; g <= n_generations; ++g)
       interpolations_.emplace_back(fields.space, QGauss<dim>(fields.n_points), g);
@@ -79,7 +79,7 @@ public:
       squares[of_value] += (u.values[q] - u_h.values[q]).norm_square() * dx;
       squares[of_gradient] += gradient.norm_square() * dx;
       squares[of_energy] +=
-        energy_.at(values.quadrature_point(q)).density(strain_of(gradient)) * dx;
+        energy_.at(values.quadrature_point(q)).density(u.values[q] - u_h.values[q], gradient) * dx;
       squares[of_superclose] += (e.values[q].norm_square() + e.gradients[q].norm_square()) * dx;
     }
     for (unsigned int g = 0; g < interpolations_.size(); ++g)

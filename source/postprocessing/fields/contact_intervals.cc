@@ -106,7 +106,7 @@ template <int dim>
 ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressure &P) {
   ContactSummary summary;
   const double threshold = pressing_threshold(P);
-  const dealii::Vector<double> integrals = space.integrals();
+  const dealii::Vector<double> integrals = space.integrals(), lengths = space.lengths();
   for (unsigned int k = 0; k < P.size(); ++k) {
     summary.normal_force -= P[k] * integrals[k];
     summary.max_pressure = std::max(summary.max_pressure, -P[k]);
@@ -114,7 +114,7 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressu
       continue;
     ++summary.active;
     if (space.is_piecewise_constant())
-      summary.length += integrals[k];
+      summary.length += lengths[k];
   }
   if constexpr (dim == 2)
     if (!space.is_piecewise_constant())

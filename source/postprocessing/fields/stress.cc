@@ -2,7 +2,6 @@
 // The mean of tr ε(u_h), which does not alternate from cell to cell.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/postprocessing/fields/stress.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -15,11 +14,14 @@
 
 namespace Signorini {
 template <int dim>
-std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Displacement &U) {
+std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                                     const Displacement &U) {
   const QGauss<dim> gauss(2);
   FEValues<dim> values(space.mesh().mapping(), space.element(), gauss,
-                       update_gradients | update_JxW_values);
-  std::vector<double> divergences(gauss.size());
+                       update_values | update_gradients | update_quadrature_points |
+                         update_JxW_values);
+  std::vector<Tensor<1, dim>> u(gauss.size());
+  std::vector<Tensor<2, dim>> gradients(gauss.size());
   /** The integral and the volume of a parent, or of a cell. */
   std::map<std::pair<int, int>, std::pair<double, double>> sums;
   const auto sums_of = [&](const auto &cell) -> std::pair<double, double> & {
@@ -28,9 +30,12 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
   };
   for (const auto &cell : space.dofs().active_cell_iterators()) {
     values.reinit(cell);
-    values[FEValuesExtractors::Vector(0)].get_function_divergences(U.entries(), divergences);
+    values[FEValuesExtractors::Vector(0)].get_function_values(U.entries(), u);
+    values[FEValuesExtractors::Vector(0)].get_function_gradients(U.entries(), gradients);
     for (const unsigned int q : values.quadrature_point_indices()) {
-      sums_of(cell).first += divergences[q] * measure_at(values, q);
+      const Point<dim> &x = values.quadrature_point(q);
+      sums_of(cell).first +=
+        strain_at(scene.geometry, x, u[q], gradients[q]).trace() * measure_at(values, q);
       sums_of(cell).second += measure_at(values, q);
     }
   }
@@ -44,18 +49,19 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
 
 template <int dim>
 Stress3D stress_in_3d(const Material<dim> &material, const Point<dim> &x, const Point<dim> &middle,
-                      const SymmetricTensor<2, dim> &strain) {
+                      const Strain<dim> &strain) {
   // Corners and sides belong to several cells, and to the material of each. A step inside chooses;
   // it is longer than rounding, and shorter than what changes a smooth law.
   constexpr double step = 1e-8;
   const Point<dim> inside = x + step * (middle - x);
-  const SymmetricTensor<2, dim> stress = material.hooke(inside) * strain;
+  const HookesLaw<dim> law = {material.hooke(inside), material.across(inside)};
+  const SymmetricTensor<2, dim> stress = law.stress(strain);
   Stress3D in_space;
   for (unsigned int i = 0; i < dim; ++i)
     for (unsigned int j = i; j < dim; ++j)
       in_space[i][j] = stress[i][j];
   if (dim == 2)
-    in_space[2][2] = material.out_of_plane_stress(inside, strain);
+    in_space[2][2] = law.stress_across(strain);
   return in_space;
 }
 

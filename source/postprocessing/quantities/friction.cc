@@ -49,7 +49,7 @@ template <int dim>
 FrictionSummary summarise_friction(const MultiplierSpace<dim> &space, const Multiplier &multiplier,
                                    const dealii::Vector<double> &W) {
   const unsigned int m = space.n_multipliers();
-  const dealii::Vector<double> lengths = space.integrals();
+  const dealii::Vector<double> lengths = space.lengths();
   FrictionSummary summary;
   summary.tangential_force = tangential_force(space, multiplier);
   const AdmissibleSet &K = multiplier.set();

@@ -91,12 +91,14 @@ public:
     const dealii::Vector<double> integrals = multipliers.integrals();
     for (unsigned int tau = 0; tau < neighbours_.size(); ++tau) {
       const Patch<dim> &patch = surface_.patches()[tau];
-      double force = 0.;
-      for (unsigned int k = multipliers.first_of(tau); k < multipliers.first_of(tau + 1); ++k)
+      double force = 0., measure = 0.;
+      for (unsigned int k = multipliers.first_of(tau); k < multipliers.first_of(tau + 1); ++k) {
         force -= P[k] * integrals[k];
+        measure += integrals[k];
+      }
       means_.push_back(multipliers.is_piecewise_constant()
                          ? -multipliers.value(P, tau, patch.centre())
-                         : force / patch.measure);
+                         : force / measure);
     }
   }
 

@@ -222,7 +222,7 @@ CellResults no_results() {
 template <int dim>
 struct StressField {
   const DisplacementSpace<dim> &space;
-  const Material<dim> &material;
+  const Scene<dim> &scene;
   const Displacement &U;
   /** The mean dilatations by cell; empty where the strain is that of u_h. */
   const std::vector<double> dilatation;
@@ -252,30 +252,35 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
                : corners);
   const hp::MappingCollection<dim> mappings(space.mesh().mapping());
   hp::FEValues<dim> values_by_element(mappings, space.elements(), rules,
-                                      update_gradients | update_inverse_jacobians |
-                                        update_quadrature_points);
+                                      update_values | update_gradients |
+                                        update_inverse_jacobians | update_quadrature_points);
   std::optional<PatchInterpolation<dim>> interpolation;
   if (!at_nodes)
     interpolation.emplace(space, corners, space.mesh().has_parents() ? 1 : 0);
   CellResults results = no_results<dim>();
-  std::vector<SymmetricTensor<2, dim>> strains;
+  std::vector<Strain<dim>> strains;
+  FieldValues<dim> at_points;
   for (const auto &cell : cells) {
     const FiniteElement<dim> &element = cell->get_fe();
     values_by_element.reinit(cell);
     const FEValues<dim> &values = values_by_element.get_present_fe_values();
     strains.resize(values.n_quadrature_points);
-    if (at_nodes)
-      values[FEValuesExtractors::Vector(0)].get_function_symmetric_gradients(field.U.entries(),
-                                                                             strains);
-    else {
-      const FieldValues<dim> &u = interpolation->evaluate(field.U, cell, values);
-      for (unsigned int q = 0; q < strains.size(); ++q) {
-        strains[q] = strain_of(u.gradients[q]);
-        if (!field.dilatation.empty())
-          replace_trace(strains[q], field.dilatation[cell->active_cell_index()]);
-      }
+    if (at_nodes) {
+      at_points.values.resize(strains.size());
+      at_points.gradients.resize(strains.size());
+      const auto &u = values[FEValuesExtractors::Vector(0)];
+      u.get_function_values(field.U.entries(), at_points.values);
+      u.get_function_gradients(field.U.entries(), at_points.gradients);
     }
-    const auto principal = eigenvalues(strains[0]);
+    const FieldValues<dim> &u =
+      at_nodes ? at_points : interpolation->evaluate(field.U, cell, values);
+    for (unsigned int q = 0; q < strains.size(); ++q) {
+      strains[q] =
+        strain_at(field.scene.geometry, values.quadrature_point(q), u.values[q], u.gradients[q]);
+      if (!field.dilatation.empty())
+        strains[q].replace_trace(field.dilatation[cell->active_cell_index()]);
+    }
+    const auto principal = eigenvalues(strains[0].in_body);
     results.measure += cell->measure();
     if (std::max(principal[0], -principal[dim - 1]) > large_strain)
       results.strained += cell->measure();
@@ -283,7 +288,7 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
     for (unsigned int q = at_nodes ? 1 : 0; q < strains.size(); ++q)
       try {
         const Point<dim> &x = values.quadrature_point(q);
-        const double value = von_mises(stress_in_3d(field.material, x, cell->center(), strains[q]));
+        const double value = von_mises(stress_in_3d(*field.scene.material, x, cell->center(), strains[q]));
         // Most stresses are smaller, and nothing is stored for them.
         const auto matters = [&](const StressMaximum &largest) {
           return value >= (1. - rounding) * largest.value;
@@ -315,9 +320,9 @@ CellResults results_of_body(const StressField<dim> &field) {
 template <int dim>
 VonMises largest_von_mises(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                            const Displacement &U, const std::vector<SingularPlace<dim>> &places) {
-  const StressField<dim> field = {space, *scene.material, U,
+  const StressField<dim> field = {space, scene, U,
                                   space.strain_operator() == StrainOperator::mean_dilatation
-                                    ? mean_dilatations(space, U)
+                                    ? mean_dilatations(space, scene, U)
                                     : std::vector<double>(),
                                   places};
   const CellResults results = results_of_body(field);

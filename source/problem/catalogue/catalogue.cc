@@ -5,6 +5,7 @@
 #include <signorini/base/text.h>
 #include <signorini/problem/catalogue/catalogue.h>
 #include <signorini/problem/scene/functions.h>
+#include <signorini/problem/scene/strain.h>
 
 #include <algorithm>
 #include <array>
@@ -163,11 +164,16 @@ void set_condition(const Description<dim> &description, const Scene<dim> &scene,
   if (condition.role == Role::traction) {
     const Tensor<1, dim> normal = side.normal(side.coordinates(scene.geometry.lower));
     condition.data = std::make_shared<FieldFunction<dim>>(
-      [u = scene.exact_displacement, material = scene.material, normal](const Point<dim> &x) {
+      [u = scene.exact_displacement, material = scene.material, geometry = scene.geometry,
+       normal](const Point<dim> &x) {
+        Tensor<1, dim> value;
         Tensor<2, dim> gradient;
-        for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int i = 0; i < dim; ++i) {
+          value[i] = u->value(x, i);
           gradient[i] = u->gradient(x, i);
-        return material->hooke(x) * symmetrize(gradient) * normal;
+        }
+        const HookesLaw<dim> law = {material->hooke(x), material->across(x)};
+        return law.stress(strain_at(geometry, x, value, gradient)) * normal;
       });
   }
   if (condition.role != Role::contact)

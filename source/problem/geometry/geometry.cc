@@ -114,6 +114,18 @@ double Geometry<dim>::longest_extent() const {
 }
 
 template <int dim>
+bool Geometry<dim>::is_axis(const Side<dim> &side) const {
+  if constexpr (dim == 2) {
+    const double rounding = 1e-10 * diameter();
+    for (unsigned int k = 0; k < side.n_pieces(); ++k)
+      if (side.piece(k).centre()[0] > rounding)
+        return false;
+    return axisymmetric;
+  } else
+    return false;
+}
+
+template <int dim>
 std::size_t Geometry<dim>::find_side(const std::string &name) const {
   std::size_t i = 0;
   while (i < sides.size() && sides[i].name() != name)

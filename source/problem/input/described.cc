@@ -156,6 +156,8 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load,
       assign(sides[plate.side], Role::displacement, given.plates).data =
         plate_displacement(plate, PlateMotion{plate.travel, 0.});
   }
+  if constexpr (dim == 2)
+    hold_on_axis(entries, scene);
   if (scene.contact_sides().empty())
     throw error_at(given.contact, "no contact side is given, allowed: one or more of ", join(sides),
                    ".");
@@ -250,6 +252,8 @@ Scene<dim> make_described_scene(const Parameters &parameters) {
   scene.name = "described";
   scene.title = "described by expressions";
   scene.geometry = make_geometry<dim>(parameters.geometry);
+  if constexpr (dim == 2)
+    revolve(parameters.material.plane_state, scene.geometry);
   scene.material = read_material(parameters.material, reader, scene.geometry);
   read_boundary(parameters.boundary, parameters.load, reader, scene);
   read_gaps(parameters, reader, scene);

@@ -44,6 +44,15 @@ SideTexts read_side_list(const std::string &text, const std::string &where,
 /** Returns whether a text begins with a word and ':', so that it is for one side. */
 bool begins_with_a_name(const std::string &text);
 
+/** Makes a body one of revolution if its plane state says so. @throws InputError where a part of it
+ * is not beside the axis, or where no side of its own lies on it. */
+void revolve(const Given<PlaneState> &given, Geometry<2> &geometry);
+
+/** Holds a body of revolution on its axis, where a side needs no entry.
+ * @param entries that named the sides. @throws InputError for another role there, and for plates
+ * that leave the axis. */
+void hold_on_axis(const std::vector<const Entry *> &entries, Scene<2> &scene);
+
 template <int dim>
 std::vector<std::string> contact_side_names(const Scene<dim> &scene) {
   std::vector<std::string> names;

@@ -92,7 +92,9 @@ void Declarations::declare_material(MaterialParameters &material) {
       "material's own axes. General law: Z1; Z2; Z3, sigma_zz = Z1*e11 + Z2*e22 + Z3*2*e12. Only "
       "the stresses that are written need them. Empty: plane stress, sigma_zz = 0.");
   add("Material/Plane state", material.plane_state,
-      "What the third direction does (isotropic law; the others are given for the plane).");
+      "What the third direction does (isotropic law; the others are given for the plane). "
+      "axisymmetric: a body of revolution about x = 0; forces are those on the whole "
+      "circumference, and a side on the axis needs no entry.");
 }
 
 void Declarations::declare_boundary(BoundaryParameters &boundary) {

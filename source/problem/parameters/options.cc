@@ -10,7 +10,7 @@ const std::vector<std::string> &option_names(const std::type_index &option) {
   static const std::map<std::type_index, std::vector<std::string>> names = {
     {typeid(Shape), {"rectangle", "box", "polygon", "half disc", "disc", "ring", "file"}},
     {typeid(MaterialLaw), {"isotropic", "orthotropic", "general"}},
-    {typeid(PlaneState), {"strain", "stress"}},
+    {typeid(PlaneState), {"strain", "stress", "axisymmetric"}},
     {typeid(Strategy), {"nested", "hp"}},
     {typeid(Element), {"Q1", "Q1 B-bar", "Q2"}},
     {typeid(ContactSolver), {"automatic", "psor", "active set", "multigrid"}},

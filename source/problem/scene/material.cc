@@ -42,11 +42,11 @@ public:
     return youngs_modulus_.is_constant() && poissons_ratio_.is_constant();
   }
 
-  double out_of_plane_stress(const Point<dim> &x,
-                             const SymmetricTensor<2, dim> &strain) const override {
-    return dim == 2 && plane_state_ == PlaneState::strain
-             ? this->modulus() * relative_lame_constants(x).first * trace(strain)
-             : 0.;
+  AcrossLaw<dim> relative_across(const Point<dim> &x) const override {
+    if (dim == 3 || plane_state_ == PlaneState::stress)
+      return {};
+    const auto [lambda, mu] = relative_lame_constants(x);
+    return {lambda * unit_symmetric_tensor<dim>(), lambda + 2. * mu};
   }
 
   std::vector<Expression<dim>> expressions() const override {
@@ -129,14 +129,11 @@ public:
                        [](const auto &entry) { return entry.is_constant(); });
   }
 
-  double out_of_plane_stress(const Point<dim> &x,
-                             const SymmetricTensor<2, dim> &strain) const override {
-    const auto in_own_axes =
-      Physics::Transformations::basis_transformation(strain, transpose(axes_));
-    double stress = 0.;
+  AcrossLaw<dim> relative_across(const Point<dim> &x) const override {
+    SymmetricTensor<2, dim> in_own_axes;
     for (unsigned int i = 0; i < across_.size(); ++i)
-      stress += across_[i](x) * (i < dim ? in_own_axes[i][i] : 2. * in_own_axes[0][1]);
-    return stress;
+      in_own_axes[component_of(i, dim)] = across_[i](x) / this->modulus();
+    return {Physics::Transformations::basis_transformation(in_own_axes, axes_), 0.};
   }
 
   std::vector<Expression<dim>> expressions() const override {
@@ -167,9 +164,9 @@ public:
     return false;
   }
 
-  double out_of_plane_stress(const Point<dim> &x,
-                             const SymmetricTensor<2, dim> &strain) const override {
-    return materials_[index_at_(x)]->out_of_plane_stress(x, strain);
+  AcrossLaw<dim> relative_across(const Point<dim> &x) const override {
+    const AcrossLaw<dim> law = materials_[index_at_(x)]->across(x);
+    return {law.coupling / this->modulus(), law.modulus / this->modulus()};
   }
 
   std::vector<Expression<dim>> expressions() const override {

@@ -142,6 +142,10 @@ RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<d
 
 std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates plates) {
   Conditions<2> conditions(scene.geometry);
+  // A body of revolution is rigid along its axis only.
+  if (scene.geometry.axisymmetric)
+    for (const unsigned int k : {0, 2})
+      conditions.matrix(k, k) += 1.;
   std::vector<bool> is_released(scene.boundary.size(), false);
   if (plates == Plates::released)
     for (const Plate &plate : scene.plates) {

@@ -35,7 +35,7 @@ public:
     , bound_(bound)
     , is_recovered_(space.max_element_degree() == 1 && space.mesh().has_parents()) {
     if (space.strain_operator() == StrainOperator::mean_dilatation)
-      dilatations_ = mean_dilatations(space, U);
+      dilatations_ = mean_dilatations(space, scene, U);
     for (unsigned int number = 0; number < space.elements().size(); ++number)
       add_cells(number);
   }
@@ -87,9 +87,10 @@ private:
       add_vector("displacement", u.values[q], fields[q]);
       if (dim == 2 && is_recovered_)
         add_vector("recovered_displacement", recovered.values[q], fields[q]);
-      SymmetricTensor<2, dim> strain = strain_of(recovered.gradients[q]);
+      Strain<dim> strain = strain_at(scene_.geometry, values.quadrature_point(q),
+                                     recovered.values[q], recovered.gradients[q]);
       if (!dilatations_.empty())
-        replace_trace(strain, dilatations_[index]);
+        strain.replace_trace(dilatations_[index]);
       add_stress(values.quadrature_point(q), middle, strain, fields[q]);
       if (has_regions)
         fields[q].emplace_back("region", region);
@@ -110,7 +111,7 @@ private:
 
   /** Adds the tensor, its components and its invariants. */
   void add_stress(const Point<dim> &x, const Point<dim> &middle,
-                  const SymmetricTensor<2, dim> &strain, VtuFields &fields) const {
+                  const Strain<dim> &strain, VtuFields &fields) const {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     Stress3D stress = unknown * unit_symmetric_tensor<3>();
     std::array<double, 3> principal = {{unknown, unknown, unknown}};

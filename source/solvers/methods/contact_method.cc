@@ -24,7 +24,8 @@ constexpr double min_unknowns_of_cycles(const unsigned int dim) {
   return dim == 2 ? 1e5 : 5e3;
 }
 
-/** Returns whether V-cycles can find contact, whatever the number of unknowns. */
+/** Returns whether V-cycles find contact in few steps, whatever the number of unknowns. Their models
+ * of C are plane, or in space. */
 template <int dim>
 bool may_iterate(const Parameters &parameters, const Scene<dim> &scene,
                  const unsigned int n_ranks) {
@@ -34,7 +35,8 @@ bool may_iterate(const Parameters &parameters, const Scene<dim> &scene,
   return solver_fits && n_ranks == 1 && discretization.strategy == Strategy::nested &&
          discretization.element == Element::q1 && discretization.patch_ratio > 1 &&
          discretization.patches == 0 && !parameters.output.compliance && scene.load_cases.empty() &&
-         scene.plates.empty() && !scene.is_held_by_contact && scene.friction == Friction::none;
+         scene.plates.empty() && !scene.is_held_by_contact && scene.friction == Friction::none &&
+         !scene.geometry.axisymmetric;
 }
 } // namespace
 

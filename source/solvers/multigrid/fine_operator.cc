@@ -69,12 +69,13 @@ public:
   }
 
   void fill() {
-    if (scene_.material->is_constant())
+    if (scene_.material->is_constant() && !mesh_.is_axisymmetric())
       share_matrices();
     if (*std::min_element(K_.storage.begin(), K_.storage.end()) >= 0)
       return;
     const bool is_straight =
-      !mesh_.is_curved() && space_.strain_operator() == StrainOperator::symmetric_gradient;
+      !mesh_.is_curved() && !mesh_.is_axisymmetric() &&
+      space_.strain_operator() == StrainOperator::symmetric_gradient;
     if (is_straight) {
       set_places();
       if (scene_.material->is_constant()) {

@@ -2,68 +2,62 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/problem/scene/material.h>
+#include <signorini/problem/scene/scene.h>
+#include <signorini/problem/scene/strain.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <vector>
-
 namespace Signorini {
 /** Returns dx at a point of a rule on a cell, or ds at one on a face: the one place that says what
- * integrals over the body and its boundary measure. */
+ * integrals over the body and its boundary measure. The maps of bodies of revolution contain the
+ * circumference. */
 template <int dim>
 double measure_at(const FEValuesBase<dim> &values, const unsigned int q) {
   return values.JxW(q);
-}
-
-/** Returns the strain of a displacement with this gradient. */
-template <int dim>
-SymmetricTensor<2, dim> strain_of(const Tensor<2, dim> &gradient) {
-  return symmetrize(gradient);
-}
-
-/** Returns the strain of a shape function of V^h at a point. */
-template <int dim>
-SymmetricTensor<2, dim> shape_strain(const FEValuesBase<dim> &values, const unsigned int i,
-                                     const unsigned int q) {
-  return values[FEValuesExtractors::Vector(0)].symmetric_gradient(i, q);
 }
 
 /** Integrates energies, twice the elastic ones: ε:C:ε with Hooke's law C. */
 template <int dim>
 class EnergyMeasure {
 public:
-  /** The material must outlive the object. */
-  explicit EnergyMeasure(const Material<dim> &material)
-    : material_(material)
-    , is_constant_(material.is_constant()) {
+  /** The scene must outlive the object. */
+  explicit EnergyMeasure(const Scene<dim> &scene)
+    : scene_(scene)
+    , is_constant_(scene.material->is_constant()) {
     if (is_constant_)
-      hooke_ = material.hooke(Point<dim>());
+      set_law(Point<dim>());
   }
 
   /** Moves to a point. */
   EnergyMeasure &at(const Point<dim> &x) {
+    x_ = x;
     if (!is_constant_)
-      hooke_ = material_.hooke(x);
+      set_law(x);
     return *this;
   }
-  /** Returns ε:C:ε at the last point. */
+  /** Returns ε:C:ε at the last point, for a strain in the plane or in space. */
   double density(const SymmetricTensor<2, dim> &strain) const {
-    return (hooke_ * strain) * strain;
+    return (law_.in_body * strain) * strain;
   }
-  /** Returns the integral over the points of a rule, for a displacement with these gradients. */
-  double energy(const FEValuesBase<dim> &values, const std::vector<Tensor<2, dim>> &gradients) {
-    double sum = 0.;
-    for (const unsigned int q : values.quadrature_point_indices())
-      sum +=
-        at(values.quadrature_point(q)).density(strain_of(gradients[q])) * measure_at(values, q);
-    return sum;
+  /** Returns the same for a displacement with this value and gradient. */
+  double density(const Tensor<1, dim> &value, const Tensor<2, dim> &gradient) const {
+    const Strain<dim> strain = strain_at(scene_.geometry, x_, value, gradient);
+    return law_.stress(strain) * strain.in_body +
+           (strain.hoop ? law_.stress_across(strain) * *strain.hoop : 0.);
   }
 
 private:
-  const Material<dim> &material_;
+  void set_law(const Point<dim> &x) {
+    const Material<dim> &material = *scene_.material;
+    law_.in_body = material.hooke(x);
+    if (scene_.geometry.axisymmetric)
+      law_.across = material.across(x);
+  }
+
+  const Scene<dim> &scene_;
   bool is_constant_;
-  SymmetricTensor<4, dim> hooke_;
+  Point<dim> x_;
+  HookesLaw<dim> law_;
 };
 } // namespace Signorini

@@ -14,7 +14,8 @@ namespace Signorini {
  * Integrates a(φ_j, φ_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
  *
  * For elements of degree p, p + 1 Gauss points per direction are exact for a constant tensor on a
- * parallelogram or parallelepiped; p + 3 are taken otherwise. With a constant tensor, cells of one
+ * parallelogram or parallelepiped; p + 3 are taken otherwise, and p + 2 in bodies of revolution,
+ * where only u_x v_x / x is no polynomial. With a constant tensor, cells of one
  * shape share a matrix, which in 2-D does not depend on their size: on a mesh of
  * squares it is integrated once per degree.
  */
@@ -67,13 +68,14 @@ private:
 template <int dim>
 bool is_affine(const typename Triangulation<dim>::cell_iterator &cell);
 
-/** Returns the unit in which a(φ_j, φ_i) is computed: E_0 l^{dim-2}, with the material's
- * modulus E_0 and the body's size l. Matrices are those of a body of size one and modulus one, so
+/** Returns the unit in which a(φ_j, φ_i) is computed: E_0 l^{dim-2}, in bodies of revolution E_0 l,
+ * with the material's modulus E_0 and the body's size l. Matrices are those of a body of size one and modulus one, so
  * that neither units nor sizes of numbers matter (force/length per thickness, in 2-D: force/area).
  */
 template <int dim>
 double stiffness_unit(const DisplacementSpace<dim> &space, const Material<dim> &material) {
-  return material.modulus() * std::pow(space.mesh().size(), dim - 2);
+  const int power = space.mesh().is_axisymmetric() ? 1 : dim - 2;
+  return material.modulus() * std::pow(space.mesh().size(), power);
 }
 
 } // namespace Signorini

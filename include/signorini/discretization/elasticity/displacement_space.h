@@ -71,14 +71,6 @@ enum class StrainOperator {
   mean_dilatation
 };
 
-/** Replaces the trace of @p strain by @p dilatation and keeps the deviator. */
-template <int dim>
-void replace_trace(SymmetricTensor<2, dim> &strain, const double dilatation) {
-  const double change = (dilatation - trace(strain)) / dim;
-  for (unsigned int d = 0; d < dim; ++d)
-    strain[d][d] += change;
-}
-
 /** The space V^h: FE_Q for each component, with the essential conditions of clamped, prescribed and
  * roller sides. Cells may have different degrees, and hanging nodes; u_h is continuous all the
  * same. (On an edge between two degrees it has the lower one.) */

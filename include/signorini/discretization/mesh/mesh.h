@@ -68,6 +68,10 @@ public:
   bool is_curved() const {
     return curved_;
   }
+  /** Returns whether the body is one of revolution: the maps give dx and ds the weight 2 pi x. */
+  bool is_axisymmetric() const {
+    return axisymmetric_;
+  }
   MPI_Comm communicator() const {
     return triangulation_.get_communicator();
   }
@@ -102,7 +106,7 @@ private:
   void make_mappings(unsigned int degree);
 
   parallel::shared::Triangulation<dim> triangulation_;
-  bool curved_, is_graded_;
+  bool curved_, is_graded_, axisymmetric_;
   Point<dim> lower_;
   double size_;
   std::unique_ptr<const Mapping<dim>> mapping_, unit_mapping_;

@@ -92,8 +92,10 @@ public:
   double value(const Vector &P, unsigned int patch, const Point<dim - 1> &s,
                unsigned int component = 0) const;
 
-  /** Returns ∫ ψ_k for all k (length^{dim-1}). */
+  /** Returns ∫ ψ_k for all k (length^{dim-1}); in bodies of revolution over the circumference. */
   Vector integrals() const;
+  /** Returns the same over the side itself. */
+  Vector lengths() const;
   /** Returns R^H q, the L2-projection of a function q, from its moments b_k = ∫ q ψ_k. */
   Vector project(const Vector &moments) const;
 

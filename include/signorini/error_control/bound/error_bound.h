@@ -30,7 +30,7 @@ namespace Signorini {
  */
 struct ErrorBound {
   /** The reason why there is no bound, one sentence; empty if there is a bound. Without a bound,
-   * only the penetration is set. */
+   * only the penetration is set, where there is a stress. */
   std::string missing;
   /** The bound of |||u - u_h|||. */
   std::optional<double> absolute;
@@ -58,7 +58,7 @@ struct ErrorBound {
    */
   std::optional<double> force_error;
   /** The penetration max (u_{h,n} - g)_+ (length), and its place in words. */
-  double penetration = 0.;
+  std::optional<double> penetration;
   std::string place_of_penetration;
   /** The parts of the bound; dominant_part() returns the largest one. */
   enum class Part { mesh, oscillation, contact };

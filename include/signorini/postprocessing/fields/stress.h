@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/problem/scene/material.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
@@ -16,7 +16,8 @@ namespace Signorini {
  * there is no T^{2h}), in the order of active cells. With StrainOperator::mean_dilatation, means
  * over cells may alternate between neighbours, as the pressure of Q1-P0 does. */
 template <int dim>
-std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Displacement &U);
+std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                                     const Displacement &U);
 
 /** The stress with all its components, also those of a 2-D body that point out of the plane
  * (force/area). */
@@ -25,12 +26,12 @@ using Stress3D = SymmetricTensor<2, 3>;
 /**
  * Returns σ = E : ε at @p x, a point of the cell with the middle @p middle. E is that of the cell
  * where it jumps from cell to cell. In 2-D σ_xz = σ_yz = 0, and σ_zz is
- * Material::out_of_plane_stress().
+ * the stress across the plane; in bodies of revolution it is that around the axis.
  * @throws InputError where the material's data has no value.
  */
 template <int dim>
 Stress3D stress_in_3d(const Material<dim> &material, const Point<dim> &x, const Point<dim> &middle,
-                      const SymmetricTensor<2, dim> &strain);
+                      const Strain<dim> &strain);
 
 /** Returns the von Mises stress sqrt(3/2 s:s), s = σ - tr σ/3 I. */
 double von_mises(const Stress3D &stress);

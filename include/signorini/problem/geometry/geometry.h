@@ -5,6 +5,7 @@
 #include <signorini/problem/geometry/box_tree.h>
 #include <signorini/problem/geometry/curve.h>
 
+#include <deal.II/base/numbers.h>
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 #include <deal.II/grid/tria.h>
@@ -101,6 +102,9 @@ struct Geometry {
     make_mesh_with_lines;
   /** Whether cells are curved. */
   bool curved = false;
+  /** Whether the body is one of revolution: x is the distance from its axis, and integrals are those
+   * over the whole circumference. For 2-D only. */
+  bool axisymmetric = false;
   /** Whether the segments from inner_point() to the boundary lie in the body. */
   bool star_shaped = true;
   /** A point inside of the body. If it is empty, inner_point() is the mean of the sides. */
@@ -125,6 +129,13 @@ struct Geometry {
   double diameter() const {
     return lower.distance(upper);
   }
+  /** Returns what dx and ds are multiplied by: the circumference 2 pi x of a body of revolution,
+   * otherwise 1. */
+  double circumference(const Point<dim> &x) const {
+    return axisymmetric ? 2. * numbers::PI * x[0] : 1.;
+  }
+  /** Returns whether a side lies on the axis of a body of revolution. */
+  bool is_axis(const Side<dim> &side) const;
   /** Returns a point inside of the body: the given one, or the mean of the centres of the sides,
    * which is inside of a convex body. */
   Point<dim> inner_point() const;

@@ -7,7 +7,7 @@
 
 namespace Signorini {
 /** The state in the direction normal to a 2-D body. */
-enum class PlaneState { strain, stress };
+enum class PlaneState { strain, stress, axisymmetric };
 
 /** The method for the dual problem. */
 enum class ContactSolver {

@@ -12,6 +12,14 @@
 #include <vector>
 
 namespace Signorini {
+/** Hooke's law across the plane of a 2-D body: sigma_zz = coupling:eps + modulus eps_zz, and the
+ * stress in the plane that eps_zz adds, eps_zz coupling. */
+template <int dim>
+struct AcrossLaw {
+  SymmetricTensor<2, dim> coupling;
+  double modulus = 0.;
+};
+
 /** Hooke's tensor E_ijkl(x) of (1) (force/area). */
 template <int dim>
 class Material {
@@ -35,10 +43,14 @@ public:
   /** Returns whether E_ijkl is the same everywhere. */
   virtual bool is_constant() const = 0;
 
-  /** Returns sigma_zz, the stress normal to the plane. The problem does not contain it, but the von
-   * Mises stress does. */
-  virtual double out_of_plane_stress(const Point<dim> &x,
-                                     const SymmetricTensor<2, dim> &strain) const = 0;
+  /** Returns the law across the plane at a point, in units of E_0. Plane problems do not contain it,
+   * but the von Mises stress does; in bodies of revolution it is that around the axis. */
+  virtual AcrossLaw<dim> relative_across(const Point<dim> &x) const = 0;
+  /** Returns the same in units of stress. */
+  AcrossLaw<dim> across(const Point<dim> &x) const {
+    const AcrossLaw<dim> law = relative_across(x);
+    return {modulus_ * law.coupling, modulus_ * law.modulus};
+  }
 
   /** Returns the formulas of the moduli. */
   virtual std::vector<Expression<dim>> expressions() const = 0;
@@ -48,7 +60,7 @@ private:
 };
 
 /** Returns the material sigma = lambda tr(eps) I + 2 mu eps, with lambda replaced by 2 lambda
- * mu/(lambda + 2 mu) for plane stress. Young's modulus and Poisson's ratio may depend on the point;
+ * mu/(lambda + 2 mu) for plane stress; in bodies of revolution eps contains the hoop strain. Young's modulus and Poisson's ratio may depend on the point;
  * E_0 is Young's modulus at the point @p reference. */
 template <int dim>
 std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &youngs_modulus,
