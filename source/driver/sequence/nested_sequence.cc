@@ -18,7 +18,9 @@ public:
     : context_(context)
     , memory_(context.parameters, context.scene, context.communicator)
     , next_level_(context.parameters.discretization.coarsest_level) {
-    if (context.parameters.output.errors && context.scene.has_exact_pressure())
+    // The norms of the trace space are those of a plane body.
+    if (context.parameters.output.errors && context.scene.has_exact_pressure() &&
+        !context.scene.geometry.axisymmetric)
       exact_pressure_ = std::make_unique<const ExactPressure<dim>>(context.scene);
   }
 

@@ -222,6 +222,11 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
   check_multigrid(contact, "automatic, psor, active set", parameters);
   check_friction(parameters, scene);
   const bool by_cycles = contact == ContactSolver::multigrid;
+  const std::string revolved = "with Plane state '" + to_text(PlaneState::axisymmetric) + "'";
+  refuse_if(scene.geometry.axisymmetric && by_cycles, contact, revolved,
+            "with it: automatic, psor, active set");
+  refuse_if(scene.geometry.axisymmetric && parameters.output.inf_sup_constant == Choice::yes,
+            parameters.output.inf_sup_constant, revolved, "with it: automatic, false");
   refuse_if(n_ranks > 1 && by_cycles, contact, on_several,
             "on several: automatic, psor, active set");
   refuse_if(n_ranks > 1 && (linear == LinearSolver::condensed || linear == LinearSolver::multigrid),

@@ -32,7 +32,8 @@ public:
   // parallelograms.
   Distance(const DisplacementSpace<dim> &space, const Scene<dim> *const scene,
            const Displacement &U, const unsigned int fine)
-    : U_(U)
+    : scene_(scene)
+    , U_(U)
     , values_(space.mesh().mapping(), space.element(),
               QGauss<dim>((space.element().degree << fine) + 1),
               update_values | update_gradients | update_inverse_jacobians | update_JxW_values |
@@ -50,16 +51,21 @@ public:
     for (const unsigned int q : values_.quadrature_point_indices()) {
       const Tensor<2, dim> gradient = v.gradients[q] - w.gradients[q];
       const Tensor<1, dim> value = v.values[q] - w.values[q];
-      const double energy =
-        energy_ ? energy_->at(values_.quadrature_point(q)).density(value, gradient) : 0.;
-      sum +=
-        measure_at(values_, q) * Squares({value.norm_square(), gradient.norm_square(), energy});
+      const Point<dim> &x = values_.quadrature_point(q);
+      const double dx = measure_at(values_, q);
+      if (energy_)
+        sum += dx * Squares({value.norm_square(),
+                             gradient_square(scene_->geometry, x, value, gradient),
+                             energy_->at(x).density(value, gradient)});
+      else
+        sum += dx * Squares({value.norm_square(), gradient.norm_square(), 0.});
     }
     return sum;
   }
 
 private:
-  /** Empty if energies are not wanted. */
+  /** Null, and empty, if energies are not wanted. */
+  const Scene<dim> *const scene_;
   std::optional<EnergyMeasure<dim>> energy_;
   const Displacement &U_;
   FEValues<dim> values_;

@@ -74,13 +74,14 @@ public:
     const auto u_h = evaluate(fields_.U, values), e = evaluate(fields_.interpolant_minus_U, values);
     Squares squares;
     for (const unsigned int q : values.quadrature_point_indices()) {
+      const Point<dim> &x = values.quadrature_point(q);
+      const Tensor<1, dim> value = u.values[q] - u_h.values[q];
       const Tensor<2, dim> gradient = u.gradients[q] - u_h.gradients[q];
       const double dx = measure_at(values, q);
-      squares[of_value] += (u.values[q] - u_h.values[q]).norm_square() * dx;
-      squares[of_gradient] += gradient.norm_square() * dx;
-      squares[of_energy] +=
-        energy_.at(values.quadrature_point(q)).density(u.values[q] - u_h.values[q], gradient) * dx;
-      squares[of_superclose] += (e.values[q].norm_square() + e.gradients[q].norm_square()) * dx;
+      squares[of_value] += value.norm_square() * dx;
+      squares[of_gradient] += gradient_square(fields_.scene.geometry, x, value, gradient) * dx;
+      squares[of_energy] += energy_.at(x).density(value, gradient) * dx;
+      squares[of_superclose] += norm_1_square(x, e.values[q], e.gradients[q]) * dx;
     }
     for (unsigned int g = 0; g < interpolations_.size(); ++g)
       squares[of_post + g] =
@@ -104,13 +105,18 @@ private:
     }
     return u;
   }
+  double norm_1_square(const Point<dim> &x, const Tensor<1, dim> &value,
+                       const Tensor<2, dim> &gradient) const {
+    return value.norm_square() +
+           gradient_square(fields_.scene.geometry, x, value, gradient);
+  }
   /** Returns ‖u - v‖_1² on the cell. */
-  static double distance(const FieldValues<dim> &u, const FieldValues<dim> &v,
-                         const FEValues<dim> &values) {
+  double distance(const FieldValues<dim> &u, const FieldValues<dim> &v,
+                  const FEValues<dim> &values) const {
     double square = 0.;
     for (const unsigned int q : values.quadrature_point_indices())
-      square += ((u.values[q] - v.values[q]).norm_square() +
-                 (u.gradients[q] - v.gradients[q]).norm_square()) *
+      square += norm_1_square(values.quadrature_point(q), u.values[q] - v.values[q],
+                              u.gradients[q] - v.gradients[q]) *
                 measure_at(values, q);
     return square;
   }

@@ -73,6 +73,19 @@ Columns<Answer> Answer::columns() {
           {"largest_von_mises", [](const Answer &answer) { return answer.von_mises.value; }}};
 }
 
+namespace {
+/** Forces all around an axis have no moment, and no line of action but the axis. */
+void remove_moments(Answer &answer) {
+  const auto remove = [](SideForce &force) {
+    force.resultant.moment = AnswerVector(Moment<2>());
+    force.through.reset();
+  };
+  remove(answer.contact_force);
+  for (std::vector<SideForce> *const forces : {&answer.contact_by_side, &answer.reactions})
+    std::for_each(forces->begin(), forces->end(), remove);
+}
+} // namespace
+
 template <int dim>
 Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                       const MultiplierSpace<dim> &multipliers, const NodalForces &forces,
@@ -86,6 +99,9 @@ Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &sce
   answer.contact_force = contact_force(multipliers, scene.contact_sides(), multiplier);
   answer.contact_force.side.clear();
   answer.reactions = reactions(space, scene, forces);
+  answer.axisymmetric = scene.geometry.axisymmetric;
+  if (answer.axisymmetric)
+    remove_moments(answer);
   const std::vector<SingularPlace<dim>> places = singular_places(scene);
   answer.peak_pressure = describe_peak(multipliers, P, places);
   if constexpr (dim == 2)

@@ -208,6 +208,7 @@ Scene<dim> CatalogueEntry<dim>::make() const {
   scene.title = title;
   scene.description = description;
   scene.geometry = make_body<dim>(parts.text("Body"));
+  scene.geometry.axisymmetric = parts.text("Body") == "the unit cylinder";
   scene.material = make_material(parts);
   scene.exact_displacement = parts.function(parts.text("Exact u"));
   scene.body_force = parts.function(parts.text("Load"));
@@ -223,6 +224,9 @@ Scene<dim> CatalogueEntry<dim>::make() const {
                                                          : Role::displacement;
       set_condition(parts, scene, scene.geometry.sides[number], scene.boundary[number]);
     }
+  for (std::size_t i = 0; i < scene.boundary.size(); ++i)
+    if (scene.geometry.is_axis(scene.geometry.sides[i]))
+      scene.boundary[i].role = Role::roller;
   if constexpr (dim == 2)
     scene.kinks = make_kinks(parts);
   return scene;

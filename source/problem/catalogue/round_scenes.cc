@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// E1, E2: rings with contact on the whole outer circle; E3: a half disc with contact on its arc.
+// E1, E2: rings with contact on the whole outer circle; E3: a half disc with contact on its arc. R1,
+// R2: cylinders, bodies of revolution about x = 0.
 
 #include "catalogue_scenes.h"
 
@@ -9,6 +10,17 @@ const std::string ring = lame_material + "Body      the ring 1 < r < 2\n"
                                          "Boundary  clamped: inner; contact: outer\n";
 /** Polar coordinates. */
 const std::string polar = "With      r = sqrt(x^2+y^2); c = x/r; s = y/r\n";
+/** The displacement that lifts boundary data from y = 0 as in smooth_scenes.cc, and the load with
+ * the hoop stress stt; U and V/x are even functions of x. */
+const std::string cylinder =
+  "Body      the unit cylinder\n"
+  "Boundary  clamped: top; contact: bottom; traction: right\n"
+  "Material  E = 2.5; nu = 0.25\n"
+  "Load      -dx(srr) - dy(sry) - (srr-stt)/x; -dx(sry) - dy(syy) - sry/x\n"
+  "Exact u   (V - y*dx(U))*(1-y^2); (U + y*b)*(1-y^2)\n"
+  "With      trace = dx(u1) + dy(u2) + u1/x; srr = trace + 2*dx(u1); syy = trace + 2*dy(u2);\n"
+  "          stt = trace + 2*u1/x; sry = dy(u1) + dx(u2); v = 0.1 - 0.06*x^2; V = x*v;\n"
+  "          U = 0.05 + 0.1*x^2 - 0.08*x^4; b = (p - dx(V) - v)/3\n";
 } // namespace
 
 std::vector<CatalogueEntry<2>> round_scenes() {
@@ -37,6 +49,14 @@ std::vector<CatalogueEntry<2>> round_scenes() {
              "Exact u   y < 0 ? x*share : 0; y < 0 ? y*share : 0\n"
              "Exact p   -20*max(-s-0.6,0)^3\n"
              "Kinks     t = -asin(0.6); t = asin(0.6)\n"
-             "With      share = r^3*(r-1)*p/3\n"}};
+             "With      share = r^3*(r-1)*p/3\n"},
+          {"R1", "a cylinder in full contact on its end, exact solution known",
+           cylinder + "Gap       -U\n"
+                      "Exact p   -2 - cos(pi*x)\n"},
+          {"R2", "a cylinder in contact on a disc of its end, exact solution known",
+           cylinder + "Gap       max(x-xi,0)^2 - U\n"
+                      "Exact p   -10*max(xi^2-x^2,0)^3\n"
+                      "Kinks     x = xi\n"
+                      "With      xi = 1/sqrt(2)\n"}};
 }
 } // namespace Signorini

@@ -241,7 +241,9 @@ private:
 void print_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
                   const std::filesystem::path &directory) {
   stream << "Answer of " << levels.back().sizes.word() << " " << levels.back().sizes.level
-         << (levels.back().answer.dimension == 2 ? ", per unit of thickness" : "")
+         << (levels.back().answer.axisymmetric   ? ", forces around the axis: outward, along it"
+             : levels.back().answer.dimension == 2 ? ", per unit of thickness"
+                                                   : "")
          << " (pressure: positive in compression)\n";
   const Json answer = answer_of(levels, StudyVerdict());
   AnswerLines lines(stream, levels);

@@ -22,6 +22,9 @@ struct Penetration {
 struct Answer {
   /** The dimension of the body: 2 or 3. */
   unsigned int dimension = 2;
+  /** Whether the body is one of revolution. Then the components of forces are sums over the
+   * circumference: outward, and along the axis. */
+  bool axisymmetric = false;
   /** The size of the body (length): smaller coordinates may be rounding. */
   double size = 0.;
   /** The force of all contact sides together. */

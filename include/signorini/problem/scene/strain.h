@@ -46,6 +46,14 @@ Strain<dim> strain_at(const Geometry<dim> &geometry, const Point<dim> &x,
   return strain;
 }
 
+/** Returns |grad v|² in space: that of a body of revolution contains (v_x / x)². */
+template <int dim>
+double gradient_square(const Geometry<dim> &geometry, const Point<dim> &x,
+                       const Tensor<1, dim> &value, const Tensor<2, dim> &gradient) {
+  const double hoop = strain_at(geometry, x, value, gradient).hoop.value_or(0.);
+  return gradient.norm_square() + hoop * hoop;
+}
+
 /** Hooke's law at a point, C in the body and the law across the plane. */
 template <int dim>
 struct HookesLaw {
