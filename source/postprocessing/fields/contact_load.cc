@@ -18,6 +18,9 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
                     rule.weights[q],
                   rule.points[q]);
   }
+  // Forces all around an axis have no moment.
+  if (multipliers.surface().scene().geometry.axisymmetric)
+    resultant.moment = {};
   return resultant;
 }
 

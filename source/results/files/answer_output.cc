@@ -197,6 +197,9 @@ private:
   }
   std::string force_text(const Json &force) const {
     std::string text = number_text(force["force"], scale_);
+    if (level_.answer.axisymmetric)
+      return number_text(force["force"][1], scale_) + " along the axis, " +
+             number_text(force["force"][0], scale_) + " outward in all";
     if (force["through"].is_null())
       return text;
     const Json &moment = force["moment"];
@@ -241,7 +244,7 @@ private:
 void print_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
                   const std::filesystem::path &directory) {
   stream << "Answer of " << levels.back().sizes.word() << " " << levels.back().sizes.level
-         << (levels.back().answer.axisymmetric   ? ", forces around the axis: outward, along it"
+         << (levels.back().answer.axisymmetric     ? ", all around the axis"
              : levels.back().answer.dimension == 2 ? ", per unit of thickness"
                                                    : "")
          << " (pressure: positive in compression)\n";
