@@ -43,11 +43,11 @@ template <int dim>
 bool wants_inf_sup(const Parameters &parameters, const Scene<dim> &scene,
                    const ContactSolution<dim> &contact) {
   const Choice choice = parameters.output.inf_sup_constant;
-  return choice == Choice::yes || (choice == Choice::automatic && contact.inverse->has_factors() &&
-                                   !scene.geometry.axisymmetric &&
-                                   scene.exact_displacement != nullptr &&
-                                   parameters.discretization.strategy == Strategy::nested &&
-                                   contact.U.size() <= (dim == 2 ? 100000U : 5000U));
+  return choice == Choice::yes ||
+         (choice == Choice::automatic && contact.inverse->has_factors() &&
+          !scene.geometry.axisymmetric && scene.exact_displacement != nullptr &&
+          parameters.discretization.strategy == Strategy::nested &&
+          contact.U.size() <= (dim == 2 ? 100000U : 5000U));
 }
 
 /** The largest number of unknowns for which the bound is computed: it takes more memory than

@@ -54,9 +54,9 @@ public:
       const Point<dim> &x = values_.quadrature_point(q);
       const double dx = measure_at(values_, q);
       if (energy_)
-        sum += dx * Squares({value.norm_square(),
-                             gradient_square(scene_->geometry, x, value, gradient),
-                             energy_->at(x).density(value, gradient)});
+        sum +=
+          dx * Squares({value.norm_square(), gradient_square(scene_->geometry, x, value, gradient),
+                        energy_->at(x).density(value, gradient)});
       else
         sum += dx * Squares({value.norm_square(), gradient.norm_square(), 0.});
     }

@@ -83,11 +83,11 @@ public:
     const FieldValues<2> coarse = on_ancestor.evaluate(part(0), part(1));
     double energy = 0.;
     for (const unsigned int q : values.quadrature_point_indices())
-      energy += measure_at(values, q) *
-                measure_.at(values.quadrature_point(q))
-                  .density(fine.values[q] - coarse.values[q],
-                           (fine.gradients[q] - window.edge * coarse.gradients[q]) *
-                             Tensor<2, 2>(values.inverse_jacobian(q)));
+      energy +=
+        measure_at(values, q) * measure_.at(values.quadrature_point(q))
+                                  .density(fine.values[q] - coarse.values[q],
+                                           (fine.gradients[q] - window.edge * coarse.gradients[q]) *
+                                             Tensor<2, 2>(values.inverse_jacobian(q)));
     return energy;
   }
 

@@ -107,8 +107,7 @@ private:
   }
   double norm_1_square(const Point<dim> &x, const Tensor<1, dim> &value,
                        const Tensor<2, dim> &gradient) const {
-    return value.norm_square() +
-           gradient_square(fields_.scene.geometry, x, value, gradient);
+    return value.norm_square() + gradient_square(fields_.scene.geometry, x, value, gradient);
   }
   /** Returns ‖u - v‖_1² on the cell. */
   double distance(const FieldValues<dim> &u, const FieldValues<dim> &v,

@@ -252,8 +252,8 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
                : corners);
   const hp::MappingCollection<dim> mappings(space.mesh().mapping());
   hp::FEValues<dim> values_by_element(mappings, space.elements(), rules,
-                                      update_values | update_gradients |
-                                        update_inverse_jacobians | update_quadrature_points);
+                                      update_values | update_gradients | update_inverse_jacobians |
+                                        update_quadrature_points);
   std::optional<PatchInterpolation<dim>> interpolation;
   if (!at_nodes)
     interpolation.emplace(space, corners, space.mesh().has_parents() ? 1 : 0);
@@ -288,7 +288,8 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
     for (unsigned int q = at_nodes ? 1 : 0; q < strains.size(); ++q)
       try {
         const Point<dim> &x = values.quadrature_point(q);
-        const double value = von_mises(stress_in_3d(*field.scene.material, x, cell->center(), strains[q]));
+        const double value =
+          von_mises(stress_in_3d(*field.scene.material, x, cell->center(), strains[q]));
         // Most stresses are smaller, and nothing is stored for them.
         const auto matters = [&](const StressMaximum &largest) {
           return value >= (1. - rounding) * largest.value;

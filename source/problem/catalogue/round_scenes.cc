@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// E1, E2: rings with contact on the whole outer circle; E3: a half disc with contact on its arc. R1,
-// R2: cylinders, bodies of revolution about x = 0.
+// E1, E2: rings with contact on the whole outer circle; E3: a half disc with contact on its arc.
+// R1, R2: cylinders, bodies of revolution about x = 0.
 
 #include "catalogue_scenes.h"
 

@@ -48,8 +48,9 @@ void revolve(const Given<PlaneState> &given, Geometry<2> &geometry) {
   if (!geometry.axisymmetric)
     return;
   if (geometry.lower[0] < -rounding(geometry))
-    throw error_at(given, "found '", to_text(given.value), "' with a body that begins at x = ",
-                   geometry.lower[0], ", allowed: bodies with x >= 0, the distance from the axis.");
+    throw error_at(given, "found '", to_text(given.value),
+                   "' with a body that begins at x = ", geometry.lower[0],
+                   ", allowed: bodies with x >= 0, the distance from the axis.");
   const std::vector<Point<2>> ends = ends_on_axis(geometry);
   for (const Side<2> &side : geometry.sides)
     if (!geometry.is_axis(side))

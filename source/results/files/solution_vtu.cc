@@ -110,8 +110,8 @@ private:
   }
 
   /** Adds the tensor, its components and its invariants. */
-  void add_stress(const Point<dim> &x, const Point<dim> &middle,
-                  const Strain<dim> &strain, VtuFields &fields) const {
+  void add_stress(const Point<dim> &x, const Point<dim> &middle, const Strain<dim> &strain,
+                  VtuFields &fields) const {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     Stress3D stress = unknown * unit_symmetric_tensor<3>();
     std::array<double, 3> principal = {{unknown, unknown, unknown}};

@@ -24,8 +24,8 @@ constexpr double min_unknowns_of_cycles(const unsigned int dim) {
   return dim == 2 ? 1e5 : 5e3;
 }
 
-/** Returns whether V-cycles find contact in few steps, whatever the number of unknowns. Their models
- * of C are plane, or in space. */
+/** Returns whether V-cycles find contact in few steps, whatever the number of unknowns. Their
+ * models of C are plane, or in space. */
 template <int dim>
 bool may_iterate(const Parameters &parameters, const Scene<dim> &scene,
                  const unsigned int n_ranks) {

@@ -73,9 +73,8 @@ public:
       share_matrices();
     if (*std::min_element(K_.storage.begin(), K_.storage.end()) >= 0)
       return;
-    const bool is_straight =
-      !mesh_.is_curved() && !mesh_.is_axisymmetric() &&
-      space_.strain_operator() == StrainOperator::symmetric_gradient;
+    const bool is_straight = !mesh_.is_curved() && !mesh_.is_axisymmetric() &&
+                             space_.strain_operator() == StrainOperator::symmetric_gradient;
     if (is_straight) {
       set_places();
       if (scene_.material->is_constant()) {

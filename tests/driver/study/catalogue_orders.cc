@@ -46,6 +46,12 @@ const Orders contact_end = {{"u_h1", {0.95, 1.1}},
                             {"p_l2", {0.85, 1.1}},
                             {"p_dual_spectral", {1.4, 1.6}},
                             {"p_superclose_dual_spectral", {1.4, 1.7}}};
+/** Bodies of revolution, without norms of the trace space. */
+const Orders revolved = {{"u_h1", {0.95, 1.1}},
+                         {"u_l2", {1.9, 2.1}},
+                         {"u_superclose_h1", {1.85, 2.1}},
+                         {"u_post_h1", {1.9, 2.1}},
+                         {"p_l2", {0.9, 1.1}}};
 // Reasons for wider ranges:
 //  (1) the error is O(h^2 |ln h|), so that the order 2 is seen late, and later where a contact zone
 //      has few patches;
@@ -94,6 +100,8 @@ const std::vector<Expectation> expectations = {
    smooth,
    {{"u_l2", {1.9, 2.2}}, {"u_superclose_h1", {1.9, 2.45}}, {"u_post_h1", {1.9, 2.4}}}},
   {"O1", smooth, late},
+  {"R1", revolved},
+  {"R2", revolved},
   {"V1", smooth, late}};
 
 /** Without the inf-sup constant. */

@@ -69,8 +69,9 @@ template <int dim>
 bool is_affine(const typename Triangulation<dim>::cell_iterator &cell);
 
 /** Returns the unit in which a(φ_j, φ_i) is computed: E_0 l^{dim-2}, in bodies of revolution E_0 l,
- * with the material's modulus E_0 and the body's size l. Matrices are those of a body of size one and modulus one, so
- * that neither units nor sizes of numbers matter (force/length per thickness, in 2-D: force/area).
+ * with the material's modulus E_0 and the body's size l. Matrices are those of a body of size one
+ * and modulus one, so that neither units nor sizes of numbers matter (force/length per thickness,
+ * in 2-D: force/area).
  */
 template <int dim>
 double stiffness_unit(const DisplacementSpace<dim> &space, const Material<dim> &material) {

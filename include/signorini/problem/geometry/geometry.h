@@ -102,8 +102,8 @@ struct Geometry {
     make_mesh_with_lines;
   /** Whether cells are curved. */
   bool curved = false;
-  /** Whether the body is one of revolution: x is the distance from its axis, and integrals are those
-   * over the whole circumference. For 2-D only. */
+  /** Whether the body is one of revolution: x is the distance from its axis, and integrals are
+   * those over the whole circumference. For 2-D only. */
   bool axisymmetric = false;
   /** Whether the segments from inner_point() to the boundary lie in the body. */
   bool star_shaped = true;

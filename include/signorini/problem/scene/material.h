@@ -43,8 +43,8 @@ public:
   /** Returns whether E_ijkl is the same everywhere. */
   virtual bool is_constant() const = 0;
 
-  /** Returns the law across the plane at a point, in units of E_0. Plane problems do not contain it,
-   * but the von Mises stress does; in bodies of revolution it is that around the axis. */
+  /** Returns the law across the plane at a point, in units of E_0. Plane problems do not contain
+   * it, but the von Mises stress does; in bodies of revolution it is that around the axis. */
   virtual AcrossLaw<dim> relative_across(const Point<dim> &x) const = 0;
   /** Returns the same in units of stress. */
   AcrossLaw<dim> across(const Point<dim> &x) const {
@@ -60,8 +60,9 @@ private:
 };
 
 /** Returns the material sigma = lambda tr(eps) I + 2 mu eps, with lambda replaced by 2 lambda
- * mu/(lambda + 2 mu) for plane stress; in bodies of revolution eps contains the hoop strain. Young's modulus and Poisson's ratio may depend on the point;
- * E_0 is Young's modulus at the point @p reference. */
+ * mu/(lambda + 2 mu) for plane stress; in bodies of revolution eps contains the hoop strain.
+ * Young's modulus and Poisson's ratio may depend on the point; E_0 is Young's modulus at the point
+ * @p reference. */
 template <int dim>
 std::shared_ptr<const Material<dim>> make_isotropic(const Expression<dim> &youngs_modulus,
                                                     const Expression<dim> &poissons_ratio,
