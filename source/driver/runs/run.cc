@@ -289,8 +289,11 @@ Sweep read_sweep(const std::string &argument) {
   const auto equals = argument.find('=');
   const std::string parameter = trim(argument.substr(0, equals));
   Sweep sweep = {parameter, {}};
+  // Values that contain commas are separated by '|'.
   if (equals != std::string::npos)
-    sweep.values = split_list(argument.substr(equals + 1), ',');
+    sweep.values = split_list(argument.substr(equals + 1), '|');
+  if (sweep.values.size() == 1)
+    sweep.values = split_list(sweep.values[0], ',');
   if (parameter.empty() || sweep.values.empty() ||
       std::count(sweep.values.begin(), sweep.values.end(), "") > 0)
     throw input_error("--sweep: found ", quote(argument),

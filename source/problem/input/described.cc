@@ -19,9 +19,6 @@ namespace {
 template <int dim>
 class SceneReader {
 public:
-  explicit SceneReader(const Given<std::string> &constants)
-    : constants(read_constants(constants.value, constants.where())) {}
-
   /** Reads the components of a vector, separated by ';'. @p text is all of the entry or a part of
    * it. */
   std::vector<Expression<dim>> components(const std::string &text, const unsigned int n,
@@ -34,7 +31,7 @@ public:
     std::vector<Expression<dim>> expressions;
     expressions.reserve(n);
     for (const std::string &part : parts)
-      expressions.emplace_back(part, constants, entry.where());
+      expressions.emplace_back(part, *entry.constants, entry.where());
     return expressions;
   }
   std::vector<Expression<dim>> components(const Given<std::string> &given,
@@ -47,8 +44,6 @@ public:
                                 const Entry &entry) const {
     return std::make_shared<ExpressionFunction<dim>>(components(text, n, entry));
   }
-
-  const Constants constants;
 };
 
 template <int dim>
@@ -170,7 +165,7 @@ void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Sce
   SideTexts gaps;
   if constexpr (dim == 2) {
     const bool moves = parameters.load_cases.cases.value.find("shift") != std::string::npos;
-    read_foundation(given, reader.constants, moves, scene);
+    read_foundation(given, moves, scene);
     gaps = gaps_without_foundation(given, scene);
   } else
     gaps = read_list_for(contact_side_names(scene), given.gap.value, given.gap.where(),
@@ -247,7 +242,7 @@ void read_exact_displacement(const ExactSolutionParameters &given, const SceneRe
 
 template <int dim>
 Scene<dim> make_described_scene(const Parameters &parameters) {
-  const SceneReader<dim> reader(parameters.constants.values);
+  const SceneReader<dim> reader;
   Scene<dim> scene;
   scene.name = "described";
   scene.title = "described by expressions";

@@ -24,9 +24,8 @@ constexpr double max_gap = 10.;
 /** Reads the obstacles of one entry. */
 class ObstacleReader {
 public:
-  ObstacleReader(const Entry &entry, const Constants &constants, const Geometry<2> &geometry)
+  ObstacleReader(const Entry &entry, const Geometry<2> &geometry)
     : entry_(entry)
-    , constants_(constants)
     , geometry_(geometry) {}
 
   Obstacle read(const std::string &text) const {
@@ -60,14 +59,9 @@ private:
   /** Reads numbers separated by commas, each a formula of the constants. */
   std::vector<double> numbers(const Phrase::Part &part, const std::size_t n) const {
     std::vector<double> numbers;
-    const std::vector<std::string> texts = split_list(part.text, ',');
-    bool is_understood = texts.size() == n;
-    for (std::size_t i = 0; is_understood && i < n; ++i) {
-      const Expression<2> formula(texts[i], constants_, entry_.where());
-      numbers.push_back(formula(Point<2>()));
-      is_understood = formula.is_constant() && std::abs(numbers.back()) <= max_magnitude;
-    }
-    if (!is_understood)
+    const auto is_large = [](const double x) { return std::abs(x) > max_magnitude; };
+    if (!read_numbers(entry_, part.text, numbers) || numbers.size() != n ||
+        std::any_of(numbers.begin(), numbers.end(), is_large))
       refuse(quote(part.text) + (part.word.empty() ? "" : " after '" + part.word + "'"),
              std::string(n == 1 ? "one number" : "two numbers separated by a comma") +
                " (formulas of the constants) up to " + number_text(max_magnitude));
@@ -106,7 +100,6 @@ private:
   }
 
   const Entry &entry_;
-  const Constants &constants_;
   const Geometry<2> &geometry_;
 };
 
@@ -137,7 +130,6 @@ bool can_touch(const Obstacle &obstacle, const Side<2> &side, const Tensor<1, 2>
 
 /** Returns the obstacles of each contact side. */
 std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::string> &given,
-                                                             const Constants &constants,
                                                              const Scene<2> &scene,
                                                              const bool moves) {
   const Geometry<2> &geometry = scene.geometry;
@@ -154,8 +146,7 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
     else
       for (const std::string &name : names)
         entries.emplace_back(name, text);
-    const Obstacle obstacle =
-      ObstacleReader(given, constants, geometry).read(entries.front().second);
+    const Obstacle obstacle = ObstacleReader(given, geometry).read(entries.front().second);
     bool touches = false;
     for (const auto &entry : entries) {
       const unsigned int side = geometry.find_side(entry.first);
@@ -173,17 +164,16 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
 }
 } // namespace
 
-void read_foundation(const ContactParameters &given, const Constants &constants, const bool moves,
-                     Scene<2> &scene) {
+void read_foundation(const ContactParameters &given, const bool moves, Scene<2> &scene) {
   if (given.foundation.value.empty()) {
     if (given.foundation_position.changed)
       throw error_at(given.foundation_position, "it needs ", given.foundation.name,
                      ", which is not given.");
     return;
   }
-  scene.foundation_position = ObstacleReader(given.foundation_position, constants, scene.geometry)
+  scene.foundation_position = ObstacleReader(given.foundation_position, scene.geometry)
                                 .vector({"", trim(given.foundation_position)});
-  for (const auto &[side, obstacles] : read_obstacles(given.foundation, constants, scene, moves)) {
+  for (const auto &[side, obstacles] : read_obstacles(given.foundation, scene, moves)) {
     BoundaryCondition<2> &condition = scene.boundary[side];
     condition.foundation =
       std::make_shared<Foundation>(obstacles, max_gap * scene.geometry.diameter());

@@ -28,7 +28,7 @@ namespace Signorini {
 std::vector<double> read_coordinates(const std::string &text, const unsigned int n,
                                      const Entry &entry) {
   std::vector<double> numbers;
-  if (!read_numbers(text, numbers) || numbers.size() != n)
+  if (!read_numbers(entry, text, numbers) || numbers.size() != n)
     throw error_at(
       entry, "found ", quote(text), ", allowed: ",
       (n == 2 ? "two numbers separated by a comma." : "three numbers separated by commas."));

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/problem/formulas/expression.h>
 #include <signorini/problem/geometry/geometry.h>
 #include <signorini/problem/parameters/parameters.h>
-#include <signorini/problem/scene/expression.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <string>
@@ -80,8 +80,7 @@ std::vector<Plate> read_plates(const Given<std::string> &given, const LoadParame
  * where load cases make it move, in all.
  * @throws InputError
  */
-void read_foundation(const ContactParameters &given, const Constants &constants, bool moves,
-                     Scene<2> &scene);
+void read_foundation(const ContactParameters &given, bool moves, Scene<2> &scene);
 
 /**
  * Returns the contact sides that read_foundation() left without a gap, with their texts in

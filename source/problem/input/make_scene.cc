@@ -196,9 +196,10 @@ std::string uselessness(const std::string &name, const Scene<2> &scene) {
 }
 
 /** Reads a whole number from @p min to @p max; returns 0 if it is none. */
-unsigned int whole_number(const std::string &text, const double min, const double max) {
+unsigned int whole_number(const Entry &entry, const std::string &text, const double min,
+                          const double max) {
   double number = 0.;
-  const bool is_whole = read_number(text, number) && number == std::floor(number);
+  const bool is_whole = read_number(entry, text, number) && number == std::floor(number);
   return is_whole && number >= min && number <= max ? static_cast<unsigned int>(number) : 0;
 }
 
@@ -215,7 +216,7 @@ void read_cases(const std::string &entry, const Given<std::string> &given, const
   unsigned int n = 1;
   const std::vector<std::string> all = split_words(text);
   if (all.size() >= 3 && all.back() == "cases" && all[all.size() - 3] == "in") {
-    n = whole_number(all[all.size() - 2], 2., max_cases);
+    n = whole_number(given, all[all.size() - 2], 2., max_cases);
     require(n > 0, all[all.size() - 2], "2 to " + std::to_string(max_cases) + " cases");
     text = text.substr(0, text.rfind("in "));
   }
@@ -240,8 +241,8 @@ void read_cases(const std::string &entry, const Given<std::string> &given, const
     require(words.size() == 1 || is_range, part,
             "one number, or two with 'to' between them, and a comma before the next factor");
     require(!is_range || n > 1, part, "a range with the number of its cases, 'in 100 cases'");
-    require(read_number(words.front(), from), words.front(), "a number");
-    require(read_number(words.back(), to), words.back(), "a number");
+    require(read_number(given, words.front(), from), words.front(), "a number");
+    require(read_number(given, words.back(), to), words.back(), "a number");
     require(std::max(std::abs(from), std::abs(to)) <= max_magnitude, part,
             "numbers up to " + number_text(max_magnitude));
     for (unsigned int i = 0; i < n; ++i) {
@@ -257,7 +258,8 @@ std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Sc
   for (const std::string &entry : split_list(given.cases, '|'))
     read_cases(entry, given.cases, scene, cases);
   for (const std::string &word : split_words(given.fields)) {
-    const unsigned int number = whole_number(word, 1., static_cast<double>(cases.size()));
+    const unsigned int number =
+      whole_number(given.fields, word, 1., static_cast<double>(cases.size()));
     if (number == 0)
       throw input_error(
         given.fields.where() + ": found " + quote(word) + ", allowed: numbers of cases, " +

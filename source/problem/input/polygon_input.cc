@@ -83,7 +83,9 @@ void refuse_equal_vertices(const PolygonLoop &loop, const std::string &where) {
 
 /** Returns the loop with an arc in place of each corner that has a fillet. */
 PolygonLoop round_corners(const PolygonLoop &loop, const std::string &where) {
+  constexpr double rounding = 1e-9;
   const std::size_t n = loop.size();
+  double longest = 0.;
   std::vector<double> cuts(n, 0.);
   PolygonLoop rounded;
   for (std::size_t i = 0; i < n; ++i) {
@@ -109,12 +111,20 @@ PolygonLoop round_corners(const PolygonLoop &loop, const std::string &where) {
   }
   for (std::size_t i = 0; i < n; ++i) {
     const PolygonVertex &next = loop[(i + 1) % n];
-    const double length = loop[i].x.distance(next.x), taken = cuts[i] + cuts[(i + 1) % n];
-    if (!(length - taken > 1e-6 * length))
+    const double length = loop[i].x.distance(next.x);
+    longest = std::max(longest, length);
+    const double taken = cuts[i] + cuts[(i + 1) % n];
+    if (!(length - taken >= -rounding * length))
       throw input_error(where, ": the fillets at ", loop[i].name, " and ", next.name, " need ",
                         taken, " of a side of the length ", length, ", allowed: smaller radii.");
   }
-  return rounded;
+  // Where two fillets take all of a side, nothing of it is left.
+  PolygonLoop sides;
+  for (std::size_t i = 0; i < rounded.size(); ++i)
+    if (rounded[i].arc ||
+        rounded[i].x.distance(rounded[(i + 1) % rounded.size()].x) > rounding * longest)
+      sides.push_back(rounded[i]);
+  return sides;
 }
 
 /**
@@ -169,8 +179,8 @@ PolygonVertex read_vertex(const std::string &text, const std::size_t number, con
                           "vertex " + std::to_string(number),
                           "side" + std::to_string(number),
                           {}};
-  if (form != "..." &&
-      (form != "... fillet" || !read_number(parts[1].text, vertex.fillet) || !(vertex.fillet > 0.)))
+  if (form != "..." && (form != "... fillet" || !read_number(entry, parts[1].text, vertex.fillet) ||
+                        !(vertex.fillet > 0.)))
     throw error_at(entry, "found ", quote(text),
                    ", allowed: 'x,y fillet r' with a positive radius r.");
   return vertex;
@@ -178,7 +188,10 @@ PolygonVertex read_vertex(const std::string &text, const std::size_t number, con
 
 PolygonLoop read_loop(const std::string &text, const Entry &entry) {
   PolygonLoop loop;
-  const std::vector<std::string> parts = split_list(text, ';');
+  std::vector<std::string> parts = split_list(text, ';');
+  // The list may end with a separator, and with its first vertex again.
+  if (parts.size() > 1 && parts.back().empty())
+    parts.pop_back();
   check_number(parts.size(), entry.where());
   for (const std::string &part : parts)
     if (part.compare(0, 3, "arc") == 0) {
@@ -189,6 +202,9 @@ PolygonLoop read_loop(const std::string &text, const Entry &entry) {
       loop.back().arc = read_arc(part, entry);
     } else
       loop.push_back(read_vertex(part, loop.size(), entry));
+  if (loop.size() > 3 && !loop.back().arc && loop.back().fillet == 0. &&
+      loop.back().x == loop.front().x)
+    loop.pop_back();
   const std::size_t n = loop.size();
   if (n < 2 || (n == 2 && !loop[0].arc && !loop[1].arc))
     throw error_at(entry, "found ", n, (n == 1 ? " vertex" : " vertices"),

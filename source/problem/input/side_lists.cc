@@ -99,7 +99,7 @@ Plate read_plate(const std::string &name, const std::string &text, const Entry &
   Plate plate;
   plate.turns = phrase.form == "... turning" && phrase.parts[1].text.empty();
   std::vector<double> d;
-  if (!read_numbers(plate.turns ? phrase.parts[0].text : text, d) || d.size() != 2 ||
+  if (!read_numbers(entry, plate.turns ? phrase.parts[0].text : text, d) || d.size() != 2 ||
       !(std::hypot(d[0], d[1]) > 0.))
     throw error_at(entry, "found ", quote(text), " for the side '", name,
                    "', allowed: a direction dx, dy, perhaps followed by the word turning.");
@@ -117,7 +117,7 @@ std::map<std::string, double> read_numbers_of(const Given<std::string> &given,
   if (!given.value.empty() && plates.empty())
     throw error_at(given, "found ", quote(given.value), ", but Boundary/Plates names no plate.");
   for (const auto &[name, text] : read_side_list(given.value, given.where(), plates))
-    if (!read_number(text, numbers[name]) || !(std::abs(numbers[name]) <= max_magnitude))
+    if (!read_number(given, text, numbers[name]) || !(std::abs(numbers[name]) <= max_magnitude))
       throw error_at(given, "found ", quote(text), " for the plate '", name,
                      "', allowed: one number up to ", max_magnitude, ".");
   return numbers;

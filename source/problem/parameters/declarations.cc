@@ -29,7 +29,7 @@ void Declarations::add(const std::string &path, Entry &entry, const std::string 
   });
   entry.name = path;
   entry.place = file_name_;
-  declared_[path] = {allowed, default_text, &entry};
+  declared_[path] = {allowed, default_text, false, &entry};
 }
 
 void Declarations::add(const std::string &path, Given<std::string> &given,
@@ -46,6 +46,7 @@ void Declarations::add(const std::string &path, Given<std::vector<double>> &give
                        const std::string &help) {
   add(path, given, help, Patterns::List(Patterns::Double(), 0, 100, ","),
       "at most 100 numbers separated by commas");
+  declared_[path].is_numeric = true;
 }
 
 Declarations::Declarations(Parameters &parameters)

@@ -35,6 +35,9 @@ public:
    */
   void assign(const Assignment &assignment);
 
+  /** Sets the constants that numbers of all entries may be made of. */
+  void set_constants(const std::shared_ptr<const Constants> &constants);
+
   /** Returns the names of all subsections. */
   std::set<std::string> sections() const;
 
@@ -50,6 +53,8 @@ private:
     /** The allowed values in words. */
     std::string allowed;
     std::string default_text;
+    /** Whether the value is a number, or a list of numbers. */
+    bool is_numeric;
     /** The entry's member of the Parameters. */
     Entry *entry;
   };
@@ -101,6 +106,7 @@ void Declarations::add(const std::string &path, Given<Number> &given, const std:
     allowed = concatenate(is_integer ? "an integer" : "a number", " from ", min, " to ", max);
   using Pattern = std::conditional_t<is_integer, Patterns::Integer, Patterns::Double>;
   add(path, given, help, Pattern(min, max), allowed);
+  declared_[path].is_numeric = true;
 }
 
 template <typename T>

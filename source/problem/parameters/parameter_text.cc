@@ -5,6 +5,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/formulas/expression.h>
 #include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameter_text.h>
 
@@ -13,8 +14,11 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -222,6 +226,42 @@ bool is_same_value(std::string a, std::string b) {
 }
 } // namespace
 
+namespace {
+/** Returns numbers with all digits, separated by commas. */
+std::string join_numbers(const std::vector<double> &numbers) {
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    text << (i > 0 ? ", " : "") << numbers[i];
+  return text.str();
+}
+} // namespace
+
+bool read_number(const Entry &entry, const std::string &text, double &number) {
+  if (read_number(text, number))
+    return true;
+  try {
+    const Expression<1> formula(text, *entry.constants, entry.where());
+    number = formula(Point<1>());
+    return formula.is_constant() && std::isfinite(number);
+  } catch (const InputError &) {
+    return false;
+  }
+}
+
+bool read_numbers(const Entry &entry, const std::string &text, std::vector<double> &numbers) {
+  numbers.clear();
+  for (const std::string &part : split_list(text, ','))
+    if (!read_number(entry, part, numbers.emplace_back()))
+      return false;
+  return true;
+}
+
+void Declarations::set_constants(const std::shared_ptr<const Constants> &constants) {
+  for (const auto &declared : declared_)
+    declared.second.entry->constants = constants;
+}
+
 void Declarations::assign(const Assignment &assignment) {
   const std::string &path = assignment.path, &value = assignment.value;
   const auto known = declared_.find(path);
@@ -241,8 +281,11 @@ void Declarations::assign(const Assignment &assignment) {
                    declared.allowed.empty() ? "a value, by default " + quote(declared.default_text)
                                             : declared.allowed,
                    ".");
-  // The names of options may begin with a capital.
+  // Formulas of constants become numbers; the names of options may begin with a capital.
   std::string text = value;
+  std::vector<double> numbers;
+  if (declared.is_numeric && !read_numbers(value, numbers) && read_numbers(entry, value, numbers))
+    text = join_numbers(numbers);
   for (const std::string &allowed : split_list(declared.allowed, ','))
     if (boost::iequals(allowed, value))
       text = allowed;

@@ -4,10 +4,12 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/formulas/expression.h>
 #include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameter_text.h>
 #include <signorini/problem/parameters/parameters.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "declarations.h"
@@ -22,30 +24,39 @@ const std::string constants_section = "Constants/", constants_path = "Constants/
 
 const std::string mesh_file_path = "Geometry/File";
 
-/** Returns whether an override changes one constant of the list: Constants/NAME=value. */
-bool names_a_constant(const Assignment &assignment) {
-  return assignment.path.rfind(constants_section, 0) == 0 && assignment.path != constants_path;
+/** Returns the names of the list "E=1, nu=0.3". */
+std::vector<std::string> names_of(const std::string &list) {
+  std::vector<std::string> names;
+  for (const std::string &part : split_list(list, ','))
+    names.push_back(trim(part.substr(0, part.find('='))));
+  return names;
+}
+
+/** Returns the name of the constant that an override changes, Constants/NAME=value or NAME=value;
+ * empty for others. */
+std::string constant_of(const Assignment &assignment, const std::string &list) {
+  const std::vector<std::string> names = names_of(list);
+  if (std::count(names.begin(), names.end(), assignment.path) > 0)
+    return assignment.path;
+  return assignment.path.rfind(constants_section, 0) == 0 && assignment.path != constants_path
+           ? trim(assignment.path.substr(constants_section.size()))
+           : "";
 }
 
 /** Returns the list "E=1, nu=0.3" with another value of one name. @throws InputError if it lacks
  * it. */
-std::string with_constant(const std::string &list, const Assignment &assignment) {
-  const std::string name = trim(assignment.path.substr(constants_section.size()));
-  std::vector<std::string> parts = split_list(list, ','), names;
-  bool found = false;
-  for (std::string &part : parts) {
-    names.push_back(trim(part.substr(0, part.find('='))));
-    if (names.back() != name)
-      continue;
-    part = name + "=" + assignment.value;
-    found = true;
-  }
-  if (!found)
+std::string with_constant(const std::string &list, const std::string &name,
+                          const Assignment &assignment) {
+  std::vector<std::string> parts = split_list(list, ',');
+  const std::vector<std::string> names = names_of(list);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
     throw input_error(assignment.place + ": found the constant " + quote(name) + ", allowed: " +
                       (names.empty() ? constants_path + ", which is empty" : join(names)) + ".");
   if (split_list(assignment.value, ',').size() != 1)
     throw input_error(assignment.place, ": ", assignment.path, ": found ", quote(assignment.value),
                       ", allowed: one value.");
+  parts[found - names.begin()] = name + "=" + assignment.value;
   return join(parts);
 }
 
@@ -54,12 +65,13 @@ std::vector<Assignment> add_overrides(std::vector<Assignment> assignments,
                                       const std::vector<std::string> &overrides) {
   for (const std::string &argument : overrides) {
     Assignment override = scan_override(argument);
-    if (names_a_constant(override)) {
-      std::string list;
-      for (const Assignment &assignment : assignments)
-        if (assignment.path == constants_path)
-          list = assignment.value;
-      override.value = with_constant(list, override);
+    std::string list;
+    for (const Assignment &assignment : assignments)
+      if (assignment.path == constants_path)
+        list = assignment.value;
+    const std::string name = constant_of(override, list);
+    if (!name.empty()) {
+      override.value = with_constant(list, name, override);
       override.path = constants_path;
     }
     assignments.push_back(override);
@@ -102,6 +114,10 @@ Parameters parse_parameters(const std::string &text, const std::string &file_nam
   Declarations declarations(parameters);
   std::vector<Assignment> assignments =
     add_overrides(scan_parameter_text(text, file_name, declarations.sections()), overrides);
+  for (const Assignment &assignment : assignments)
+    if (assignment.path == constants_path)
+      declarations.set_constants(std::make_shared<const Constants>(
+        read_constants(assignment.value, assignment.place + ": " + constants_path)));
   for (Assignment &assignment : assignments) {
     if (assignment.path == mesh_file_path)
       assignment.value = find_file(assignment.value, folder);

@@ -52,6 +52,8 @@ run 0 block.prm --set Constants/depth=0.2
 check "the force of nu = 0 is E times the depth" [ "$(force)" = 0.2 ]
 check "the constant stands in its list" grep -q 'set Values = E=1, nu=0, depth=0.2, half=depth/2' results/block/parameters.prm
 run 0 block.prm --set Constants/depth=0.2 --set Constants/E=3
+run 0 block.prm --set depth=0.2 --set E=3 --output short
+check "  a constant by its name alone" cmp -s short/parameters.prm results/block/parameters.prm
 check "two constants" [ "$(force)" = 0.6 ]
 refuse "--set: found the constant 'depht', allowed: E, nu, depth, half." block.prm --set Constants/depht=1
 refuse "allowed: one value" block.prm --set 'Constants/depth=1, nu=0.3'
@@ -85,6 +87,8 @@ check "  all combinations" [ "$(column contact_force product/sweep.csv | tr ' ' 
 check "  their directories" [ -s product/2_0.1/certificate.json ]
 run 1 block.prm --sweep "Material/Poisson's ratio=0, 0.7" --output partly
 check "  what is wrong for one value only" [ "$(column verdict partly/sweep.csv)" = 'certified wrong input ' ]
+run 0 block.prm --sweep 'depth=0.1, 0.2' --sweep 'Geometry/Upper right=1,1 | 1,depth+1' --output commas
+check "  values with commas" [ "$(column depth commas/sweep.csv)" = '0.1 0.1 0.2 0.2 ' ]
 refuse "but 'Subsection/Parameter=value, value, ...' is expected" block.prm --sweep Constants/depth
 refuse "but 'Subsection/Parameter=value, value, ...' is expected" block.prm --sweep 'Constants/depth=1,,2'
 refuse "two runs would write into the directory '0.1'" block.prm --sweep 'Constants/depth=0.1, 0.1'

@@ -3,7 +3,7 @@
 // it, with operators of our own for its squares and cubes or without.
 
 #include <signorini/base/errors.h>
-#include <signorini/problem/scene/expression.h>
+#include <signorini/problem/formulas/expression.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -13,7 +13,7 @@
 #include <iostream>
 #include <string>
 
-#include "problem/scene/formulas.h"
+#include "problem/formulas/formulas.h"
 
 using namespace Signorini;
 

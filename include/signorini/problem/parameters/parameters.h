@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/problem/formulas/formula.h>
 #include <signorini/problem/parameters/options.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +18,8 @@ struct Entry {
   std::string place;
   /** Whether the value differs from the default. */
   bool changed = false;
+  /** The constants that numbers of the entry may be made of. */
+  std::shared_ptr<const Constants> constants = std::make_shared<const Constants>();
 
   /** Returns "scene.prm:12: Solver/Tolerance", the beginning of every message about the entry. */
   std::string where() const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/problem/scene/expression.h>
+#include <signorini/problem/formulas/expression.h>
 
 #include <deal.II/base/function.h>
 #include <deal.II/lac/vector.h>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/problem/formulas/expression.h>
 #include <signorini/problem/parameters/options.h>
-#include <signorini/problem/scene/expression.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The tree of a formula: values, derivatives, bounds in boxes, and the lines where it switches.
 
-#include <signorini/problem/scene/formula.h>
+#include <signorini/problem/formulas/formula.h>
 
 #include <boost/container/small_vector.hpp>
 

@@ -2,7 +2,7 @@
 // Formulas of the parameter file: values, refusals, constants, copies, gradients.
 
 #include <signorini/base/errors.h>
-#include <signorini/problem/scene/expression.h>
+#include <signorini/problem/formulas/expression.h>
 #include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/numbers.h>

@@ -2,7 +2,7 @@
 // Bounds of formulas in boxes: no value lies outside, none hides between samples, and conditions
 // with affine arguments give their lines.
 
-#include <signorini/problem/scene/expression.h>
+#include <signorini/problem/formulas/expression.h>
 
 #include <cmath>
 

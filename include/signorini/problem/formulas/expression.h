@@ -4,7 +4,7 @@
 #include <signorini/base/dealii.h>
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
-#include <signorini/problem/scene/formula.h>
+#include <signorini/problem/formulas/formula.h>
 
 #include <deal.II/base/point.h>
 

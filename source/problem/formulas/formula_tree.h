@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/problem/scene/formula.h>
+#include <signorini/problem/formulas/formula.h>
 
 #include <boost/numeric/interval.hpp>
 

@@ -5,7 +5,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
-#include <signorini/problem/scene/expression.h>
+#include <signorini/problem/formulas/expression.h>
 
 #include <deal.II/base/numbers.h>
 
