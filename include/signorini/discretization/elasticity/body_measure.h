@@ -42,9 +42,10 @@ public:
   }
   /** Returns the same for a displacement with this value and gradient. */
   double density(const Tensor<1, dim> &value, const Tensor<2, dim> &gradient) const {
+    if (!scene_.geometry.axisymmetric)
+      return density(strain_of(gradient));
     const Strain<dim> strain = strain_at(scene_.geometry, x_, value, gradient);
-    return law_.stress(strain) * strain.in_body +
-           (strain.hoop ? law_.stress_across(strain) * *strain.hoop : 0.);
+    return law_.stress(strain) * strain.in_body + law_.stress_across(strain) * *strain.hoop;
   }
 
 private:

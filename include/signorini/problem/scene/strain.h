@@ -7,6 +7,7 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <cmath>
 #include <optional>
 
 namespace Signorini {
@@ -50,8 +51,8 @@ Strain<dim> strain_at(const Geometry<dim> &geometry, const Point<dim> &x,
 template <int dim>
 double gradient_square(const Geometry<dim> &geometry, const Point<dim> &x,
                        const Tensor<1, dim> &value, const Tensor<2, dim> &gradient) {
-  const double hoop = strain_at(geometry, x, value, gradient).hoop.value_or(0.);
-  return gradient.norm_square() + hoop * hoop;
+  return gradient.norm_square() +
+         (geometry.axisymmetric ? std::pow(*strain_at(geometry, x, value, gradient).hoop, 2) : 0.);
 }
 
 /** Hooke's law at a point, C in the body and the law across the plane. */
