@@ -8,6 +8,7 @@ set(_package ${CMAKE_INSTALL_LIBDIR}/cmake/signorini)
 
 install(TARGETS signorini RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/scripts/signorini-plot DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/scripts/signorini.py DESTINATION ${CMAKE_INSTALL_DATADIR}/signorini)
 # Names of functions are for debuggers: two fifths of the program.
 if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_STRIP AND NOT SIGNORINI_INSTRUMENTATION AND NOT SIGNORINI_DEBUG_INFO)
   install(CODE "execute_process(COMMAND \"${CMAKE_STRIP}\"

@@ -33,7 +33,7 @@ void missed_contact(Checks &checks) {
     const Bounded level(missed, number);
     checks.about("missed contact, level " + std::to_string(number));
     checks.that("P = 0", level.solution.contact.P.normal().linfty_norm() == 0.);
-    checks.near("penetration", level.bound.penetration, 0.003, 1e-4);
+    checks.near("penetration", *level.bound.penetration, 0.003, 1e-4);
     checks.that("place", level.bound.place_of_penetration.find("bottom at (0.03") == 0);
   }
 }

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Runs the program signorini and reads its results (package python3-numpy).
+
+    import signorini
+    run = signorini.run("prm/pressed_plate.prm", push=0.004)   # constants by name, other entries by overrides={...}
+    run = signorini.read("results/pressed_plate")              # or the results of a run that is over
+    run.answer["contact_force"]["force"], run.table["bound_relative"][-1]
+    run.contact()["p_H"], run.fields()[2]["von_mises_stress"]
+
+Names, units and signs are those of doc/output.md.
+"""
+import base64
+import csv
+import itertools
+import json
+import os
+import shutil
+import subprocess
+import xml.etree.ElementTree as ElementTree
+import zlib
+
+import numpy as np
+
+
+class DamagedFile(Exception):
+    """A file of a run that does not hold what it should."""
+
+
+class Refused(Exception):
+    """The sentence with which the program refuses its input, or ends with another error."""
+
+
+def names_damaged_file(read):
+    """Lets a function of a path say which file has numbers, names or bytes that are missing or wrong."""
+    def read_or_name(path):
+        try:
+            return read(path)
+        except OSError:
+            raise
+        except Exception as error:
+            raise DamagedFile(f"{path} is damaged or incomplete ({type(error).__name__})") from error
+    return read_or_name
+
+
+@names_damaged_file
+def read_csv(path):
+    """Returns the columns of a table: arrays of numbers, NaN where a field is empty, or of words."""
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    def column(name):
+        texts = [row[name] for row in rows]
+        try:
+            return np.array([float(text) if text else np.nan for text in texts])
+        except ValueError:
+            return np.array(texts)
+    return {name: column(name) for name in (rows[0] if rows else {})}
+
+
+def decode(array):
+    """Returns the numbers of a <DataArray>: blocks that are compressed by zlib, in base 64."""
+    kind = {"Float32": "<f4", "Float64": "<f8", "Int32": "<i4", "UInt8": "u1"}[array.get("type")]
+    text = "".join((array.text or "").split())
+    n_blocks = int(np.frombuffer(base64.b64decode(text[:8])[:4], "<u4")[0])
+    end = 4 * ((4 * (3 + n_blocks) + 2) // 3)
+    sizes = np.frombuffer(base64.b64decode(text[:end]), "<u4")[3:3 + n_blocks]
+    data, blocks, start = base64.b64decode(text[end:]), [], 0
+    for size in sizes:
+        blocks.append(zlib.decompress(data[start:start + size]))
+        start += size
+    return np.frombuffer(b"".join(blocks), kind)
+
+
+@names_damaged_file
+def read_vtu(path):
+    """Returns points, cells (corners in a row) and fields at points; the pieces of all ranks together."""
+    points, cells, fields, n = [], [], {}, 0
+    for piece in ElementTree.parse(path).iter("Piece"):
+        n_cells, n_points = int(piece.get("NumberOfCells")), int(piece.get("NumberOfPoints"))
+        if n_cells == 0:
+            continue
+        points.append(decode(piece.find("Points/DataArray")).reshape(-1, 3).astype(float))
+        cells.append(decode(piece.find("Cells/DataArray[@Name='connectivity']")).reshape(n_cells, -1) + n)
+        for array in piece.iterfind("PointData/DataArray"):
+            values = decode(array).astype(float).reshape(n_points, -1)
+            fields.setdefault(array.get("Name"), []).append(values[:, 0] if values.shape[1] == 1 else values)
+        n += n_points
+    return np.concatenate(points), np.concatenate(cells), {k: np.concatenate(v) for k, v in fields.items()}
+
+
+@names_damaged_file
+def read_json(path):
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
+
+
+class Run:
+    """The results of a run: table (convergence.csv), answer, certificate, and files by level or load case."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.table = read_csv(self.path("convergence.csv"))
+        if not self.table:
+            raise FileNotFoundError("a level in convergence.csv")
+        self.level = int(self.table["level"][-1])
+        self.certificate = read_json(self.path("certificate.json"))
+        self.verdict = self.certificate["verdict"]
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    @property
+    def answer(self):
+        return read_json(self.path("answer.json"))
+
+    @property
+    def cases(self):
+        """The load cases, one row each."""
+        return read_csv(self.path("cases.csv"))
+
+    def of_level(self, name, ending, level=None, case=None):
+        number = f"case-{case:06}" if case is not None else f"{self.level if level is None else level:02}"
+        return self.path(f"{name}-{number}.{ending}")
+
+    def contact(self, level=None, case=None):
+        """Returns the columns of contact-LL.csv, of the finest level unless another is named."""
+        return read_csv(self.of_level("contact", "csv", level, case))
+
+    def fields(self, level=None, case=None):
+        """Returns points, cells and fields of solution-LL.vtu."""
+        return read_vtu(self.of_level("solution", "vtu", level, case))
+
+
+read = Run
+
+
+def find_program():
+    """Returns the program beside this file, in the bin folder of its prefix, in $SIGNORINI or on the path."""
+    here = os.path.dirname(os.path.abspath(__file__))
+    places = [os.environ.get("SIGNORINI", ""), os.path.join(here, "signorini"), os.path.join(here, "../../bin/signorini"),
+              os.path.join(here, "../build/release/source/signorini"), shutil.which("signorini") or ""]
+    for place in places:
+        if os.path.isfile(place) and os.access(place, os.X_OK):
+            return place
+    raise FileNotFoundError("the program signorini: install it, or name it in the environment variable SIGNORINI")
+
+
+def run(scene, output=None, overrides=None, program=None, **constants):
+    """Runs a scene with other constants and entries. Returns its results, whatever the verdict.
+
+    scene, output: the parameter file, and the folder of the results (results/NAME by default).
+    overrides: {"Discretization/Strategy": "hp", ...}. Raises Refused where there are no results."""
+    folder = output or os.path.join("results", os.path.splitext(os.path.basename(scene))[0])
+    command = [program or find_program(), scene, "--output", folder]
+    for name, value in {**constants, **(overrides or {})}.items():
+        command += ["--set", f"{name}={float(value)!r}" if isinstance(value, float) else f"{name}={value}"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode not in (0, 2):
+        raise Refused(done.stderr.strip() or f"exit code {done.returncode}")
+    return Run(folder)
+
+
+def sweep(scene, output, overrides=None, program=None, **constants):
+    """Yields ({name: value}, run) for all combinations of the lists of values; each run has a folder in output."""
+    for values in itertools.product(*constants.values()):
+        point = dict(zip(constants, values))
+        folder = os.path.join(output, "_".join(str(value) for value in values))
+        yield point, run(scene, folder, overrides, program, **point)

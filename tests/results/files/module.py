@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The Python module: the example of the manual, tables and fields against the files; skipped (127) without numpy.
+usage: module.py PROGRAM ROOT"""
+import csv
+import json
+import os
+import re
+import sys
+import textwrap
+
+program, root = map(os.path.realpath, sys.argv[1:3])
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(root, "scripts"))
+try:
+    import signorini
+except ImportError:  # the python3 found first may be another one than Debian's, which has the package
+    if os.path.exists("/usr/bin/python3") and sys.executable != "/usr/bin/python3":
+        os.execv("/usr/bin/python3", ["/usr/bin/python3", *sys.argv])
+    print("SKIP there is no numpy (package python3-numpy)")
+    sys.exit(127)
+os.environ["SIGNORINI"] = program
+failures = 0
+
+
+def check(name, fact):
+    global failures
+    failures += not fact
+    print(f"{name}: {'ok' if fact else 'FAILED'}")
+
+
+# The example runs in a folder that has the scenes.
+os.symlink(os.path.join(root, "prm"), "prm")
+with open(os.path.join(root, "doc/manual.md"), encoding="utf-8") as manual:
+    example = re.search(r"(?m)^    import signorini\n(    .*\n)+", manual.read()).group()
+names = {}
+exec(textwrap.dedent(example), names)
+check("the last run of the example", names["point"] == {"push": 0.002} and names["run"].verdict == "certified")
+
+run = signorini.read("results/pressed_plate")
+with open("results/pressed_plate/answer.json", encoding="utf-8") as file:
+    check("the answer is that of the file", run.answer == json.load(file))
+with open("results/pressed_plate/convergence.csv", encoding="utf-8") as file:
+    last = list(csv.DictReader(file))[-1]
+check("the last level", run.level == int(last["level"]) == 5)
+check("the last row", all(run.table[name][-1] == float(text) for name, text in last.items() if text))
+contact = run.contact()
+force = sum(-contact["p_H"] * contact["patch_length"] / [sum(contact["patch"] == n) for n in contact["patch"]])
+check("the force is the sum of pressures", abs(force / float(last["contact_force_n"]) - 1) < 1e-12)
+points, cells, fields = run.fields()
+check("fields at points", len(points) == len(fields["von_mises_stress"]) and cells.max() == len(points) - 1)
+check("displacements are vectors", fields["displacement"].shape == points.shape)
+check("another level", len(run.contact(level=4)["p_H"]) * 2 == len(contact["p_H"]))
+
+low, high = signorini.sweep("prm/pressed_plate.prm", "results/linear", push=[0.001, 0.003])
+check("a constant changes the answer", low[1].answer["energy"] != high[1].answer["energy"])
+try:
+    signorini.run("prm/pressed_plate.prm", pull=1)
+    check("an unknown constant is refused", False)
+except signorini.Refused as refused:
+    check("an unknown constant is refused in the program's sentence", "pull: unknown parameter" in str(refused))
+with open("results/pressed_plate/contact-05.csv", "wb") as file:
+    file.write(b"side,p_H\n\xff\xfe")
+try:
+    run.contact()
+    check("a damaged file is named", False)
+except signorini.DamagedFile as damaged:
+    check("a damaged file is named", "contact-05.csv is damaged" in str(damaged))
+
+print(f"{failures} failures")
+sys.exit(failures > 0)
