@@ -3,7 +3,7 @@
 """Solves the dual problem of a run with 'Output/Compliance = true' once more, with another method, and builds C and F from
 A, D, f and G (packages python3-scipy, python3-numpy). Exit code 1 if P, C or F differ.
 usage: solve_dual.py RESULTS LEVEL"""
-import json
+import os
 import sys
 
 import numpy
@@ -13,21 +13,55 @@ from scipy.optimize import nnls
 from scipy.sparse.linalg import splu
 
 results, level = sys.argv[1], int(sys.argv[2])
-with open(f"{results}/answer.json", encoding="utf-8") as file:
-    if "friction" in json.load(file):
-        sys.exit(f"solve_dual.py: {results} has friction, whose bounds are in no file, allowed: runs without friction.")
-A, C, D, F, G, P, f = (mmread(f"{results}/{name}-{level:02d}.mtx") for name in "ACDFGPf")
 
-# Q = -P >= 0 minimises Q'CQ/2 + Q'F, that is |L'Q + L^-1 F|^2/2 with C = LL'.
-L = cholesky(C, lower=True)
-Q, _ = nnls(L.T, -solve_triangular(L, F, lower=True).ravel())
 
+def read(name):
+    return mmread(f"{results}/{name}-{level:02d}.mtx")
+
+
+def exists(name):
+    return os.path.exists(f"{results}/{name}-{level:02d}.mtx")
+
+
+def without_friction():
+    """Q = -P >= 0 minimises Q'CQ/2 + Q'F, that is |L'Q + L^-1 F|^2/2 with C = LL'."""
+    L = cholesky(C, lower=True)
+    Q, _ = nnls(L.T, -solve_triangular(L, opening, lower=True).ravel())
+    return -Q
+
+
+def with_friction(s, c):
+    """Sweeps: each block is the projection of its own minimiser onto P_n <= 0 or |P_t| <= s + c |P_n|."""
+    m = len(s)
+    P, blocks = numpy.zeros(len(C)), [[k] for k in range(m)] + [list(range(m + k, len(C), m)) for k in range(m)]
+    for _ in range(100000):
+        before = P.copy()
+        for block in blocks:
+            new = P[block] - (C[block] @ P - opening[block, 0]) / C[block, block].mean()
+            k = block[0] - m
+            if k < 0:
+                P[block] = numpy.minimum(new, 0)
+            else:
+                bound, length = s[k] + c[k] * abs(P[k]), numpy.linalg.norm(new)
+                P[block] = new * min(1, bound / length) if length > 0 else 0
+        if numpy.abs(P - before).max() <= 1e-14 * numpy.abs(P).max():
+            return P
+    sys.exit("solve_dual.py: the sweeps do not end")
+
+
+A, C, D, F, G, P, f = map(read, "ACDFGPf")
+# Bodies that move freely are where they were found: W = C P + B q - F.
+opening = F - read("B") @ read("q") if exists("q") else F
+again = with_friction(read("s").ravel(), read("c").ravel()) if exists("s") else without_friction()
 solve = splu(A.tocsc()).solve
 D = D.toarray()
-differences = {"P": (P, -Q.reshape(-1, 1)), "C": (C, D.T @ solve(D)), "F": (F, G - D.T @ solve(f))}
+differences = {"P": (P, again.reshape(-1, 1)), "C": (C, D.T @ solve(D)), "F": (F, G - D.T @ solve(f))}
+if exists("q"):
+    B, K, b, q = map(read, "BKbq")
+    differences["work of free motions"] = (B.T @ P + b, K @ q)
 worst = 0.0
 for name, (written, again) in differences.items():
-    difference = numpy.abs(written - again).max() / numpy.abs(written).max()
+    difference = numpy.abs(written - again).max() / max(numpy.abs(written).max(), 1e-8 * numpy.abs(P).max())
     worst = max(worst, difference)
     print(f"{name}: largest relative difference {difference:.1e}")
 sys.exit(0 if worst <= 1e-8 else 1)

@@ -161,7 +161,7 @@ bool is_name_of_result(const std::string &name) {
     "convergence\\.(csv|md|tex)|answer\\.json|(solution|contact)\\.pvd|contact-[0-9]{2}\\.csv|"
     "(solution|contact)-[0-9]{2}\\.vtu|(mesh-[0-9]{2}|pressure(-case-[0-9]{6})?|deformed|bound|"
     "convergence|travel)\\.(svg|png|pdf)|"
-    "[ABCDFGKPbfq]-[0-9]{2}\\.mtx|cases\\.csv|contact-case-[0-9]{6}\\.csv|"
+    "[ABCDFGKPbcfqs]-[0-9]{2}\\.mtx|cases\\.csv|contact-case-[0-9]{6}\\.csv|"
     "solution-case-[0-9]{6}\\.vtu");
   return std::regex_match(name, names) || name == parameters_name || name == certificate_name;
 }

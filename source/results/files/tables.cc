@@ -114,7 +114,7 @@ std::string screen_row(const LevelRecord &level, const LevelRecord *before) {
 std::string screen_legend(const bool graded) {
   return std::string(graded ? "m: multipliers" : "m: patches") +
          "; active: those that press; its: iterations of the dual problem;\n"
-         "force: contact force; peak p: largest contact pressure (both positive in\n"
+         "force: integral of pressure; peak p: largest contact pressure (both positive in\n"
          "compression); estimate: of the error of u_h, relative, in the energy norm\n";
 }
 

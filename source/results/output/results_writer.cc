@@ -160,6 +160,16 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   write_vector("G", G);
   write_vector("F", dual.F);
   write_vector("P", contact.P.values());
+  if (contact.P.has_friction()) {
+    const AdmissibleSet &K = discretization.K;
+    dealii::Vector<double> s(K.n_normal()), c(K.n_normal());
+    for (unsigned int k = 0; k < s.size(); ++k) {
+      s[k] = K[s.size() + k].upper;
+      c[k] = K.coefficient(s.size() + k);
+    }
+    write_vector("s", s);
+    write_vector("c", c);
+  }
   if (contact.q.size() > 0) {
     write_vector("b", dual.motions.b);
     write_vector("q", contact.q);

@@ -16,7 +16,7 @@ if [ -z "$python" ]; then
 fi
 . "$(dirname "$0")/../../checks.bash"
 
-for scene in block_on_parabola two_contact_sides patch_test_distorted o1; do
+for scene in block_on_parabola two_contact_sides patch_test_distorted pressed_by_force o1; do
   "$program" "$scenes/$scene.prm" --set 'Discretization/Finest level=3' --set Output/Compliance=true \
     --set 'Solver/Tolerated error=1' --output "$scene" >stdout 2>stderr
   check "$scene" [ $? -eq 0 ]
@@ -30,9 +30,11 @@ open(sys.argv[1], "w").write("\n".join(lines))
 CHANGE
 "$python" "$script" o1 3 >stdout 2>stderr
 check "a pressure that is wrong by a thousandth is found" [ $? -eq 1 ]
-"$program" "$scenes/friction/k1.prm" --set 'Discretization/Finest level=2' --set Output/Compliance=true \
-  --set 'Solver/Tolerated error=1' --output k1 >stdout 2>stderr
-"$python" "$script" k1 2 >stdout 2>stderr
-check "friction is refused in a sentence" grep -q "k1 has friction, whose bounds are in no file" stderr
+for scene in friction/t1 friction/k1 friction/ssnv128 friction/torsion; do
+  "$program" "$scenes/$scene.prm" --set 'Discretization/Coarsest level=2' --set 'Discretization/Finest level=3' \
+    --set 'Discretization/Target error=0' --set Output/Compliance=true --set 'Solver/Tolerated error=1' --output friction >stdout 2>stderr
+  check "$scene" [ $? -eq 0 ]
+  check "  the same P, C and F" "$python" "$script" friction 3
+done
 echo "$failures failures"
 [ "$failures" -eq 0 ]
