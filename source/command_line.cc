@@ -63,16 +63,20 @@ po::options_description describe_options(CommandLine &command_line) {
   po::options_description options("options");
   options.add_options() //
     ("set", po::value(&command_line.overrides)->value_name("'Subsection/Parameter=value'"),
-     "override a parameter, or one constant by Constants/NAME=value; may be repeated") //
+     "override a parameter, or one constant by NAME=value; may be repeated") //
     ("sweep", po::value(&command_line.sweeps)->value_name("'Subsection/Parameter=v1, v2, ...'"),
-     "run the scene for each value, in directories named by the values, and write one table, "
-     "sweep.csv; several sweeps: all combinations") //
+     "run the scene for each value (values with commas: v1 | v2), in directories named by the "
+     "values, and write one table, sweep.csv; several sweeps: all combinations") //
     ("output", po::value<std::string>()->value_name("DIR"),
      "where results go (default: results/<name of the .prm file>); of several scenes: "
-     "DIR/<name>")                                                                   //
-    ("list-scenes", "the scenes known by name")                                      //
-    ("print-parameters", "every parameter with default, allowed values and meaning") //
-    ("version", "versions of the program, deal.II, Trilinos and the BLAS in use")    //
+     "DIR/<name>") //
+    ("quiet", po::bool_switch(&command_line.quiet),
+     "print nothing but warnings and errors; files and exit code say the rest") //
+    ("list-scenes", "the scenes known by name")                                 //
+    ("print-parameters",
+     "every parameter with default, allowed values and meaning, or those of the "
+     "subsections that are named")                                                //
+    ("version", "versions of the program, deal.II, Trilinos and the BLAS in use") //
     ("help,h", "this text");
   return options;
 }
@@ -131,7 +135,7 @@ CommandLine read_command_line(const int argc, char **argv) {
   else if (values.count("list-scenes") > 0)
     command_line.text = describe_catalogue();
   else if (values.count("print-parameters") > 0)
-    command_line.text = describe_parameters();
+    command_line.text = describe_parameters(command_line.parameter_files);
   if (!command_line.text.empty())
     return command_line;
 

@@ -17,13 +17,15 @@ struct CommandLine {
   std::vector<std::string> sweeps;
   /** The directory of each file's results. */
   std::vector<std::string> directories;
+  /** Whether nothing but warnings and errors is printed. */
+  bool quiet = false;
   /** The answer of --help, --version, --list-scenes or --print-parameters. */
   std::string text;
 
   /** Packs the command line for messages between ranks. */
   template <typename Archive>
   void serialize(Archive &archive, const unsigned int /*version*/) {
-    archive &parameter_files &overrides &sweeps &directories &text;
+    archive &parameter_files &overrides &sweeps &directories &quiet &text;
   }
 };
 

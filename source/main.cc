@@ -54,7 +54,7 @@ RunSummary run_file(const CommandLine &command_line, const std::size_t i, MPI_Co
 
 /** Runs one scene after the other. @return the largest exit code. */
 int run(CommandLine command_line, MPI_Comm communicator) {
-  Screen screen(communicator);
+  Screen screen(communicator, command_line.quiet);
   const std::string others = share_command_line(command_line, communicator);
   if (!others.empty())
     screen.complain("another command line was given to " + others +

@@ -24,12 +24,13 @@
 #include <unistd.h>
 
 namespace Signorini {
-Screen::Screen(MPI_Comm communicator)
+Screen::Screen(MPI_Comm communicator, const bool is_quiet)
   : speaks_(Utilities::MPI::this_mpi_process(communicator) == 0)
+  , is_quiet_(is_quiet)
   , silence_(nullptr) {}
 
 std::ostream &Screen::out() {
-  return speaks_ ? std::cout : silence_;
+  return speaks_ && !is_quiet_ ? std::cout : silence_;
 }
 
 void Screen::complain(const std::string &sentence) const {
@@ -40,7 +41,7 @@ void Screen::complain(const std::string &sentence) const {
 Progress Screen::progress() const {
   if (!speaks_)
     return [](const std::string &) {};
-  const bool on_terminal = isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+  const bool on_terminal = !is_quiet_ && isatty(STDERR_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
   return [on_terminal](const std::string &text) {
     // Each level writes its files completely or not at all, as the sentence states.
     if (!text.empty())

@@ -227,6 +227,9 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
             "with it: automatic, psor, active set");
   refuse_if(scene.geometry.axisymmetric && parameters.output.inf_sup_constant == Choice::yes,
             parameters.output.inf_sup_constant, revolved, "with it: automatic, false");
+  if (scene.geometry.axisymmetric && parameters.output.lemmas)
+    throw error_at(parameters.output.lemmas, "found 'true' ", revolved,
+                   ", allowed with it: false.");
   refuse_if(n_ranks > 1 && by_cycles, contact, on_several,
             "on several: automatic, psor, active set");
   refuse_if(n_ranks > 1 && (linear == LinearSolver::condensed || linear == LinearSolver::multigrid),

@@ -140,8 +140,20 @@ Parameters read_parameters(const std::string &file_name,
                           std::filesystem::path(file_name).parent_path().string());
 }
 
-std::string describe_parameters() {
+std::string describe_parameters(const std::vector<std::string> &sections) {
   Parameters defaults;
-  return Declarations(defaults).print(true);
+  const Declarations declarations(defaults);
+  const std::string all = declarations.print(true);
+  const std::set<std::string> known = declarations.sections();
+  std::string text = sections.empty() ? all : "";
+  for (const std::string &section : sections) {
+    if (known.count(section) == 0)
+      throw input_error("command line: found the subsection ", quote(section),
+                        ", allowed: ", join({known.begin(), known.end()}), ".");
+    const std::string end = "\nend\n";
+    const std::size_t begin = all.find("subsection " + section + "\n");
+    text += all.substr(begin, all.find(end, begin) + end.size() - begin);
+  }
+  return text;
 }
 } // namespace Signorini

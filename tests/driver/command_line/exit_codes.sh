@@ -54,7 +54,7 @@ PRM
 
 test_answers() {
   run 0 -h
-  for word in usage: --set --sweep --output --list-scenes --print-parameters --version 'Exit codes'; do
+  for word in usage: --set --sweep --output --list-scenes --print-parameters --quiet --version 'Exit codes'; do
     check "  help names $word" says "$word"
   done
   run 0 --version
@@ -70,6 +70,12 @@ test_answers() {
     '(both excluded)' '(force/area)' 'subsection Output'; do
     check "  parameters: $word" says "$word"
   done
+  run 0 --print-parameters Contact Load
+  check "  parameters of two subsections" [ "$(grep -c '^subsection' stdout)" -eq 2 ]
+  check "    with their entries" says 'set Friction coefficient'
+  run 1 --print-parameters Contacts
+  check "  a wrong name is refused" grep -q "found the subsection 'Contacts', allowed: Boundary, " stderr
+  : >stderr
   check "answers leave nothing behind" only_the_inputs
   check "answers say nothing on stderr" is_empty stderr
 }

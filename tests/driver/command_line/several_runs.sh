@@ -52,9 +52,12 @@ run 0 block.prm --set Constants/depth=0.2
 check "the force of nu = 0 is E times the depth" [ "$(force)" = 0.2 ]
 check "the constant stands in its list" grep -q 'set Values = E=1, nu=0, depth=0.2, half=depth/2' results/block/parameters.prm
 run 0 block.prm --set Constants/depth=0.2 --set Constants/E=3
-run 0 block.prm --set depth=0.2 --set E=3 --output short
-check "  a constant by its name alone" cmp -s short/parameters.prm results/block/parameters.prm
 check "two constants" [ "$(force)" = 0.6 ]
+run 0 block.prm --set depth=0.2 --set E=3 --output short
+check "constants by their names alone" cmp -s short/parameters.prm results/block/parameters.prm
+run 0 block.prm --quiet --output quiet
+check "a quiet run prints nothing" [ ! -s stdout ]
+check "  and writes its results" [ -s quiet/answer.json ]
 refuse "--set: found the constant 'depht', allowed: E, nu, depth, half." block.prm --set Constants/depht=1
 refuse "allowed: one value" block.prm --set 'Constants/depth=1, nu=0.3'
 

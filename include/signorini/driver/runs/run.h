@@ -16,9 +16,10 @@ namespace Signorini {
 /** The output for the user: the first rank prints it, the others discard it. */
 class Screen {
 public:
-  explicit Screen(MPI_Comm communicator);
+  explicit Screen(MPI_Comm communicator, bool is_quiet = false);
 
-  /** Returns the standard output; on other ranks a stream that discards everything. */
+  /** Returns the standard output; on other ranks, and of a quiet screen, a stream that discards
+   * everything. */
   std::ostream &out();
   /** Prints one line on stderr. */
   void complain(const std::string &sentence) const;
@@ -27,7 +28,7 @@ public:
   Progress progress() const;
 
 private:
-  bool speaks_;
+  bool speaks_, is_quiet_;
   std::ostream silence_;
 };
 

@@ -216,6 +216,7 @@ Parameters parse_parameters(const std::string &text, const std::string &file_nam
                             const std::vector<std::string> &overrides = {},
                             const std::string &folder = "");
 
-/** Returns all parameters with their defaults, allowed values, units and one line of help each. */
-std::string describe_parameters();
+/** Returns all parameters, or those of some subsections, with their defaults, allowed values, units
+ * and one line of help each. @throws InputError for other names. */
+std::string describe_parameters(const std::vector<std::string> &sections = {});
 } // namespace Signorini
