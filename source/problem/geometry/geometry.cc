@@ -118,7 +118,7 @@ bool Geometry<dim>::is_axis(const Side<dim> &side) const {
   if constexpr (dim == 2) {
     const double rounding = 1e-10 * diameter();
     for (unsigned int k = 0; k < side.n_pieces(); ++k)
-      if (side.piece(k).centre()[0] > rounding)
+      if (std::max(side.piece(k).centre()[0], side.piece(k).end()[0]) > rounding)
         return false;
     return axisymmetric;
   } else

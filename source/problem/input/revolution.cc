@@ -35,10 +35,9 @@ void refuse_touching(const Side<2> &side, const std::vector<Point<2>> &ends,
         return x.distance(end) <= rounding(geometry);
       };
       if (x[0] <= rounding(geometry) && std::none_of(ends.begin(), ends.end(), is_here))
-        throw error_at(plane_state, "the side '", side.name(), "' touches the axis at (", x[0],
-                       ", ", x[1],
-                       "), allowed: sides that lie on the axis, or meet it where such a side "
-                       "ends.");
+        throw error_at(plane_state, "the side '", side.name(), "' touches the axis at y = ",
+                       std::abs(x[1]) <= rounding(geometry) ? 0. : x[1],
+                       ", allowed: sides that lie on the axis, or meet it where such a side ends.");
     }
 }
 } // namespace
