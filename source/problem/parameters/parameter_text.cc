@@ -184,7 +184,7 @@ std::string read_whole_file(const std::string &file_name, const std::string &whe
 }
 
 std::string read_text_file(const std::string &file_name) {
-  const std::string text = read_whole_file(file_name, "", "parameter file", max_file_size);
+  std::string text = read_whole_file(file_name, "", "parameter file", max_file_size);
   if (text.find('\0') != std::string::npos)
     throw input_error(shorten_path(file_name), ": this is not a text file.");
   return text;

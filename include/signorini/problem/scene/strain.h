@@ -29,7 +29,7 @@ struct Strain {
   }
   /** Replaces the trace and keeps the deviator. */
   void replace_trace(const double dilatation) {
-    const double change = (dilatation - trace()) / (hoop ? 3 : dim);
+    const double change = (dilatation - trace()) / (hoop ? dim + 1 : dim);
     in_body += change * unit_symmetric_tensor<dim>();
     if (hoop)
       *hoop += change;
