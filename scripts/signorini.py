@@ -89,6 +89,7 @@ def read_vtu(path):
 
 @names_damaged_file
 def read_json(path):
+    """Returns the content of a JSON file."""
     with open(path, encoding="utf-8") as file:
         return json.load(file)
 
@@ -145,10 +146,11 @@ def find_program():
 
 
 def run(scene, output=None, overrides=None, program=None, **constants):
-    """Runs a scene with other constants and entries. Returns its results, whatever the verdict.
+    """Runs a scene and returns its results, whatever the verdict.
 
-    scene, output: the parameter file, and the folder of the results (results/NAME by default).
-    overrides: {"Discretization/Strategy": "hp", ...}. Raises Refused where there are no results."""
+    scene: the parameter file. output: the folder of the results, by default results/NAME. constants: their values by name.
+    overrides: the values of other entries, {"Discretization/Strategy": "hp", ...}. Raises Refused where the program ends
+    without results."""
     folder = output or os.path.join("results", os.path.splitext(os.path.basename(scene))[0])
     command = [program or find_program(), scene, "--output", folder]
     for name, value in {**constants, **(overrides or {})}.items():

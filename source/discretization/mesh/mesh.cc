@@ -99,8 +99,8 @@ private:
   double size_;
 };
 
-/** A map of a body of revolution: dx and ds are those of the whole circumference. So no integral
- * knows of it. */
+/** A map of a body of revolution: dx and ds are those of the whole circumference, so that loops
+ * over cells and faces contain no weight. */
 template <typename Map>
 class Revolved : public Map {
 public:

@@ -52,13 +52,12 @@ public:
       const Tensor<2, dim> gradient = v.gradients[q] - w.gradients[q];
       const Tensor<1, dim> value = v.values[q] - w.values[q];
       const Point<dim> &x = values_.quadrature_point(q);
-      const double dx = measure_at(values_, q);
-      if (energy_)
-        sum +=
-          dx * Squares({value.norm_square(), gradient_square(scene_->geometry, x, value, gradient),
-                        energy_->at(x).density(value, gradient)});
-      else
-        sum += dx * Squares({value.norm_square(), gradient.norm_square(), 0.});
+      Squares squares({value.norm_square(), gradient.norm_square(), 0.});
+      if (scene_ != nullptr) {
+        squares[1] = gradient_square(scene_->geometry, x, value, gradient);
+        squares[2] = energy_->at(x).density(value, gradient);
+      }
+      sum += measure_at(values_, q) * squares;
     }
     return sum;
   }
