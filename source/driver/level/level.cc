@@ -46,7 +46,7 @@ bool wants_inf_sup(const Parameters &parameters, const Scene<dim> &scene,
   return choice == Choice::yes ||
          (choice == Choice::automatic && contact.inverse->has_factors() &&
           !scene.geometry.axisymmetric && scene.exact_displacement != nullptr &&
-          parameters.discretization.strategy == Strategy::nested &&
+          parameters.discretization.strategy != Strategy::hp &&
           contact.U.size() <= (dim == 2 ? 100000U : 5000U));
 }
 
@@ -258,7 +258,7 @@ void add_errors(const Parameters &parameters, const Scene<dim> &scene,
   if (pressure != nullptr)
     record.dual_norm_errors = pressure->errors(multipliers, P);
   if constexpr (dim == 2)
-    if (parameters.output.lemmas && parameters.discretization.strategy == Strategy::nested &&
+    if (parameters.output.lemmas && parameters.discretization.strategy != Strategy::hp &&
         scene.exact_displacement != nullptr && pressure != nullptr)
       record.lemmas =
         compute_lemma_numbers(discretization.space, scene, multipliers, discretization.D, *pressure,

@@ -5,6 +5,7 @@
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/driver/runs/run.h>
+#include <signorini/driver/runs/strategy.h>
 #include <signorini/driver/study/study.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameter_text.h>
@@ -103,15 +104,23 @@ Parameters parameters_of(const RunInput &input) {
 
 /** Runs the scene of some parameters. @throws InputError for wrong input. */
 template <int dim>
-RunSummary run_parameters(const Parameters &parameters, const RunInput &input,
-                          MPI_Comm communicator, Screen &screen) {
+RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Comm communicator,
+                          Screen &screen) {
   Scene<dim> scene;
-  agree(communicator, [&]() { scene = make_scene<dim>(parameters); });
+  RunInput decided = input;
+  agree(communicator, [&]() { scene = make_scene<dim>(given); });
+  const StrategyDecision decision =
+    decide_strategy(given, scene, Utilities::MPI::n_mpi_processes(communicator));
+  std::copy(decision.overrides.begin(), decision.overrides.end(),
+            std::back_inserter(decided.overrides));
+  const Parameters parameters = parameters_of(decided);
   std::optional<ResultsDirectory> results;
   agree(communicator, [&]() {
     if (is_first_rank(communicator))
       results.emplace(input.directory, inputs_of(input, parameters));
   });
+  if (!decision.sentence.empty())
+    screen.out() << "Strategy  " << decision.sentence << "\n";
   try {
     const StudyResult<dim> result = run_study(parameters, scene, communicator,
                                               {screen.out(), input.directory, screen.progress()});

@@ -128,7 +128,7 @@ private:
     if constexpr (dim == 2) {
       const Scene<2> &scene = sequence_->scene();
       const bool on_every_level = parameters_.load_cases.sequence == CaseSequence::steps &&
-                                  parameters_.discretization.strategy == Strategy::nested;
+                                  parameters_.discretization.strategy != Strategy::hp;
       if (scene.load_cases.empty() || !(level.is_last || on_every_level))
         return;
       const auto write_fields = [&](const unsigned int number, const Scene<2> &scene_of_case,

@@ -174,12 +174,14 @@ void Declarations::declare_data(Parameters &parameters) {
 
 void Declarations::declare_discretization(DiscretizationParameters &discretization) {
   add("Discretization/Strategy", discretization.strategy,
-      "nested: every cell is split from level to level, with patches of length H. hp: meshes are "
+      "automatic: hp, unless levels or an exact solution are given, or something else needs nested "
+      "meshes; the run says which and why. nested: every cell is split from level to level, with "
+      "patches of length H. hp: meshes are "
       "graded to ends of contact and other singularities, and the degree rises away from them; "
       "Finest level, Element, Patch ratio and Patches have no meaning then. One process.");
   add("Discretization/Coarsest level", discretization.coarsest_level,
-      "Refinements of the coarse mesh on the first level. Where none is given, hp begins with the "
-      "mesh of a file as it is.",
+      "Refinements of the coarse mesh on the first level. Where none is given, hp begins with "
+      "the first that has at least 24 cells.",
       0U, 14U);
   add("Discretization/Finest level", discretization.finest_level,
       "Refinements of the coarse mesh on the last level.", 0U, 14U);

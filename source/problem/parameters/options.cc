@@ -11,7 +11,7 @@ const std::vector<std::string> &option_names(const std::type_index &option) {
     {typeid(Shape), {"rectangle", "box", "polygon", "half disc", "disc", "ring", "file"}},
     {typeid(MaterialLaw), {"isotropic", "orthotropic", "general"}},
     {typeid(PlaneState), {"strain", "stress", "axisymmetric"}},
-    {typeid(Strategy), {"nested", "hp"}},
+    {typeid(Strategy), {"automatic", "nested", "hp"}},
     {typeid(Element), {"Q1", "Q1 B-bar", "Q2"}},
     {typeid(ContactSolver), {"automatic", "psor", "active set", "multigrid"}},
     {typeid(LinearSolver), {"automatic", "condensed", "amesos_mumps", "amesos_klu", "multigrid"}},

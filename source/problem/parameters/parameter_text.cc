@@ -276,6 +276,7 @@ void Declarations::assign(const Assignment &assignment) {
   const Declared &declared = known->second;
   Entry &entry = *declared.entry;
   entry.place = assignment.place;
+  entry.is_given = true;
   if (value.empty() && !declared.default_text.empty())
     throw error_at(entry, "found '', allowed: ",
                    declared.allowed.empty() ? "a value, by default " + quote(declared.default_text)

@@ -95,7 +95,7 @@ std::string find_file(const std::string &name, const std::string &folder) {
 /** Checks plain values for contradictions that do not depend on the scene. */
 void check(const Parameters &parameters) {
   const DiscretizationParameters &discretization = parameters.discretization;
-  if (discretization.strategy == Strategy::nested &&
+  if (discretization.strategy != Strategy::hp &&
       discretization.finest_level < discretization.coarsest_level)
     throw error_at(discretization.finest_level, "found '", discretization.finest_level,
                    "', allowed: an integer not below ", discretization.coarsest_level.name, " = ",
@@ -123,11 +123,6 @@ Parameters parse_parameters(const std::string &text, const std::string &file_nam
       assignment.value = find_file(assignment.value, folder);
     declarations.assign(assignment);
   }
-  // The mesh of a file is fine already; a value without a line has the place of a default.
-  Given<unsigned int> &coarsest_level = parameters.discretization.coarsest_level;
-  if (parameters.discretization.strategy == Strategy::hp &&
-      parameters.geometry.shape == Shape::file && coarsest_level.place == file_name)
-    coarsest_level.value = 0;
   parameters.changes_of_scene = declarations.changes(sections_of_scene);
   check(parameters);
   parameters.echo = declarations.print(false);

@@ -53,16 +53,22 @@ constexpr double tolerated_strained_share = 0.01;
 std::string describe_meshes(const Parameters &parameters, const Judge &judge) {
   const DiscretizationParameters &given = parameters.discretization;
   std::ostringstream text;
-  if (given.strategy == Strategy::nested) {
+  if (given.strategy != Strategy::hp) {
     text << "Levels    " << given.coarsest_level << " to " << given.finest_level << ", "
          << describe_partition(given) << "\n";
     return text.str();
   }
   text << "Steps     graded meshes from level " << given.coarsest_level << " on, degrees 2 to "
        << given.maximum_degree << ", to the error " << judge.demands.target_error << " or "
-       << given.maximum_unknowns << " unknowns\n"
-       << "Ignored   Finest level, Element, Patch ratio, Patches"
-       << (parameters.output.lemmas ? ", Lemmas" : "") << " (Strategy = hp)\n";
+       << given.maximum_unknowns << " unknowns\n";
+  std::vector<std::string> ignored;
+  for (const Entry *const entry :
+       std::initializer_list<const Entry *>{&given.finest_level, &given.element, &given.patch_ratio,
+                                            &given.patches, &parameters.output.lemmas})
+    if (entry->is_given)
+      ignored.push_back(entry->name.substr(entry->name.find('/') + 1));
+  if (!ignored.empty())
+    text << "Ignored   " << join(ignored) << " (Strategy = hp)\n";
   return text.str();
 }
 } // namespace

@@ -32,7 +32,7 @@ bool may_iterate(const Parameters &parameters, const Scene<dim> &scene,
   const DiscretizationParameters &discretization = parameters.discretization;
   const bool solver_fits = parameters.solver.linear_solver == LinearSolver::automatic ||
                            parameters.solver.linear_solver == LinearSolver::multigrid;
-  return solver_fits && n_ranks == 1 && discretization.strategy == Strategy::nested &&
+  return solver_fits && n_ranks == 1 && discretization.strategy != Strategy::hp &&
          discretization.element == Element::q1 && discretization.patch_ratio > 1 &&
          discretization.patches == 0 && !parameters.output.compliance && scene.load_cases.empty() &&
          scene.plates.empty() && !scene.is_held_by_contact && scene.friction == Friction::none &&

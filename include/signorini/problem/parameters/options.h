@@ -53,6 +53,8 @@ enum class MaterialLaw { isotropic, orthotropic, general };
 
 /** The way in which the meshes of a study follow one another. */
 enum class Strategy {
+  /** Chooses hp where nothing asks for nested meshes. */
+  automatic,
   /** Each mesh is the one before with every cell split, as in the paper. */
   nested,
   /** Each mesh is graded to what is singular in the solution on the one before, with degrees that

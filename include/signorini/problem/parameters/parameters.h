@@ -16,8 +16,8 @@ struct Entry {
   std::string name;
   /** The place, "scene.prm:12" or "--set"; for a default the file alone. */
   std::string place;
-  /** Whether the value differs from the default. */
-  bool changed = false;
+  /** Whether the value is given, and whether it differs from the default. */
+  bool is_given = false, changed = false;
   /** The constants that numbers of the entry may be made of. */
   std::shared_ptr<const Constants> constants = std::make_shared<const Constants>();
 
@@ -133,7 +133,7 @@ struct ExactSolutionParameters {
 
 /** Subsection Discretization. */
 struct DiscretizationParameters {
-  Given<Strategy> strategy{Strategy::nested};
+  Given<Strategy> strategy{Strategy::automatic};
   Given<unsigned int> coarsest_level{2};
   Given<unsigned int> finest_level{6};
   Given<Element> element{Element::q1};

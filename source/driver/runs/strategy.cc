@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The sequence of meshes of a run that states none.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/driver/runs/strategy.h>
+
+namespace Signorini {
+namespace {
+/** Returns why meshes are nested; empty where they may be graded. */
+template <int dim>
+std::string reason_for_nested(const Parameters &parameters, const Scene<dim> &scene,
+                              const unsigned int n_ranks) {
+  if (dim == 3)
+    return "bodies in space have no graded meshes";
+  if (n_ranks > 1)
+    return "graded meshes need a single process";
+  if (scene.exact_displacement != nullptr)
+    return "an exact solution is given";
+  const DiscretizationParameters &given = parameters.discretization;
+  const SolverParameters &solver = parameters.solver;
+  const OutputParameters &output = parameters.output;
+  const std::pair<bool, const Entry &> needs[] = {
+    {given.finest_level.is_given, given.finest_level},
+    {given.coarsest_level.is_given, given.coarsest_level},
+    {given.element.is_given, given.element},
+    {given.patch_ratio.is_given, given.patch_ratio},
+    {given.patches.is_given, given.patches},
+    {parameters.geometry.distortion > 0., parameters.geometry.distortion},
+    {solver.contact_solver == ContactSolver::multigrid, solver.contact_solver},
+    {solver.linear_solver == LinearSolver::multigrid, solver.linear_solver},
+    {solver.require_stability, solver.require_stability},
+    {output.inf_sup_constant == Choice::yes, output.inf_sup_constant},
+    {output.lemmas, output.lemmas}};
+  for (const auto &[is_given, entry] : needs)
+    if (is_given)
+      return entry.name + " is given";
+  return "";
+}
+
+/** Returns the first level with enough cells to show where the solution is singular. From the five
+ * cells of a disc, graded meshes take up to six times as long as from level 2. */
+unsigned int first_level(const double n_coarse_cells) {
+  constexpr double n_enough = 24.;
+  unsigned int level = 0;
+  for (double n_cells = n_coarse_cells; n_cells < n_enough; n_cells *= 4.)
+    ++level;
+  return level;
+}
+} // namespace
+
+template <int dim>
+StrategyDecision decide_strategy(const Parameters &parameters, const Scene<dim> &scene,
+                                 const unsigned int n_ranks) {
+  const DiscretizationParameters &given = parameters.discretization;
+  StrategyDecision decision;
+  Strategy strategy = given.strategy;
+  if (strategy == Strategy::automatic) {
+    const std::string reason = reason_for_nested(parameters, scene, n_ranks);
+    strategy = reason.empty() ? Strategy::hp : Strategy::nested;
+    decision.sentence =
+      to_text(strategy) + ", since " +
+      (reason.empty() ? "neither levels nor an exact solution are given" : reason);
+    decision.overrides.push_back(given.strategy.name + "=" + to_text(strategy));
+  }
+  if (strategy == Strategy::hp && !given.coarsest_level.is_given)
+    decision.overrides.push_back(given.coarsest_level.name + "=" +
+                                 std::to_string(first_level(scene.geometry.n_coarse_cells)));
+  return decision;
+}
+
+INSTANTIATE_FUNCTION(decide_strategy);
+} // namespace Signorini

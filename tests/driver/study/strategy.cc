@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Meshes are graded unless something asks for nested ones, and begin with enough cells.
+
+#include <signorini/driver/runs/strategy.h>
+#include <signorini/problem/input/make_scene.h>
+
+#include "scene_text.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace {
+const std::string scene = "Boundary/Contact = bottom\nBoundary/Clamped = top\n";
+
+StrategyDecision decide(const std::string &entries, const unsigned int n_ranks = 1) {
+  const Parameters given = parse_parameters(parameter_file(scene + entries), "test");
+  return decide_strategy(given, make_scene<2>(given), n_ranks);
+}
+
+bool is(const StrategyDecision &decision, const std::vector<std::string> &overrides) {
+  return decision.overrides == overrides;
+}
+} // namespace
+
+int main(int argc, char *argv[]) {
+  const dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  Checks checks;
+  const std::string hp = "Discretization/Strategy=hp", nested = "Discretization/Strategy=nested",
+                    level = "Discretization/Coarsest level=";
+  checks.that("nothing given", is(decide(""), {hp, level + "3"}));
+  checks.that("a target alone",
+              is(decide("Discretization/Target error = 1e-4"), {hp, level + "3"}));
+  checks.that("many cells", is(decide("Geometry/Cells = 8, 3"), {hp, level + "0"}));
+  checks.that("several processes", is(decide("", 2), {nested}));
+  checks.that("a stated strategy", is(decide("Discretization/Strategy = nested"), {}));
+  checks.that("a stated strategy has no reason",
+              decide("Discretization/Strategy = hp").sentence.empty());
+  checks.that("a stated level",
+              is(decide("Discretization/Strategy = hp\nDiscretization/Coarsest level = 2"), {}));
+  for (const std::string entry :
+       {"Discretization/Finest level = 6", "Discretization/Coarsest level = 2",
+        "Discretization/Element = Q2", "Discretization/Patch ratio = 4",
+        "Discretization/Patches = 3", "Geometry/Distortion = 0.1",
+        "Solver/Contact solver = multigrid", "Solver/Linear solver = multigrid",
+        "Solver/Require stability = true", "Output/Inf-sup constant = true",
+        "Output/Lemmas = true"}) {
+    const StrategyDecision decision = decide(entry);
+    checks.that(entry, is(decision, {nested}));
+    checks.that(entry + " is the reason",
+                decision.sentence ==
+                  "nested, since " + entry.substr(0, entry.find(" =")) + " is given");
+  }
+  const Parameters a1 = parse_parameters(parameter_file("Scene/Name = A1"), "test");
+  checks.that("an exact solution", is(decide_strategy(a1, make_scene<2>(a1), 1), {nested}));
+  const Parameters d3 = parse_parameters(parameter_file("Scene/Name = D3"), "test");
+  checks.that("in space", is(decide_strategy(d3, make_scene<3>(d3), 1), {nested}));
+  return checks.exit_code();
+}
