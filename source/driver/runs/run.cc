@@ -20,6 +20,7 @@
 #include <iomanip>
 #include <iostream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
 #include <unistd.h>
@@ -230,7 +231,49 @@ constexpr std::pair<const char *, const char *> sweep_columns[] = {
   {"bound", "bound_relative"},
   {"seconds", "t_total"}};
 
+/** The columns that stand in the file alone, where a run has them. */
+constexpr std::pair<const char *, const char *> file_columns[] = {
+  {"contact_length", "contact_length"}, {"plate_travel", "plate_travel"},
+  {"plate_rotation", "plate_rotation"}, {"tangential_force", "tangential_force"},
+  {"stick_length", "stick_length"},     {"slip_length", "slip_length"}};
+
+/** Returns the numbers of a run that stand in the file alone, with their names. */
+std::vector<std::pair<std::string, double>> numbers_of(const LevelRecord &finest) {
+  std::vector<std::pair<std::string, double>> numbers;
+  for (const auto &[name, column] : file_columns)
+    if (const std::optional<double> x = value(finest, column))
+      numbers.emplace_back(name, *x);
+  for (const SideForce &reaction : finest.answer.reactions)
+    for (std::size_t d = 0; d < reaction.resultant.force.size(); ++d)
+      numbers.emplace_back("reaction_" + reaction.side + "_" + "xyz"[d],
+                           reaction.resultant.force[d]);
+  for (const auto &extreme : named_extremes(finest.answer.reports))
+    numbers.push_back(extreme);
+  return numbers;
+}
+
 using Table = std::vector<std::vector<std::string>>;
+
+/** Adds the numbers of all runs, before the last column; a run that lacks one leaves it empty. */
+void add_numbers(const std::vector<RunSummary> &runs, Table &rows) {
+  std::vector<std::map<std::string, double>> numbers(runs.size());
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    if (runs[i].finest)
+      for (const auto &[name, x] : numbers_of(*runs[i].finest)) {
+        numbers[i][name] = x;
+        if (std::find(names.begin(), names.end(), name) == names.end())
+          names.push_back(name);
+      }
+  rows[0].insert(rows[0].end() - 1, names.begin(), names.end());
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (const std::string &name : names) {
+      std::ostringstream text;
+      if (const auto x = numbers[i].find(name); x != numbers[i].end())
+        text << std::setprecision(16) << x->second;
+      rows[1 + i].insert(rows[1 + i].end() - 1, text.str());
+    }
+}
 
 /** Returns a row of titles, and a row for each run. */
 Table sweep_table(const std::vector<Sweep> &sweeps, const std::vector<SweepPoint> &points,
@@ -367,7 +410,9 @@ RunSummary run_sweep(const RunInput &input, const std::vector<Sweep> &sweeps, MP
     agree(communicator, [&]() {
       if (first_rank && solved)
         write_file(input.directory / table_name, [&](std::ostream &stream) {
-          write_csv(stream, sweep_table(sweeps, points, runs, 16));
+          Table rows = sweep_table(sweeps, points, runs, 16);
+          add_numbers(runs, rows);
+          write_csv(stream, rows);
         });
     });
   }

@@ -20,8 +20,6 @@ std::string reason_for_nested(const Parameters &parameters, const Scene<dim> &sc
   const SolverParameters &solver = parameters.solver;
   const OutputParameters &output = parameters.output;
   const std::pair<bool, const Entry &> needs[] = {
-    {given.finest_level.is_given, given.finest_level},
-    {given.coarsest_level.is_given, given.coarsest_level},
     {given.element.is_given, given.element},
     {given.patch_ratio.is_given, given.patch_ratio},
     {given.patches.is_given, given.patches},
@@ -55,11 +53,13 @@ StrategyDecision decide_strategy(const Parameters &parameters, const Scene<dim> 
   StrategyDecision decision;
   Strategy strategy = given.strategy;
   if (strategy == Strategy::automatic) {
+    const bool has_levels = given.finest_level.is_given || given.coarsest_level.is_given;
     const std::string reason = reason_for_nested(parameters, scene, n_ranks);
-    strategy = reason.empty() ? Strategy::hp : Strategy::nested;
-    decision.sentence =
-      to_text(strategy) + ", since " +
-      (reason.empty() ? "neither levels nor an exact solution are given" : reason);
+    strategy = reason.empty() && !has_levels ? Strategy::hp : Strategy::nested;
+    if (!has_levels)
+      decision.sentence =
+        to_text(strategy) + ", since " +
+        (reason.empty() ? "neither levels nor an exact solution are given" : reason);
     decision.overrides.push_back(given.strategy.name + "=" + to_text(strategy));
   }
   if (strategy == Strategy::hp && !given.coarsest_level.is_given)

@@ -25,10 +25,15 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
       results.push_back(solver.solve(load_case));
       results.back().number = results.size();
       results.back().level = level.discretization->mesh.level();
-      if (level.is_last && load_case.has_fields && results.back().escape.empty())
-        use_fields(results.size(),
-                   with_plates_moved(scene_of_case(scene, load_case), results.back().plates),
-                   solver.displacement(), solver.multiplier());
+      const bool is_wanted = level.is_last && results.back().escape.empty();
+      if (is_wanted && (load_case.has_fields || !scene.report_places.empty())) {
+        const Displacement U = solver.displacement();
+        results.back().reports = solver.report(U);
+        if (load_case.has_fields)
+          use_fields(results.size(),
+                     with_plates_moved(scene_of_case(scene, load_case), results.back().plates), U,
+                     solver.multiplier());
+      }
       if (results.size() % every == 0)
         progress("load cases: " + std::to_string(results.size()) + " of " + std::to_string(n));
     }

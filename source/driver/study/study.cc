@@ -106,6 +106,7 @@ private:
     }
     record.resources = measure_resources();
     report_.progress("");
+    multiply_forces(scene_.geometry.thickness, record);
     std::vector<LevelRecord> &levels = result_.levels;
     report_.screen << screen_row(record, levels.empty() ? nullptr : &levels.back()) << std::endl;
     print_warnings(record, judge_, report_.screen);
@@ -137,7 +138,10 @@ private:
       };
       const std::vector<CaseResult> found =
         solve_load_cases(parameters_, scene, level, write_fields, progress);
-      cases_.insert(cases_.end(), found.begin(), found.end());
+      for (CaseResult found_case : found) {
+        multiply_forces(scene.geometry.thickness, found_case);
+        cases_.push_back(std::move(found_case));
+      }
       writer_.write_cases(cases_);
     }
   }
@@ -197,8 +201,9 @@ void check_multigrid(const Given<Option> &solver, const std::string &allowed,
 template <int dim>
 void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
   const Given<CaseSequence> &sequence = parameters.load_cases.sequence;
-  refuse_if(scene.friction == Friction::none && sequence == CaseSequence::steps, sequence,
-            "without friction, where cases have no history", "there: independent");
+  refuse_if(scene.friction == Friction::none && sequence == CaseSequence::steps &&
+              !parameters.contact.friction.is_given,
+            sequence, "without friction, where cases have no history", "there: independent");
   if (scene.friction == Friction::none)
     return;
   const DiscretizationParameters &given = parameters.discretization;

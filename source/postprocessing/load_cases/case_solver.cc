@@ -142,6 +142,13 @@ CaseResult CaseSolver::solve(const LoadCase &load_case) {
   return result;
 }
 
+std::vector<PlaceReport> CaseSolver::report(const Displacement &U) const {
+  const std::vector<SingularPlace<2>> places = singular_places(scene_);
+  return report_on_places<2>(discretization_.space, scene_, U, [&](const Point<2> &x) {
+    return growth_at(x, places, discretization_.multipliers, P_.normal());
+  });
+}
+
 Displacement CaseSolver::displacement() const {
   DualVector forces = discretization_.space.make_vector();
   discretization_.condensed_D.add_product(P_.values(), forces);

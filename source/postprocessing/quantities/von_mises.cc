@@ -3,17 +3,10 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/cell_values.h>
-#include <signorini/postprocessing/fields/patch_interpolation.h>
-#include <signorini/postprocessing/fields/stress.h>
+#include <signorini/postprocessing/fields/field_sampler.h>
 #include <signorini/postprocessing/quantities/von_mises.h>
 #include <signorini/problem/scene/corners.h>
-
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_q.h>
-
-#include <boost/serialization/vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +16,9 @@
 namespace Signorini {
 namespace {
 using numbers::PI;
+
+/** The relative difference of values that counts as none. */
+constexpr double rounding = 1e-9;
 
 /** The largest singular exponent: closer to one, refinement changes stresses by less than rounding.
  */
@@ -156,44 +152,45 @@ bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim
 }
 
 template <int dim>
+double present_exponent(const SingularPlace<dim> &place, const Point<dim> &x,
+                        const MultiplierSpace<dim> &multipliers, const Pressure &P) {
+  const Scene<dim> &scene = multipliers.surface().scene();
+  std::array<EdgeSupport, 2> supports;
+  for (unsigned int i = 0; i < 2; ++i) {
+    const Role role = scene.boundary[place.sides[i]].role;
+    const bool closed =
+      role == Role::contact && presses_at(place.nearest(x), place.sides[i], multipliers, P);
+    supports[i] = closed ? EdgeSupport::sliding : possible_supports(role).front();
+  }
+  return corner_exponent(place.angle, supports[0], supports[1], place.kappa);
+}
+
+template <int dim>
 std::optional<GrowthPlace> growth_at(const Point<dim> &x,
                                      const std::vector<SingularPlace<dim>> &places,
                                      const MultiplierSpace<dim> &multipliers, const Pressure &P) {
-  const Scene<dim> &scene = multipliers.surface().scene();
-  for (const SingularPlace<dim> &place : places) {
-    if (!place.contains(x))
-      continue;
-    std::array<EdgeSupport, 2> supports;
-    for (unsigned int i = 0; i < 2; ++i) {
-      const Role role = scene.boundary[place.sides[i]].role;
-      const bool closed =
-        role == Role::contact && presses_at(place.nearest(x), place.sides[i], multipliers, P);
-      supports[i] = closed ? EdgeSupport::sliding : possible_supports(role).front();
-    }
-    if (corner_exponent(place.angle, supports[0], supports[1], place.kappa) < max_singular_exponent)
-      return GrowthPlace{{{place.ends[0], place.ends[1]}}, place.radius};
-  }
+  for (const SingularPlace<dim> &place : places)
+    if (place.contains(x))
+      if (const double exponent = present_exponent(place, x, multipliers, P);
+          exponent < max_singular_exponent)
+        return GrowthPlace{{{place.ends[0], place.ends[1]}}, place.radius, exponent};
   return {};
 }
 
 // The largest von Mises stress of the recovered displacement.
 
-namespace {
-/** The relative difference of stresses that counts as none. */
-constexpr double rounding = 1e-9;
-
-/** Takes the larger stress; of equals (a symmetric body has some) the one further left, then
- * further down, so that neither ranks nor rounding choose. */
-void take_larger(const StressMaximum &other, StressMaximum &largest) {
-  const bool equal = std::abs(other.value - largest.value) <= rounding * largest.value;
+void take_larger(const FieldMaximum &other, FieldMaximum &largest) {
+  const bool equal = std::abs(other.value - largest.value) <= rounding * std::abs(largest.value);
   if (equal ? other.point < largest.point : other.value > largest.value)
     largest = other;
 }
 
+namespace {
+
 /** The results of a set of cells. */
 struct CellResults {
   /** The largest stress of all points, and of those away from singular places. */
-  StressMaximum all, away;
+  FieldMaximum all, away;
   /** The measure of the cells, and that of those with large strains. */
   double measure = 0., strained = 0.;
 
@@ -205,10 +202,7 @@ struct CellResults {
   }
   template <typename Archive>
   void serialize(Archive &archive, const unsigned int /*version*/) {
-    for (StressMaximum *const stress : {&all, &away})
-      archive & stress->value &static_cast<std::vector<double> &>(stress->point) &
-        stress->mesh.size & stress->mesh.degree;
-    archive &measure &strained;
+    archive &all &away &measure &strained;
   }
 };
 
@@ -218,85 +212,33 @@ CellResults no_results() {
   return {{0., Point<dim>(), {}}, {0., Point<dim>(), {}}};
 }
 
-/** The data of the stress field. */
+/** Returns the results of a chunk of cells. Points where the material's data has no value are
+ * skipped. */
 template <int dim>
-struct StressField {
-  const DisplacementSpace<dim> &space;
-  const Scene<dim> &scene;
-  const Displacement &U;
-  /** The mean dilatations by cell; empty where the strain is that of u_h. */
-  const std::vector<double> dilatation;
-  const std::vector<SingularPlace<dim>> &places;
-};
-
-/** Returns the middle of the reference cell and its corners, or the nodes of an element. */
-template <int dim>
-Quadrature<dim> middle_and(const std::vector<Point<dim>> &nodes) {
-  std::vector<Point<dim>> points = nodes;
-  points.insert(points.begin(), QMidpoint<dim>().point(0));
-  return Quadrature<dim>(points);
-}
-
-/** Returns the results of a chunk of cells: the largest stress of the interpolation at the middle
- * and the corners, or on cells of several degrees at the nodes of each. Points where the material's
- * data has no value are skipped. */
-template <int dim>
-CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
-  const DisplacementSpace<dim> &space = field.space;
-  const bool at_nodes = space.has_several_elements();
-  const Quadrature<dim> corners = middle_and(FE_Q<dim>(1).get_unit_support_points());
-  hp::QCollection<dim> rules;
-  for (unsigned int number = 0; number < space.elements().size(); ++number)
-    rules.push_back(
-      at_nodes ? middle_and(space.elements()[number].base_element(0).get_unit_support_points())
-               : corners);
-  const hp::MappingCollection<dim> mappings(space.mesh().mapping());
-  hp::FEValues<dim> values_by_element(mappings, space.elements(), rules,
-                                      update_values | update_gradients | update_inverse_jacobians |
-                                        update_quadrature_points);
-  std::optional<PatchInterpolation<dim>> interpolation;
-  if (!at_nodes)
-    interpolation.emplace(space, corners, space.mesh().has_parents() ? 1 : 0);
+CellResults results_of(const Cells<dim> &cells, const SampledField<dim> &field,
+                       const std::vector<SingularPlace<dim>> &places) {
+  const bool at_nodes = field.space.has_several_elements();
+  FieldSampler<dim> sampler(field);
   CellResults results = no_results<dim>();
-  std::vector<Strain<dim>> strains;
-  FieldValues<dim> at_points;
   for (const auto &cell : cells) {
-    const FiniteElement<dim> &element = cell->get_fe();
-    values_by_element.reinit(cell);
-    const FEValues<dim> &values = values_by_element.get_present_fe_values();
-    strains.resize(values.n_quadrature_points);
-    if (at_nodes) {
-      at_points.values.resize(strains.size());
-      at_points.gradients.resize(strains.size());
-      const auto &u = values[FEValuesExtractors::Vector(0)];
-      u.get_function_values(field.U.entries(), at_points.values);
-      u.get_function_gradients(field.U.entries(), at_points.gradients);
-    }
-    const FieldValues<dim> &u =
-      at_nodes ? at_points : interpolation->evaluate(field.U, cell, values);
-    for (unsigned int q = 0; q < strains.size(); ++q) {
-      strains[q] =
-        strain_at(field.scene.geometry, values.quadrature_point(q), u.values[q], u.gradients[q]);
-      if (!field.dilatation.empty())
-        strains[q].replace_trace(field.dilatation[cell->active_cell_index()]);
-    }
-    const auto principal = eigenvalues(strains[0].in_body);
+    const std::vector<FieldSample<dim>> &samples = sampler.at_nodes(cell);
+    const auto principal = eigenvalues(samples[0].strain.in_body);
     results.measure += cell->measure();
     if (std::max(principal[0], -principal[dim - 1]) > large_strain)
       results.strained += cell->measure();
-    const MeshAt mesh = at_nodes ? MeshAt{cell->diameter(), element.degree} : MeshAt();
-    for (unsigned int q = at_nodes ? 1 : 0; q < strains.size(); ++q)
+    const MeshAt mesh = mesh_at(field.space, cell);
+    for (unsigned int q = at_nodes ? 1 : 0; q < samples.size(); ++q)
       try {
-        const Point<dim> &x = values.quadrature_point(q);
+        const Point<dim> &x = samples[q].x;
         const double value =
-          von_mises(stress_in_3d(*field.scene.material, x, cell->center(), strains[q]));
+          von_mises(stress_in_3d(*field.scene.material, x, cell->center(), samples[q].strain));
         // Most stresses are smaller, and nothing is stored for them.
-        const auto matters = [&](const StressMaximum &largest) {
+        const auto matters = [&](const FieldMaximum &largest) {
           return value >= (1. - rounding) * largest.value;
         };
         if (matters(results.all))
           take_larger({value, x, mesh}, results.all);
-        if (matters(results.away) && !any_contains(field.places, x))
+        if (matters(results.away) && !any_contains(places, x))
           take_larger({value, x, mesh}, results.away);
       } catch (const InputError &) {
       }
@@ -306,10 +248,11 @@ CellResults results_of(const Cells<dim> &cells, const StressField<dim> &field) {
 
 /** Returns the results of all cells. Collective. */
 template <int dim>
-CellResults results_of_body(const StressField<dim> &field) {
+CellResults results_of_body(const SampledField<dim> &field,
+                            const std::vector<SingularPlace<dim>> &places) {
   CellResults mine = no_results<dim>(), all = mine;
   integrate_by_chunks<CellResults, dim>(
-    field.space, [&](const Cells<dim> &cells) { return results_of(cells, field); },
+    field.space, [&](const Cells<dim> &cells) { return results_of(cells, field, places); },
     [&mine](const CellResults &part) { mine.add(part); });
   for (const CellResults &part :
        Utilities::MPI::all_gather(field.space.mesh().communicator(), mine))
@@ -321,12 +264,7 @@ CellResults results_of_body(const StressField<dim> &field) {
 template <int dim>
 VonMises largest_von_mises(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                            const Displacement &U, const std::vector<SingularPlace<dim>> &places) {
-  const StressField<dim> field = {space, scene, U,
-                                  space.strain_operator() == StrainOperator::mean_dilatation
-                                    ? mean_dilatations(space, scene, U)
-                                    : std::vector<double>(),
-                                  places};
-  const CellResults results = results_of_body(field);
+  const CellResults results = results_of_body(SampledField<dim>(space, scene, U), places);
   VonMises stress = {results.all, {}, {}};
   if (!places.empty())
     stress.away = results.away;

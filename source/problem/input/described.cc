@@ -182,7 +182,7 @@ void read_friction(const Parameters &parameters, const SceneReader<dim> &reader,
   const std::string found = "Friction = " + to_text(given.friction.value);
   scene.friction = given.friction;
   // Where it is said, none stands above what the rest of the file says about friction.
-  if (given.friction.place != parameters.file_name && scene.friction == Friction::none)
+  if (given.friction.is_given && scene.friction == Friction::none)
     return;
   refuse_foreign_entries(scene.friction == Friction::coulomb, {&given.friction_coefficient},
                          "Friction = coulomb", found);
@@ -249,6 +249,10 @@ Scene<dim> make_described_scene(const Parameters &parameters) {
   scene.geometry = make_geometry<dim>(parameters.geometry);
   if constexpr (dim == 2)
     revolve(parameters.material.plane_state, scene.geometry);
+  scene.geometry.thickness = parameters.geometry.thickness;
+  refuse_foreign_entries(!scene.geometry.axisymmetric, {&parameters.geometry.thickness},
+                         "a plane body",
+                         "Plane state = " + to_text(parameters.material.plane_state.value));
   scene.material = read_material(parameters.material, reader, scene.geometry);
   read_boundary(parameters.boundary, parameters.load, reader, scene);
   read_gaps(parameters, reader, scene);

@@ -92,7 +92,7 @@ void refuse_option(const Given<Option> &given, const Option option, const std::s
 void refuse_2d_entries(const Parameters &parameters) {
   refuse_foreign_entries(
     false,
-    {&parameters.geometry.arcs, &parameters.material.plane_state,
+    {&parameters.geometry.arcs, &parameters.geometry.thickness, &parameters.material.plane_state,
      &parameters.material.orthotropic_moduli, &parameters.material.orientation,
      &parameters.material.moduli_across, &parameters.boundary.plates, &parameters.load.plate_force,
      &parameters.load.plate_moment, &parameters.load.plate_travel, &parameters.contact.foundation,

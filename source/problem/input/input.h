@@ -103,6 +103,11 @@ Point<dim> read_point(const std::string &text, const Entry &entry);
 template <int dim>
 void check_size(const Geometry<dim> &geometry, const std::string &where);
 
+/** Reads the places of Output/Report. @throws InputError */
+template <int dim>
+std::vector<ReportPlace<dim>> read_report_places(const Given<std::string> &given,
+                                                 const Geometry<dim> &geometry);
+
 /** Refuses entries that are given, unless they belong to what is found. @throws InputError */
 void refuse_foreign_entries(bool belong, const std::vector<const Entry *> &entries,
                             const std::string &owner, const std::string &found);

@@ -136,13 +136,14 @@ Scene<2> make_scene(const Parameters &parameters) {
   for (const unsigned int side : scene.contact_sides())
     scene.kinks.add_ends_on(scene.geometry.sides[side]);
   scene.load_cases = read_load_cases(parameters.load_cases, scene);
+  scene.report_places = read_report_places(parameters.output.report, scene.geometry);
   return scene;
 }
 
 template <>
 Scene<3> make_scene(const Parameters &parameters) {
   refuse_2d_entries(parameters);
-  const Scene<3> scene = read_scene<3>(parameters);
+  Scene<3> scene = read_scene<3>(parameters);
   refuse_contradiction(scene, parameters.boundary.where);
   const std::vector<std::string> names = free_rigid_motions(scene);
   if (!names.empty())
@@ -150,6 +151,7 @@ Scene<3> make_scene(const Parameters &parameters) {
                       ": the clamped, prescribed and roller sides leave ", join(names, " and "),
                       " of the body free; in 3-D, hold the body with Clamped, Displacement or "
                       "Rollers.");
+  scene.report_places = read_report_places(parameters.output.report, scene.geometry);
   return scene;
 }
 

@@ -148,9 +148,11 @@ std::vector<Plate> read_plates(const Given<std::string> &given, const LoadParame
       throw error_at(load.plate_moment, "the plate '", names[p],
                      "' does not turn; allowed: moments of plates with the word turning in "
                      "Boundary/Plates.");
-    (plates[p].is_pushed ? plates[p].force : plates[p].travel) =
-      plates[p].is_pushed ? force->second : travel->second;
-    plates[p].moment = moment == moments.end() ? 0. : moment->second;
+    if (plates[p].is_pushed)
+      plates[p].force = force->second / geometry.thickness;
+    else
+      plates[p].travel = travel->second;
+    plates[p].moment = moment == moments.end() ? 0. : moment->second / geometry.thickness;
   }
   return plates;
 }

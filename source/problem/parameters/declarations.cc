@@ -248,6 +248,10 @@ void Declarations::declare_solver(SolverParameters &solver) {
 }
 
 void Declarations::declare_output(OutputParameters &output) {
+  add("Output/Report", output.report,
+      "Places separated by '|' for which the answer has the largest von Mises and principal "
+      "stresses and displacement: the name of a side or of a region, 'x,y radius r', a point "
+      "'x,y', or a line 'x,y to x,y', along which line-N.csv has them.");
   add("Output/VTU", output.vtu, "Levels for which solution-LL.vtu and contact-LL.vtu are written.");
   add(
     "Output/Inf-sup constant", output.inf_sup_constant,
@@ -316,5 +320,9 @@ void Declarations::declare_geometry(GeometryParameters &geometry) {
     "nodes: names separated by blanks. Edges with a node in the middle need no entry.");
   add("Geometry/Distortion", geometry.distortion,
       "Interior vertices of the coarsest level are moved at random by this share of h.", 0., 0.45);
+  add("Geometry/Thickness", geometry.thickness,
+      "Of a plane body (length): forces, moments, work and energies are those of it; plate forces "
+      "and moments act on all of it.",
+      1e-30, 1e30);
 }
 } // namespace Signorini

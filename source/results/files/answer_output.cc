@@ -4,6 +4,7 @@
 #include <signorini/base/text.h>
 #include <signorini/results/files/answer_output.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -118,6 +119,28 @@ public:
       add("  farther than " + digits(place["radius"]), maximum_text(maximum["away"], nullptr));
   }
 
+  void add_reports(const Json &answer) {
+    if (!answer.contains("reports"))
+      return;
+    for (const Json &report : answer["reports"]) {
+      std::string label = report["place"];
+      if (report.contains("values"))
+        add(label, point_text(report["values"]));
+      else if (!report.contains("von_mises"))
+        add(label, report["growth"].empty() ? "no point of this mesh lies there" : "");
+      // The other fields at a single point follow from these.
+      const bool is_point = report.contains("values");
+      for (std::size_t k = 0; k < (is_point ? 1 : n_report_fields); ++k)
+        if (const std::string name = to_text(static_cast<ReportField>(k)); report.contains(name))
+          add(k == 0 && !is_point ? label : "",
+              boost::replace_all_copy(boost::replace_all_copy(name, "_m", " M"), "_", " ") + " " +
+                maximum_text(report[name], nullptr));
+      for (const Json &place : report["growth"])
+        add("", (is_point ? "grows without limit" : "left out") + growth_text(place) +
+                  ", closer than " + digits(place["radius"]));
+    }
+  }
+
   void add_zones(const Json &answer) {
     if (answer.contains("contact_area"))
       add("Contact area", digits(answer["contact_area"]));
@@ -206,6 +229,24 @@ private:
     return text + " through " + number_text(force["through"], size_) + ", moment " +
            number_text(moment, scale_ * (moment.is_number() ? size_ : 1.));
   }
+  /** Returns " at the corner (0, 0) like r^-0.455". */
+  std::string growth_text(const Json &place) const {
+    std::ostringstream power;
+    power << std::setprecision(2) << double(place["exponent"]) - 1.;
+    return (place.contains("point") ? " at the corner " + number_text(place["point"], size_)
+                                    : " at the edge from " + number_text(place["ends"][0], size_) +
+                                        " to " + number_text(place["ends"][1], size_)) +
+           " like r^" + power.str();
+  }
+  /** Returns "u_x = 0.1, u_y = ...". */
+  std::string point_text(const Json &values) const {
+    std::string text;
+    for (const auto &[name, value] : values.items())
+      if (name.size() > 1)
+        text += (text.empty() ? "" : ", ") + name + " = " +
+                number_text(value, name[0] == 'u' ? size_ : 0.);
+    return text;
+  }
   std::string at(const Json &place) const {
     return "on " + std::string(place["side"]) + " at " + number_text(place["point"], size_);
   }
@@ -221,10 +262,7 @@ private:
                        (is_pressure ? at(maximum) : "at " + number_text(maximum["point"], size_)) +
                        ", " + std::string(maximum["trend"]);
     if (!place.is_null())
-      text += place.contains("point")
-                ? " at the corner " + number_text(place["point"], size_)
-                : " at the edge from " + number_text(place["ends"][0], size_) + " to " +
-                    number_text(place["ends"][1], size_);
+      text += growth_text(place);
     if (!maximum["change"].is_null())
       text += " (" + percent(maximum["change"]) + " from the " + level_.sizes.word() + " before)";
     if (is_pressure) {
@@ -243,10 +281,12 @@ private:
 
 void print_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
                   const std::filesystem::path &directory) {
+  const Answer &finest = levels.back().answer;
   stream << "Answer of " << levels.back().sizes.word() << " " << levels.back().sizes.level
-         << (levels.back().answer.axisymmetric     ? ", all around the axis"
-             : levels.back().answer.dimension == 2 ? ", per unit of thickness"
-                                                   : "")
+         << (finest.axisymmetric      ? ", all around the axis"
+             : finest.dimension == 3  ? ""
+             : finest.thickness == 1. ? ", per unit of thickness"
+                                      : ", for the thickness " + digits(finest.thickness))
          << " (pressure: positive in compression)\n";
   const Json answer = answer_of(levels, StudyVerdict());
   AnswerLines lines(stream, levels);
@@ -259,6 +299,7 @@ void print_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
   lines.add_zones(answer);
   lines.add_penetration(answer["penetration"]);
   lines.add_maximum("Von Mises stress", answer["von_mises"]);
+  lines.add_reports(answer);
   lines.add_energy(answer["energy"]);
   lines.add_load_cases();
   // Tests of runs leave out lines of this form.

@@ -162,7 +162,7 @@ bool is_name_of_result(const std::string &name) {
     "(solution|contact)-[0-9]{2}\\.vtu|(mesh-[0-9]{2}|pressure(-case-[0-9]{6})?|deformed|bound|"
     "convergence|travel)\\.(svg|png|pdf)|"
     "[ABCDFGKPbcfqs]-[0-9]{2}\\.mtx|cases\\.csv|contact-case-[0-9]{6}\\.csv|"
-    "solution-case-[0-9]{6}\\.vtu");
+    "solution-case-[0-9]{6}\\.vtu|line-[0-9]+\\.csv");
   return std::regex_match(name, names) || name == parameters_name || name == certificate_name;
 }
 

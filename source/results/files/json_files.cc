@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // answer.json and certificate.json, for programs to read.
 
+#include <signorini/base/text.h>
 #include <signorini/results/files/answer_output.h>
 #include <signorini/results/files/tables.h>
 #include <signorini/results/verdict/judge.h>
@@ -66,7 +67,7 @@ static void to_json(Json &json, const PressureMaximum &peak) {
   json["mean"] = peak.mean;
 }
 
-static void to_json(Json &json, const StressMaximum &stress) {
+static void to_json(Json &json, const FieldMaximum &stress) {
   json = {{"value", stress.value}, {"point", stress.point}};
 }
 
@@ -77,6 +78,7 @@ static void to_json(Json &json, const GrowthPlace &place) {
   else
     json["ends"] = place.ends;
   json["radius"] = place.radius;
+  json["exponent"] = place.exponent;
 }
 
 static void to_json(Json &json, const PlateRecord &plate) {
@@ -118,7 +120,7 @@ namespace {
 const AnswerVector &point_of(const PressureMaximum &peak) {
   return peak.place.point;
 }
-const AnswerVector &point_of(const StressMaximum &stress) {
+const AnswerVector &point_of(const FieldMaximum &stress) {
   return stress.point;
 }
 
@@ -169,6 +171,28 @@ Json maximum_of(const std::vector<LevelRecord> &levels, const Get &of) {
   return json;
 }
 
+/** Returns what is known about a place of Output/Report, with trends over the levels. */
+Json report_of(const std::vector<LevelRecord> &levels, const std::size_t i) {
+  const PlaceReport &finest = levels.back().answer.reports[i];
+  Json json = {{"place", finest.place}};
+  for (std::size_t k = 0; k < finest.extremes.size(); ++k) {
+    std::vector<std::optional<FieldMaximum>> values;
+    for (const LevelRecord &level : levels) {
+      const std::vector<FieldMaximum> &extremes = level.answer.reports[i].extremes;
+      values.push_back(extremes.empty() ? std::nullopt : std::optional(extremes[k]));
+    }
+    const bool grows = finest.rows.size() == 1 && !finest.growth.empty();
+    json[to_text(static_cast<ReportField>(k))] = with_trend(values, grows);
+  }
+  json["growth"] = finest.growth;
+  if (finest.rows.size() == 1) {
+    const std::vector<std::string> names =
+      split_list(report_header(levels[0].answer.dimension), ',');
+    for (std::size_t k = 1; k + n_report_fields < names.size(); ++k)
+      json["values"][names[k]] = finest.rows[0][k];
+  }
+  return json;
+}
 } // namespace
 
 Json answer_of(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict) {
@@ -194,13 +218,15 @@ Json answer_of(const std::vector<LevelRecord> &levels, const StudyVerdict &verdi
     {"contact_zones", answer.zones},
     {"penetration", answer.penetration},
     {"von_mises",
-     maximum_of<StressMaximum>(levels, [](const Answer &a) { return std::optional(a.von_mises); })},
+     maximum_of<FieldMaximum>(levels, [](const Answer &a) { return std::optional(a.von_mises); })},
     {"strained_share", answer.von_mises.strained_share},
     {"energy",
      {{"value", finest.certificate.energy},
       {"lower", bound.energy_lower},
       {"upper", bound.energy_upper}}},
     {"seconds", seconds}};
+  for (std::size_t i = 0; i < answer.reports.size(); ++i)
+    json["reports"].push_back(report_of(levels, i));
   if (finest.friction) {
     json["friction"] = *finest.friction;
     json["friction"]["ratio"] = nullptr;

@@ -152,9 +152,34 @@ std::string error_table(const std::vector<LevelRecord> &levels) {
   return text.str();
 }
 
+void write_rows(std::ostream &stream, const std::string &header,
+                const std::vector<std::vector<double>> &rows) {
+  stream << header << "\n" << std::setprecision(16);
+  for (const std::vector<double> &row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k)
+      stream << row[k] << (k + 1 < row.size() ? "," : "\n");
+}
+
 // cases.csv: force against travel, zone against force.
 
 namespace {
+/** Returns the columns of the reports, in quotation marks: names of places may contain commas. */
+Columns<CaseResult> report_columns(const std::vector<CaseResult> &cases) {
+  Columns<CaseResult> columns;
+  const auto reported = std::find_if(cases.begin(), cases.end(),
+                                     [](const CaseResult &c) { return !c.reports.empty(); });
+  if (reported != cases.end())
+    for (const auto &extreme : named_extremes(reported->reports))
+      columns.push_back(
+        {'"' + extreme.first + '"', [name = extreme.first](const CaseResult &c) {
+           const auto numbers = named_extremes(c.reports);
+           const auto number = std::find_if(numbers.begin(), numbers.end(),
+                                            [&](const auto &n) { return n.first == name; });
+           return number != numbers.end() ? std::optional(number->second) : std::nullopt;
+         }});
+  return columns;
+}
+
 /** Returns the columns: first the loads, then the answers, which an escape leaves empty. */
 Columns<CaseResult> case_columns(const bool has_friction) {
   using Case = CaseResult;
@@ -198,7 +223,9 @@ Columns<CaseResult> case_columns(const bool has_friction) {
 void write_cases_csv(std::ostream &stream, const std::vector<CaseResult> &cases) {
   const bool has_friction =
     std::any_of(cases.begin(), cases.end(), [](const CaseResult &c) { return c.friction; });
-  const Columns<CaseResult> columns = case_columns(has_friction);
+  Columns<CaseResult> columns = case_columns(has_friction);
+  for (const Column<CaseResult> &column : report_columns(cases))
+    columns.push_back(column);
   stream << "case," << csv_header(columns) << ",state\n";
   for (const CaseResult &result : cases)
     stream << result.number << "," << csv_row(columns, result) << ","

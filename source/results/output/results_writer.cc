@@ -196,6 +196,12 @@ void ResultsWriter::write_answer(const std::vector<LevelRecord> &levels,
                                  const StudyVerdict &verdict) {
   write("answer.json",
         [&](std::ostream &stream) { Signorini::write_answer(stream, levels, verdict); });
+  const Answer &answer = levels.back().answer;
+  for (std::size_t i = 0; i < answer.reports.size(); ++i)
+    if (answer.reports[i].rows.size() > 1)
+      write("line-" + std::to_string(i + 1) + ".csv", [&](std::ostream &stream) {
+        write_rows(stream, report_header(answer.dimension), answer.reports[i].rows);
+      });
 }
 
 std::string ResultsWriter::write_pictures() {

@@ -54,6 +54,47 @@ CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds
   return summary;
 }
 
+namespace {
+/** Multiplies the numbers of a vector, or of the optional ones those that are known. */
+template <typename... Numbers>
+void multiply(const double factor, Numbers &...numbers) {
+  const auto one = [factor](auto &number) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(number)>, double>)
+      number *= factor;
+    else if constexpr (std::is_same_v<std::decay_t<decltype(number)>, std::optional<double>>)
+      number = number ? std::optional(factor * *number) : std::nullopt;
+    else
+      for (double &entry : number)
+        entry *= factor;
+  };
+  (one(numbers), ...);
+}
+} // namespace
+
+void multiply_forces(const double thickness, LevelRecord &record) {
+  Answer &answer = record.answer;
+  multiply(thickness, record.contact.normal_force, record.certificate.energy,
+           answer.contact_force.resultant.force, answer.contact_force.resultant.moment);
+  for (std::vector<SideForce> *const forces : {&answer.contact_by_side, &answer.reactions})
+    for (SideForce &force : *forces)
+      multiply(thickness, force.resultant.force, force.resultant.moment);
+  for (PlateRecord &plate : record.motions.plates)
+    multiply(thickness, plate.force, plate.moment);
+  if (record.friction)
+    multiply(thickness, record.friction->tangential_force, record.friction->dissipation);
+  if (record.bound)
+    multiply(thickness, record.bound->energy_lower, record.bound->energy_upper,
+             record.bound->force_error);
+  answer.thickness = thickness;
+}
+
+void multiply_forces(const double thickness, CaseResult &result) {
+  result.contact.force *= thickness;
+  result.contact.moment *= thickness;
+  if (result.friction)
+    multiply(thickness, result.friction->tangential_force, result.friction->dissipation);
+}
+
 // The columns of convergence.csv, put together from those that the parts of a record declare.
 
 namespace {

@@ -35,11 +35,15 @@ int main(int argc, char *argv[]) {
   checks.that("a stated strategy", is(decide("Discretization/Strategy = nested"), {}));
   checks.that("a stated strategy has no reason",
               decide("Discretization/Strategy = hp").sentence.empty());
+  for (const std::string entry :
+       {"Discretization/Finest level = 6", "Discretization/Coarsest level = 2"}) {
+    checks.that(entry, is(decide(entry), {nested}));
+    checks.that(entry + " needs no reason", decide(entry).sentence.empty());
+  }
   checks.that("a stated level",
               is(decide("Discretization/Strategy = hp\nDiscretization/Coarsest level = 2"), {}));
   for (const std::string entry :
-       {"Discretization/Finest level = 6", "Discretization/Coarsest level = 2",
-        "Discretization/Element = Q2", "Discretization/Patch ratio = 4",
+       {"Discretization/Element = Q2", "Discretization/Patch ratio = 4",
         "Discretization/Patches = 3", "Geometry/Distortion = 0.1",
         "Solver/Contact solver = multigrid", "Solver/Linear solver = multigrid",
         "Solver/Require stability = true", "Output/Inf-sup constant = true",

@@ -12,14 +12,15 @@ namespace Signorini {
 struct StrategyDecision {
   /** The decided entries, "Subsection/Parameter=value". */
   std::vector<std::string> overrides;
-  /** "hp, since ..." for the user; empty where the parameters state a strategy. */
+  /** "hp, since ..." for the user; empty where the parameters state a strategy
+   * or levels. */
   std::string sentence;
 };
 
 /**
  * Decides Strategy = automatic, and with hp a Coarsest level that is not given. Meshes are nested
- * where the exact solution is known, which shows orders, where an entry is given that has no
- * meaning with hp, in space, and on several processes; else they are graded.
+ * where levels are given, where the exact solution is known, which shows orders, where an entry is
+ * given that has no meaning with hp, in space, and on several processes; else they are graded.
  */
 template <int dim>
 StrategyDecision decide_strategy(const Parameters &parameters, const Scene<dim> &scene,

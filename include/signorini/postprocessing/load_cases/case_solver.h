@@ -4,6 +4,7 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/resultant.h>
 #include <signorini/postprocessing/quantities/friction.h>
+#include <signorini/postprocessing/quantities/place_report.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/methods/contact_method.h>
 
@@ -34,6 +35,8 @@ struct CaseResult {
   std::vector<PlateMotion> plates;
   /** Friction, if the scene has it; in steps its dissipation is that since the beginning. */
   std::optional<FrictionSummary> friction;
+  /** The places of Output/Report. */
+  std::vector<PlaceReport> reports;
   unsigned int iterations = 0;
   double kkt = 0.;
   bool converged = false;
@@ -74,6 +77,8 @@ public:
   }
   /** Returns U of the last case by one more solve. Collective. */
   Displacement displacement() const;
+  /** Returns the report of the last case, whose displacement is given. Collective. */
+  std::vector<PlaceReport> report(const Displacement &U) const;
 
 private:
   /** The response to one kind of load. */

@@ -5,6 +5,7 @@
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
+#include <signorini/postprocessing/quantities/place_report.h>
 #include <signorini/postprocessing/quantities/side_forces.h>
 #include <signorini/postprocessing/quantities/von_mises.h>
 
@@ -25,6 +26,8 @@ struct Answer {
   /** Whether the body is one of revolution. Then the components of forces are sums over the
    * circumference: outward, and along the axis. */
   bool axisymmetric = false;
+  /** The thickness to which forces belong (length). */
+  double thickness = 1.;
   /** The size of the body (length): smaller coordinates may be rounding. */
   double size = 0.;
   /** The force of all contact sides together. */
@@ -38,6 +41,8 @@ struct Answer {
   /** The penetration; empty without a contact side. */
   std::optional<Penetration> penetration;
   VonMises von_mises;
+  /** The places of Output/Report. */
+  std::vector<PlaceReport> reports;
 
   static Columns<Answer> columns();
 };

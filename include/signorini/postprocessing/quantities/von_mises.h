@@ -7,6 +7,8 @@
 #include <signorini/postprocessing/quantities/answer_vector.h>
 #include <signorini/problem/scene/scene.h>
 
+#include <boost/serialization/vector.hpp>
+
 #include <array>
 #include <optional>
 #include <vector>
@@ -18,6 +20,15 @@ struct GrowthPlace {
   std::array<AnswerVector, 2> ends;
   /** The distance from which on largest values elsewhere are taken (length). */
   double radius = 0.;
+  /** The stress grows like r^{exponent - 1}. */
+  double exponent = 1.;
+
+  template <typename Archive>
+  void serialize(Archive &archive, const unsigned int /*version*/) {
+    for (AnswerVector &end : ends)
+      archive &static_cast<std::vector<double> &>(end);
+    archive &radius &exponent;
+  }
 };
 
 /** A corner of a 2-D body, or an edge of a box, at which stresses behave like r^{λ - 1} with
@@ -52,6 +63,11 @@ unsigned int axis_of(const Side<3> &side);
 template <int dim>
 bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim> &x);
 
+/** Returns the exponent of a place that x lies next to, in the present state of contact. */
+template <int dim>
+double present_exponent(const SingularPlace<dim> &place, const Point<dim> &x,
+                        const MultiplierSpace<dim> &multipliers, const Pressure &P);
+
 /** Returns the place where a value at @p x is part of unlimited growth: @p x lies next to it, and
  * the state of contact there makes λ < 1. The result is empty if there is none. */
 template <int dim>
@@ -59,21 +75,37 @@ std::optional<GrowthPlace> growth_at(const Point<dim> &x,
                                      const std::vector<SingularPlace<dim>> &places,
                                      const MultiplierSpace<dim> &multipliers, const Pressure &P);
 
-/** A largest von Mises stress (force/area), and where it is. */
-struct StressMaximum {
+/** The largest value of a field, and where it is. */
+struct FieldMaximum {
   double value = 0.;
   AnswerVector point;
   /** The cell on which the value was found. */
   MeshAt mesh;
+
+  template <typename Archive>
+  void serialize(Archive &archive, const unsigned int /*version*/) {
+    archive &value &static_cast<std::vector<double> &>(point) & mesh.size &mesh.degree;
+  }
 };
 
+/** Takes the larger value; of equals (a symmetric body has some) the one further left, then further
+ * down, so that neither ranks nor rounding choose. */
+void take_larger(const FieldMaximum &other, FieldMaximum &largest);
+
+/** Returns the size and the degree of a cell, where they differ from cell to cell. */
+template <int dim>
+MeshAt mesh_at(const DisplacementSpace<dim> &space,
+               const typename DoFHandler<dim>::active_cell_iterator &cell) {
+  return space.has_several_elements() ? MeshAt{cell->diameter(), cell->get_fe().degree} : MeshAt();
+}
+
 /** The largest von Mises stress. */
-struct VonMises : StressMaximum {
+struct VonMises : FieldMaximum {
   /** The place where the exact value is infinite, if there is one: the value then depends only on
    * how fine the mesh is. */
   std::optional<GrowthPlace> grows_at;
   /** The largest stress away from all SingularPlace, where there are any. */
-  std::optional<StressMaximum> away;
+  std::optional<FieldMaximum> away;
   /** The share of the body (area, volume) in cells with a principal strain above large_strain in
    * their middle. */
   double strained_share = 0.;
@@ -83,9 +115,8 @@ struct VonMises : StressMaximum {
 constexpr double large_strain = 0.1;
 
 /**
- * Returns the largest stress of π^{2h} u_h, or of u_h on a mesh without T^{2h}, at the corners and
- * the middle of every cell. With mean dilatation the trace of the strain is mean_dilatations().
- * Points at which the material's data has no value are left out. Collective.
+ * Returns the largest stress at the points of FieldSampler::at_nodes() of every cell. Points at
+ * which the material's data has no value are left out. Collective.
  * @param places away is taken outside of them.
  */
 template <int dim>

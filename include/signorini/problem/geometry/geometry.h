@@ -105,6 +105,9 @@ struct Geometry {
   /** Whether the body is one of revolution: x is the distance from its axis, and integrals are
    * those over the whole circumference. For 2-D only. */
   bool axisymmetric = false;
+  /** The length of a plane body across its plane, for which forces are told; what is computed is
+   * per unit of it. */
+  double thickness = 1.;
   /** Whether the segments from inner_point() to the boundary lie in the body. */
   bool star_shaped = true;
   /** A point inside of the body. If it is empty, inner_point() is the mean of the sides. */

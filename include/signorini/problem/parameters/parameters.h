@@ -71,6 +71,7 @@ struct GeometryParameters {
    * come from no file. */
   std::string folder;
   Given<double> distortion{0.};
+  Given<double> thickness{1.};
 };
 
 /** Subsection Material: Hooke's tensor. */
@@ -162,6 +163,7 @@ struct SolverParameters {
 
 /** Subsection Output. */
 struct OutputParameters {
+  Given<std::string> report;
   Given<VtuLevels> vtu{VtuLevels::finest};
   Given<Choice> inf_sup_constant{Choice::automatic};
   Given<bool> compliance{false};

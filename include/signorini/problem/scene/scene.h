@@ -6,6 +6,7 @@
 #include <signorini/problem/parameters/options.h>
 #include <signorini/problem/scene/foundation.h>
 #include <signorini/problem/scene/material.h>
+#include <signorini/problem/scene/report_place.h>
 
 #include <deal.II/base/function.h>
 #include <deal.II/base/tensor.h>
@@ -160,6 +161,8 @@ struct Scene {
   FunctionPointer<dim> exact_displacement;
   /** The shift of the foundations of all sides that `data` contains (length). */
   Tensor<1, dim> foundation_position;
+  /** The places for which stresses are wanted. */
+  std::vector<ReportPlace<dim>> report_places;
   /** Where data is not smooth, with boxes for the body force; and the same with boxes for the
    * moduli, nothing where they are constant. */
   Kinks<dim> kinks, law_kinks;

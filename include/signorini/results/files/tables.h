@@ -36,6 +36,10 @@ std::string csv_row(const Columns<Row> &columns, const Row &row) {
   return line.str();
 }
 
+/** Writes a table of numbers with all digits. @param header the names, separated by commas. */
+void write_rows(std::ostream &stream, const std::string &header,
+                const std::vector<std::vector<double>> &rows);
+
 /** Returns the line of column names of the table that grows as levels finish. @param graded whether
  * levels are steps of a graded sequence (LevelSizes::is_graded). */
 std::string screen_header(bool graded = false);

@@ -122,6 +122,11 @@ struct LevelRecord {
   Resources resources;
 };
 
+/** Multiplies forces, moments, work and energies, which are computed per unit of thickness, by the
+ * thickness. Norms stay those of the plane. */
+void multiply_forces(double thickness, LevelRecord &record);
+void multiply_forces(double thickness, CaseResult &result);
+
 /**
  * Returns the names of the columns on whose places in convergence.csv programs rely. Other columns
  * follow in the order of the record's members. A release adds their names here.

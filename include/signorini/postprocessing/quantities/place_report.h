@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/postprocessing/quantities/von_mises.h>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Signorini {
+/** What a report tells of a place: the von Mises stress, the largest and the smallest principal
+ * stress (force/area), and |u| (length). */
+enum class ReportField { von_mises, largest_principal, smallest_principal, displacement };
+constexpr std::size_t n_report_fields = 4;
+
+/** Returns "von_mises", ... */
+std::string to_text(ReportField field);
+
+/** The values at a place of Output/Report. */
+struct PlaceReport {
+  std::string place;
+  /** The extreme value of each field; of the smallest principal stress the smallest. Empty where
+   * the mesh has no point at the place. */
+  std::vector<FieldMaximum> extremes;
+  /** The corners and edges at the place where stresses grow without limit. Points next to them are
+   * left out of the extremes, unless the place is a single point. */
+  std::vector<GrowthPlace> growth;
+  /** For a point and for points along a line: those in the body, with the distance from the start,
+   * the coordinates, u, the stresses xx, yy, zz, xy (in space also xz, yz), and the four fields. */
+  std::vector<std::vector<double>> rows;
+};
+
+/** Returns the extremes of all places with names for a table: "von_mises at 1,2 radius 3". */
+std::vector<std::pair<std::string, double>> named_extremes(const std::vector<PlaceReport> &reports);
+
+/** Returns the names of the columns of PlaceReport::rows, separated by commas. */
+std::string report_header(unsigned int dimension);
+
+/** Returns the place of unlimited growth next to a point, if there is one. */
+template <int dim>
+using GrowthAt = std::function<std::optional<GrowthPlace>(const Point<dim> &)>;
+
+/**
+ * Reports on the places of a scene, at the points of FieldSampler::at_nodes(), and at the points of
+ * lines. Points where the material's data has no value are left out. Collective.
+ * @throws InputError for a point or a line outside of the body.
+ */
+template <int dim>
+std::vector<PlaceReport> report_on_places(const DisplacementSpace<dim> &space,
+                                          const Scene<dim> &scene, const Displacement &U,
+                                          const GrowthAt<dim> &growth_at);
+} // namespace Signorini

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+
+#include <deal.II/base/point.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Signorini {
+/** A place for which a user wants the largest stresses and displacements: some sides, a region, a
+ * disc (in space a ball), a point or a line. */
+template <int dim>
+struct ReportPlace {
+  /** The text that describes it, and the entry for messages. */
+  std::string name, where;
+  std::vector<unsigned int> sides;
+  std::optional<unsigned int> region;
+  /** The centre and the radius of a disc (length); without a disc the radius is negative. */
+  Point<dim> centre;
+  double radius = -1.;
+  /** The point, or points at equal distances along the line; else empty. */
+  std::vector<Point<dim>> points;
+};
+} // namespace Signorini

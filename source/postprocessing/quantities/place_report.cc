@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Stresses and displacements where the user wants them.
+
+#include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
+#include <signorini/base/message.h>
+#include <signorini/base/text.h>
+#include <signorini/discretization/elasticity/cell_values.h>
+#include <signorini/postprocessing/fields/field_sampler.h>
+#include <signorini/postprocessing/quantities/place_report.h>
+
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/grid_tools_cache.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini {
+namespace {
+using Values = std::array<double, n_report_fields>;
+
+/** The fields of which the smallest value is wanted have the sign -1. */
+constexpr Values signs = {{1., 1., -1., 1.}};
+
+/** The contribution of a part of the body to a place; of the fields with their signs. */
+struct PlacePart {
+  std::vector<FieldMaximum> largest;
+  std::vector<GrowthPlace> growth;
+  std::vector<std::vector<double>> rows;
+
+  void add(const std::vector<FieldMaximum> &values) {
+    if (largest.empty())
+      largest = values;
+    else
+      for (std::size_t i = 0; i < values.size(); ++i)
+        take_larger(values[i], largest[i]);
+  }
+  void add(const GrowthPlace &place) {
+    if (std::none_of(growth.begin(), growth.end(),
+                     [&](const GrowthPlace &known) { return known.ends == place.ends; }))
+      growth.push_back(place);
+  }
+  void add(const PlacePart &other) {
+    add(other.largest);
+    for (const GrowthPlace &place : other.growth)
+      add(place);
+    rows.insert(rows.end(), other.rows.begin(), other.rows.end());
+  }
+  template <typename Archive>
+  void serialize(Archive &archive, const unsigned int /*version*/) {
+    archive &largest &growth &rows;
+  }
+};
+using PlaceParts = std::vector<PlacePart>;
+
+void add(const PlaceParts &parts, PlaceParts &sum) {
+  sum.resize(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    sum[i].add(parts[i]);
+}
+
+/** Reads the fields of a solution for places. */
+template <int dim>
+class PlaceReader {
+public:
+  using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+  PlaceReader(const SampledField<dim> &field, const GrowthAt<dim> &growth_at)
+    : field_(field)
+    , growth_at_(growth_at) {}
+
+  /** Returns what a chunk of cells contributes to the places. */
+  PlaceParts read_cells(const Cells<dim> &cells) const {
+    FieldSampler<dim> sampler(field_);
+    const std::vector<ReportPlace<dim>> &places = field_.scene.report_places;
+    PlaceParts parts(places.size());
+    for (const Cell &cell : cells)
+      for (std::size_t i = 0; i < places.size(); ++i)
+        if (const bool in_region = is_in_region(places[i], cell);
+            in_region || may_contain(places[i], cell))
+          for (const FieldSample<dim> &sample : sampler.at_nodes(cell))
+            if (in_region || contains(places[i], cell, sample))
+              add_sample(cell, sample, parts[i]);
+    return parts;
+  }
+
+  /** Returns what the cells of this rank contribute to the points of a place. */
+  PlacePart read_points(const ReportPlace<dim> &place, const GridTools::Cache<dim> &cache) const {
+    FieldSampler<dim> sampler(field_);
+    PlacePart part;
+    for (const Point<dim> &x : place.points) {
+      const auto [found, unit] = GridTools::find_active_cell_around_point(cache, x);
+      if (found.state() != IteratorState::valid || !found->is_locally_owned())
+        continue;
+      const Cell cell(&cache.get_triangulation(), found->level(), found->index(),
+                      &field_.space.dofs());
+      const FieldSample<dim> sample = sampler.at(cell, unit);
+      add_row(place.points.front(), x, cell, sample, part);
+      add_sample(cell, sample, part, place.points.size() == 1);
+    }
+    return part;
+  }
+
+private:
+  bool is_in_region(const ReportPlace<dim> &place, const Cell &cell) const {
+    return place.region && field_.scene.geometry.region_at(cell->center()) == *place.region;
+  }
+  /** Returns false where a cell is far from a place. */
+  static bool may_contain(const ReportPlace<dim> &place, const Cell &cell) {
+    return place.sides.empty()
+             ? cell->center().distance(place.centre) <= place.radius + cell->diameter()
+             : cell->at_boundary();
+  }
+  static bool contains(const ReportPlace<dim> &place, const Cell &cell,
+                       const FieldSample<dim> &sample) {
+    for (const unsigned int f : cell->face_indices())
+      if (cell->at_boundary(f) && std::abs(sample.unit[f / 2] - f % 2) < 1e-12 &&
+          std::count(place.sides.begin(), place.sides.end(), cell->face(f)->boundary_id()) > 0)
+        return true;
+    return sample.x.distance(place.centre) <= place.radius;
+  }
+
+  Stress3D stress_of(const Cell &cell, const FieldSample<dim> &sample) const {
+    return stress_in_3d(*field_.scene.material, sample.x, cell->center(), sample.strain);
+  }
+  static Values fields_of(const Stress3D &stress, const FieldSample<dim> &sample) {
+    const std::array<double, 3> principal = principal_stresses(stress);
+    return {{von_mises(stress), principal[0], principal[2], sample.u.norm()}};
+  }
+
+  /** @param always whether a sample next to a place of growth counts, too. */
+  void add_sample(const Cell &cell, const FieldSample<dim> &sample, PlacePart &part,
+                  const bool always = false) const {
+    const std::optional<GrowthPlace> growth = growth_at_(sample.x);
+    if (growth)
+      part.add(*growth);
+    if (growth && !always)
+      return;
+    try {
+      const Values values = fields_of(stress_of(cell, sample), sample);
+      std::vector<FieldMaximum> maxima;
+      for (std::size_t i = 0; i < values.size(); ++i)
+        maxima.push_back({signs[i] * values[i], sample.x, mesh_at(field_.space, cell)});
+      part.add(maxima);
+    } catch (const InputError &) {
+    }
+  }
+
+  void add_row(const Point<dim> &start, const Point<dim> &x, const Cell &cell,
+               const FieldSample<dim> &sample, PlacePart &part) const {
+    try {
+      const Stress3D stress = stress_of(cell, sample);
+      std::vector<double> row = {x.distance(start)};
+      row.insert(row.end(), x.begin_raw(), x.end_raw());
+      row.insert(row.end(), sample.u.begin_raw(), sample.u.end_raw());
+      row.insert(row.end(), {stress[0][0], stress[1][1], stress[2][2], stress[0][1]});
+      if (dim == 3)
+        row.insert(row.end(), {stress[0][2], stress[1][2]});
+      const Values values = fields_of(stress, sample);
+      row.insert(row.end(), values.begin(), values.end());
+      part.rows.push_back(row);
+    } catch (const InputError &) {
+    }
+  }
+
+  const SampledField<dim> &field_;
+  const GrowthAt<dim> &growth_at_;
+};
+
+/** Returns what the whole body contributes to the places. Collective. */
+template <int dim>
+PlaceParts parts_of_all(const SampledField<dim> &field, const GrowthAt<dim> &growth_at) {
+  const std::vector<ReportPlace<dim>> &places = field.scene.report_places;
+  const Mesh<dim> &mesh = field.space.mesh();
+  const PlaceReader<dim> reader(field, growth_at);
+  PlaceParts mine(places.size()), all;
+  integrate_by_chunks<PlaceParts, dim>(
+    field.space, [&](const Cells<dim> &cells) { return reader.read_cells(cells); },
+    [&mine](const PlaceParts &parts) { add(parts, mine); });
+  const GridTools::Cache<dim> cache(mesh.triangulation(), mesh.mapping());
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (!places[i].points.empty())
+      mine[i] = reader.read_points(places[i], cache);
+  for (const PlaceParts &parts : Utilities::MPI::all_gather(mesh.communicator(), mine))
+    add(parts, all);
+  return all;
+}
+} // namespace
+
+std::string to_text(const ReportField field) {
+  constexpr std::array<const char *, n_report_fields> names = {
+    {"von_mises", "largest_principal", "smallest_principal", "displacement"}};
+  return names[static_cast<std::size_t>(field)];
+}
+
+std::vector<std::pair<std::string, double>>
+named_extremes(const std::vector<PlaceReport> &reports) {
+  std::vector<std::pair<std::string, double>> numbers;
+  for (const PlaceReport &report : reports)
+    for (std::size_t k = 0; k < report.extremes.size(); ++k)
+      numbers.emplace_back(to_text(static_cast<ReportField>(k)) + " at " + report.place,
+                           report.extremes[k].value);
+  return numbers;
+}
+
+std::string report_header(const unsigned int dimension) {
+  return dimension == 2 ? "s,x,y,u_x,u_y,stress_xx,stress_yy,stress_zz,stress_xy,von_mises,"
+                          "largest_principal,smallest_principal,displacement"
+                        : "s,x,y,z,u_x,u_y,u_z,stress_xx,stress_yy,stress_zz,stress_xy,stress_xz,"
+                          "stress_yz,von_mises,largest_principal,smallest_principal,displacement";
+}
+
+template <int dim>
+std::vector<PlaceReport> report_on_places(const DisplacementSpace<dim> &space,
+                                          const Scene<dim> &scene, const Displacement &U,
+                                          const GrowthAt<dim> &growth_at) {
+  const std::vector<ReportPlace<dim>> &places = scene.report_places;
+  if (places.empty())
+    return {};
+  const PlaceParts all = parts_of_all(SampledField<dim>(space, scene, U), growth_at);
+  std::vector<PlaceReport> reports;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!places[i].points.empty() && all[i].rows.empty())
+      throw input_error(places[i].where, ": found ", quote(places[i].name),
+                        ", which is outside of the body, allowed: points of the body.");
+    reports.push_back({places[i].name, all[i].largest, all[i].growth, all[i].rows});
+    for (std::size_t k = 0; k < reports[i].extremes.size(); ++k)
+      reports[i].extremes[k].value *= signs[k];
+    std::sort(reports[i].rows.begin(), reports[i].rows.end());
+  }
+  return reports;
+}
+
+INSTANTIATE_FUNCTION(report_on_places);
+} // namespace Signorini
