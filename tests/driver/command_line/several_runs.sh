@@ -82,7 +82,9 @@ check "  the energy is quadratic" awk -F, 'NR > 1 && ($6 / $1 ^ 2 - 0.5) ^ 2 > 1
 check "  the finest level" [ "$(column level sweep/sweep.csv)" = '2 2 2 ' ]
 check "  verdicts" [ "$(column verdict sweep/sweep.csv)" = 'certified certified certified ' ]
 check "  columns" [ "$(head -n 1 sweep/sweep.csv)" = \
-  'Constants/depth,level,dofs,contact_force,peak_pressure,energy,estimate,bound,seconds,verdict' ]
+  'Constants/depth,level,dofs,contact_force,peak_pressure,energy,estimate,bound,seconds,contact_length,'\
+'reaction_left_x,reaction_left_y,reaction_right_x,reaction_right_y,reaction_top_x,reaction_top_y,verdict' ]
+check "  reactions" awk -F, 'NR > 1 && ($16 / $4 + 1) ^ 2 > 1e-18 { exit 1 }' sweep/sweep.csv
 check "  the table is printed" grep -q '^0.05  *2 ' stdout
 run 0 block.prm --sweep 'Constants/E=1, 2' --sweep 'Constants/depth=0.1, 0.2' --output product
 check "  all combinations" [ "$(column contact_force product/sweep.csv | tr ' ' '\n' | xargs printf '%.6f ')" = \
