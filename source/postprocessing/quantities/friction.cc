@@ -14,6 +14,8 @@ Columns<FrictionSummary> FrictionSummary::columns() {
           {"stick_length", &FrictionSummary::stick_length},
           {"slip_length", &FrictionSummary::slip_length},
           {"open_length", &FrictionSummary::open_length},
+          {"friction_carried_share", &FrictionSummary::carried_share},
+          {"friction_largest_share", &FrictionSummary::largest_share},
           {"critical_friction_factor", &FrictionSummary::critical_factor},
           {"q_l2", &FrictionSummary::l2_error}};
 }
@@ -43,6 +45,23 @@ double tangential_force(const MultiplierSpace<dim> &space, const Multiplier &mul
   }
   return dim == 2 ? along : force.norm();
 }
+
+/** Sets the shares of its limits that friction takes. */
+template <int dim>
+void add_shares(const MultiplierSpace<dim> &space, const Multiplier &multiplier,
+                FrictionSummary &summary) {
+  const Pressure bounds = multiplier.bounds();
+  const std::vector<Pressure> q = multiplier.tangential();
+  const double limit = bounds * space.integrals();
+  if (!(limit > 0.))
+    return;
+  summary.carried_share = std::abs(summary.tangential_force) / limit;
+  const double negligible = 1e-12 * bounds.linfty_norm();
+  for (unsigned int k = 0; k < bounds.size(); ++k)
+    if (bounds[k] > negligible)
+      summary.largest_share = std::max(
+        summary.largest_share, std::hypot(q[0][k], q.size() > 1 ? q[1][k] : 0.) / bounds[k]);
+}
 } // namespace
 
 template <int dim>
@@ -52,6 +71,7 @@ FrictionSummary summarise_friction(const MultiplierSpace<dim> &space, const Mult
   const dealii::Vector<double> lengths = space.lengths();
   FrictionSummary summary;
   summary.tangential_force = tangential_force(space, multiplier);
+  add_shares(space, multiplier, summary);
   const AdmissibleSet &K = multiplier.set();
   summary.dissipation = K.dissipation(K.slip(multiplier.values(), W));
   // Nodes in one state press in the place of P.

@@ -111,7 +111,8 @@ void ExpressionFunction<dim>::vector_gradient_list(const Points &points,
 template <int dim>
 bool is_constant(const Function<dim> &function) {
   const auto *expressions = dynamic_cast<const ExpressionFunction<dim> *>(&function);
-  return expressions != nullptr && expressions->is_constant();
+  return dynamic_cast<const Functions::ConstantFunction<dim> *>(&function) != nullptr ||
+         (expressions != nullptr && expressions->is_constant());
 }
 
 template class ExpressionFunction<2>;

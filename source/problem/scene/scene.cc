@@ -15,6 +15,11 @@ Tensor<1, 2> Plate::displacement(const PlateMotion &motion, const Point<2> &x) c
 
 std::shared_ptr<const Function<2>> plate_displacement(const Plate &plate,
                                                       const PlateMotion &motion) {
+  // Who reads a constant knows that it is one.
+  if (!plate.turns) {
+    const Tensor<1, 2> u = plate.displacement(motion, plate.centre);
+    return std::make_shared<Functions::ConstantFunction<2>>(std::vector<double>{u[0], u[1]});
+  }
   return std::make_shared<FieldFunction<2>>(
     [plate, motion](const Point<2> &x) { return plate.displacement(motion, x); });
 }

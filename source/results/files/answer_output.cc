@@ -156,6 +156,7 @@ public:
       add("  areas", "stick " + digits(friction["stick_length"]) + ", slip " +
                        digits(friction["slip_length"]) + ", open " +
                        digits(friction["open_length"]));
+    add("  limits", text_of_limits(*level_.friction));
     if (level_.friction->is_regular)
       add("  uniqueness", text_of_regularity(*level_.friction));
     add_zones("  stick zone", friction["stick_zones"], level_.friction->stick_zones);
@@ -196,6 +197,14 @@ public:
   }
 
 private:
+  static std::string text_of_limits(const FrictionSummary &friction) {
+    const double largest = friction.largest_share;
+    return "T takes " + digits(100. * rounded(friction.carried_share, 1.)) +
+           " % of what friction can carry" +
+           (largest > 0. && largest < 1. - 1e-9
+              ? "; all sticks, down to " + digits(largest) + " times this friction"
+              : "");
+  }
   /** A solution is never called unique: that is not proved. */
   static std::string text_of_regularity(const FrictionSummary &friction) {
     const std::optional<double> critical = friction.critical_factor;

@@ -56,6 +56,7 @@ static void to_json(Json &json, const FrictionSummary &friction) {
   json = {
     {"tangential_force", friction.tangential_force}, {"dissipation", friction.dissipation},
     {"stick_length", friction.stick_length},         {"slip_length", friction.slip_length},
+    {"carried_share", friction.carried_share},       {"largest_share", friction.largest_share},
     {"open_length", friction.open_length},           {"critical_factor", friction.critical_factor},
     {"fixed_point_rate", friction.fixed_point_rate}, {"regular", friction.is_regular},
     {"stick_zones", friction.stick_zones},           {"slip_zones", friction.slip_zones}};

@@ -99,11 +99,8 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
                        number);
     write(level_file("contact", number, ".vtu"),
           [&](std::ostream &stream) { write_contact_vtu<dim>(stream, traced, bound.contact); });
-    for (const char *const name : {"solution", "contact"}) {
-      vtu_files_[name].emplace_back(number, level_file(name, number, ".vtu"));
-      write(name + std::string(".pvd"),
-            [&](std::ostream &stream) { write_pvd(stream, vtu_files_[name]); });
-    }
+    for (const char *const name : {"solution", "contact"})
+      list_vtu(name, number, level_file(name, number, ".vtu"));
   }
   if (parameters_.output.compliance)
     write_dual_problem(*level.discretization, solution);
@@ -116,13 +113,26 @@ void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
     return;
   start_directory();
   const std::string ending = "-case-" + Utilities::int_to_string(number, 6);
-  if (parameters_.output.vtu != VtuLevels::none)
-    write_solution_vtu(directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U,
-                       {}, number);
-  write("contact" + ending + ".csv", [&](std::ostream &stream) {
-    write_contact_csv<2>(stream, trace_contact(discretization.space, discretization.multipliers,
-                                               scene.boundary, U, P));
+  TracedContact<2> traced;
+  on_first_rank([&]() {
+    traced = trace_contact(discretization.space, discretization.multipliers, scene.boundary, U, P);
   });
+  write("contact" + ending + ".csv",
+        [&](std::ostream &stream) { write_contact_csv<2>(stream, traced); });
+  if (parameters_.output.vtu == VtuLevels::none)
+    return;
+  write_solution_vtu(directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U,
+                     {}, number);
+  write("contact" + ending + ".vtu",
+        [&](std::ostream &stream) { write_contact_vtu<2>(stream, traced, {}); });
+  for (const char *const name : {"solution", "contact"})
+    list_vtu(name + std::string("-cases"), number, name + ending + ".vtu");
+}
+
+void ResultsWriter::list_vtu(const std::string &list, const unsigned int number,
+                             const std::string &file) {
+  vtu_files_[list].emplace_back(number, file);
+  write(list + ".pvd", [&](std::ostream &stream) { write_pvd(stream, vtu_files_[list]); });
 }
 
 void ResultsWriter::write_cases(const std::vector<CaseResult> &cases) {

@@ -133,11 +133,15 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
   if (sliding) {
     const RigidMotion along = rigid_part(modes, sliding->v);
     const double unit = std::max(along.translation.norm(), std::abs(along.rotation) / along.size);
-    throw InputError(parameters.boundary.where + ": the body slides " + along.direction() +
-                     ": friction carries at most " + number_text(sliding->friction / unit) +
-                     ", the loads pull with " + number_text(sliding->load / unit) +
-                     "; allowed: more friction, loads that press the body onto the foundation, or "
-                     "more sides that hold it.");
+    throw InputError(
+      parameters.boundary.where + ": the body slides " + along.direction() +
+      ": friction carries at most " + number_text(sliding->friction / unit) +
+      ", the loads pull with " + number_text(sliding->load / unit) + "; allowed: more friction" +
+      (sliding->friction > 0.
+         ? " (at least " + number_text(sliding->load / sliding->friction) + " times as much)"
+         : "") +
+      ", loads that press the body onto the foundation, or "
+      "more sides that hold it.");
   }
   if (points_balance(discretization, modes, motions)) {
     const Given<unsigned int> &coarsest = parameters.discretization.coarsest_level;

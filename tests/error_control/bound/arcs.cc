@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <iomanip>
 
 #include "bounded.h"
 #include "error_control/hp/graded.h"
@@ -197,8 +198,34 @@ void half_disc(Checks &checks) {
                      0.98, 1.3);
   }
 }
+
+/** A ring that a plate in its bore presses onto a plane, by a force and by the travel that it
+ * makes: the bounds of J on coarse meshes contain those on finer ones, and J of the travel is that
+ * of the force without its work. */
+void moved_bore(Checks &checks) {
+  const std::string text = "Geometry/Shape = ring\nBoundary/Plates = inner: 0, -1\n"
+                           "Boundary/Contact = outer\nContact/Foundation = plane 0,-1 normal 0,1\n";
+  const auto solve_to = [&](const std::string &load, const std::string &target) {
+    return solve(text + load,
+                 {"Discretization/Strategy=hp", "Discretization/Target error=" + target,
+                  "Discretization/Coarsest level=1"});
+  };
+  const std::string by_force = "Load/Plate force = inner: 0.02\n";
+  const StudyResult<2> coarse = solve_to(by_force, "1e-2"), fine = solve_to(by_force, "1e-4");
+  const double travel = last(fine, "plate_travel"), energy = last(fine, "energy");
+  std::ostringstream by_travel;
+  by_travel << std::setprecision(16) << "Load/Plate travel = inner: " << travel << "\n";
+  const StudyResult<2> driven = solve_to(by_travel.str(), "1e-2");
+  for (const auto &[found, J] : {std::make_pair(&coarse, energy), std::make_pair(&fine, energy),
+                                 std::make_pair(&driven, energy + 0.02 * travel)}) {
+    checks.about("moved bore");
+    checks.that("certified", found->verdict.outcome == Outcome::certified);
+    checks.between("energy", J, last(*found, "energy_lower") - 1e-8 * std::abs(J),
+                   last(*found, "energy_upper") + 1e-8 * std::abs(J));
+  }
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {equilibrium, least_energies, degrees, half_disc});
+  return run_tests(argc, argv, {equilibrium, least_energies, degrees, half_disc, moved_bore});
 }
