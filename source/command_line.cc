@@ -70,6 +70,9 @@ po::options_description describe_options(CommandLine &command_line) {
     ("output", po::value<std::string>()->value_name("DIR"),
      "where results go (default: results/<name of the .prm file>); of several scenes: "
      "DIR/<name>") //
+    ("check", po::bool_switch(&command_line.check),
+     "solve nothing: print the sides of the body with their roles and data, and what a run may "
+     "cost, and draw the scene (scene.svg)") //
     ("quiet", po::bool_switch(&command_line.quiet),
      "print nothing but warnings and errors; files and exit code say the rest") //
     ("list-scenes", "the scenes known by name")                                 //

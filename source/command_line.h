@@ -17,6 +17,8 @@ struct CommandLine {
   std::vector<std::string> sweeps;
   /** The directory of each file's results. */
   std::vector<std::string> directories;
+  /** Whether scenes are shown instead of solved. */
+  bool check = false;
   /** Whether nothing but warnings and errors is printed. */
   bool quiet = false;
   /** The answer of --help, --version, --list-scenes or --print-parameters. */
@@ -25,7 +27,7 @@ struct CommandLine {
   /** Packs the command line for messages between ranks. */
   template <typename Archive>
   void serialize(Archive &archive, const unsigned int /*version*/) {
-    archive &parameter_files &overrides &sweeps &directories &quiet &text;
+    archive &parameter_files &overrides &sweeps &directories &check &quiet &text;
   }
 };
 

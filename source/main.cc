@@ -44,6 +44,7 @@ RunSummary run_file(const CommandLine &command_line, const std::size_t i, MPI_Co
                                 command_line.directories[i], communicator, screen);
     input.others.assign(command_line.parameter_files.begin() + i + 1,
                         command_line.parameter_files.end());
+    input.only_show = command_line.check;
     std::vector<Sweep> sweeps;
     for (const std::string &argument : command_line.sweeps)
       sweeps.push_back(read_sweep(argument));

@@ -123,8 +123,14 @@ RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Co
   if (!decision.sentence.empty())
     screen.out() << "Strategy  " << decision.sentence << "\n";
   try {
-    const StudyResult<dim> result = run_study(parameters, scene, communicator,
-                                              {screen.out(), input.directory, screen.progress()});
+    const StudyReport report = {screen.out(), input.directory, screen.progress()};
+    if (input.only_show) {
+      show_scene(parameters, scene, communicator, report);
+      if (results)
+        results->remove_if_empty();
+      return {0, "shown", {}};
+    }
+    const StudyResult<dim> result = run_study(parameters, scene, communicator, report);
     if (is_first_rank(communicator))
       describe_interruption("after the last level; the results are complete.");
     if (!result.verdict.reason.empty())
@@ -160,7 +166,7 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
 RunInput read_input(const std::string &file_name, const std::vector<std::string> &overrides,
                     const std::filesystem::path &directory, MPI_Comm communicator,
                     const Screen &screen) {
-  RunInput input = {file_name, shorten_path(file_name), "", overrides, directory, {}};
+  RunInput input = {file_name, shorten_path(file_name), "", overrides, directory, false, {}};
   agree(communicator, [&]() {
     if (is_first_rank(communicator))
       input.text = read_text_file(file_name);

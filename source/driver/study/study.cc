@@ -23,14 +23,6 @@
 #include <vector>
 
 namespace Signorini {
-/**
- * Refuses settings that contradict the scene or the number of ranks: solvers that need a serial
- * run.
- * @throws InputError
- */
-template <int dim>
-void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator);
-
 namespace {
 /** Prints the tables after the last level, before the verdict. */
 void print_end(const std::vector<LevelRecord> &levels, const StudyReport &report) {
@@ -58,8 +50,7 @@ public:
     , scene_(scene)
     , n_ranks_(Utilities::MPI::n_mpi_processes(communicator))
     , report_(report)
-    , judge_({parameters.solver.tolerance, parameters.solver.tolerated_error,
-              target_error(parameters.discretization), dim == 2 && n_ranks_ == 1, dim == 2})
+    , judge_(judge_of(parameters, dim, n_ranks_))
     , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_}))
     , writer_(parameters, judge_, scene.description, report.directory, communicator) {}
 
@@ -158,6 +149,13 @@ private:
   StudyResult<dim> result_;
 };
 } // namespace
+
+Judge judge_of(const Parameters &parameters, const unsigned int dimension,
+               const unsigned int n_ranks) {
+  return Judge({parameters.solver.tolerance, parameters.solver.tolerated_error,
+                target_error(parameters.discretization), dimension == 2 && n_ranks == 1,
+                dimension == 2});
+}
 
 template <int dim>
 StudyResult<dim> run_study(const Parameters &parameters, const Scene<dim> &scene,

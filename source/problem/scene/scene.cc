@@ -6,6 +6,7 @@
 #include <signorini/problem/scene/scene.h>
 
 #include <algorithm>
+#include <map>
 
 namespace Signorini {
 Tensor<1, 2> Plate::displacement(const PlateMotion &motion, const Point<2> &x) const {
@@ -22,6 +23,14 @@ std::shared_ptr<const Function<2>> plate_displacement(const Plate &plate,
   }
   return std::make_shared<FieldFunction<2>>(
     [plate, motion](const Point<2> &x) { return plate.displacement(motion, x); });
+}
+
+std::string word_for(const Role role) {
+  static const std::map<Role, std::string> words = {
+    {Role::free, "free"},         {Role::clamped, "clamped"},
+    {Role::roller, "rollers"},    {Role::displacement, "displacement"},
+    {Role::traction, "traction"}, {Role::contact, "contact"}};
+  return words.at(role);
 }
 
 // Problem (1): a body, its supports, its loads and its foundation.

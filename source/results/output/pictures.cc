@@ -26,11 +26,11 @@ std::string last_line(const std::string &text) {
 }
 } // namespace
 
-std::string draw_pictures(const std::filesystem::path &directory) {
+std::string draw_pictures(const std::filesystem::path &directory, const std::string &option) {
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
-  const std::string command =
-    shell_word(program.parent_path() / "signorini-plot") + " " + shell_word(directory);
+  const std::string command = shell_word(program.parent_path() / "signorini-plot") + " " + option +
+                              " " + shell_word(directory);
   std::FILE *const pipe = popen(("timeout 300 " + command + " 2>&1").c_str(), "r");
   std::string output;
   std::array<char, 4096> buffer;

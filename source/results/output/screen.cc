@@ -14,21 +14,19 @@ namespace {
 /** Returns "clamped top; contact bottom; ..." in the order of the roles. */
 template <int dim>
 std::string describe_boundary(const Scene<dim> &scene) {
-  const std::pair<Role, const char *> roles[] = {
-    {Role::contact, "contact"},           {Role::clamped, "clamped"},   {Role::roller, "rollers"},
-    {Role::displacement, "displacement"}, {Role::traction, "traction"}, {Role::free, "free"}};
   std::vector<std::string> parts, plates;
   const auto has_plate = [&scene](const unsigned int side) {
     return std::any_of(scene.plates.begin(), scene.plates.end(),
                        [side](const Plate &plate) { return plate.side == side; });
   };
-  for (const auto &role : roles) {
+  for (const Role role : {Role::contact, Role::clamped, Role::roller, Role::displacement,
+                          Role::traction, Role::free}) {
     std::vector<std::string> names;
     for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-      if (scene.boundary[i].role == role.first)
+      if (scene.boundary[i].role == role)
         (has_plate(i) ? plates : names).push_back(scene.geometry.sides[i].name());
     if (!names.empty())
-      parts.push_back(role.second + (" " + join(names, " ")));
+      parts.push_back(word_for(role) + " " + join(names, " "));
   }
   if (!plates.empty())
     parts.push_back("plates " + join(plates, " "));

@@ -153,6 +153,8 @@ double share_of_contact(const Scene<2> &scene) {
 
 std::string gibibytes(const double bytes) {
   const double gib = bytes / (1024. * 1024. * 1024.);
+  if (gib < 0.1)
+    return number_text(std::ceil(1024. * gib)) + " MiB";
   return number_text(gib < 10. ? std::round(10. * gib) / 10. : std::round(gib)) + " GiB";
 }
 } // namespace
@@ -164,13 +166,14 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters, const Scene<dim> &sc
   , n_contact_sides_(static_cast<double>(scene.contact_sides().size()))
   , n_components_(scene.friction == Friction::none ? 1. : dim)
   , given_(parameters.discretization)
+  , judged_(judged_level(given_))
   , solvers_(choose_solvers(parameters, scene, parameters.discretization.finest_level,
                             Utilities::MPI::n_mpi_processes(communicator)))
   , condensed_(resolve(solvers_.linear, Utilities::MPI::n_mpi_processes(communicator)) ==
                LinearSolver::condensed)
   , available_(available_bytes()) {
   const bool may_stop_early = given_.target_error > 0.;
-  const unsigned int level = judged_level(given_);
+  const unsigned int level = judged_;
   const auto refuse_if_huge = [&]() {
     if (needed(level) < available_)
       return;
@@ -222,6 +225,12 @@ double MemoryLimit<dim>::needed(const unsigned int level) const {
   return sparse_bytes<dim>(std::pow(degree, dim) * n_cells(level)) +
          dense_bytes(n_components_ * n_patches(level),
                      dim * std::pow(degree, dim - 1.) * n_contact_faces(level), condensed_);
+}
+
+template <int dim>
+double MemoryLimit<dim>::n_unknowns() const {
+  const double degree = given_.element == Element::q2 ? 2. : 1.;
+  return dim * std::pow(degree, dim) * n_cells(judged_);
 }
 
 template <int dim>

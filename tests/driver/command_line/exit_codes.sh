@@ -52,9 +52,23 @@ PRM
   inputs=$(ls -A)
 }
 
+# --check shows a scene, solves nothing and leaves earlier results alone.
+test_check() {
+  mkdir -p shown
+  echo old >shown/answer.json
+  run 0 "$1" --check --output shown
+  check "  the sides" grep -q '^bottom  *contact  *(0, 0)  *(1, 0)  *1  *gap ' stdout
+  check "  the first mesh" says 'First mesh: 16 cells.'
+  check "  the cost" grep -q '^Cost: level 3 has 64 cells and 4 patches, .* about 128 unknowns' stdout
+  check "  its file" grep -q '"role":"contact"' shown/scene.json
+  check "  nothing is solved" [ ! -e shown/convergence.csv ]
+  check "  earlier results stay" [ "$(cat shown/answer.json)" = old ]
+  rm -r shown
+}
+
 test_answers() {
   run 0 -h
-  for word in usage: --set --sweep --output --list-scenes --print-parameters --quiet --version 'Exit codes'; do
+  for word in usage: --set --sweep --output --list-scenes --print-parameters --check --quiet --version 'Exit codes'; do
     check "  help names $word" says "$word"
   done
   run 0 --version
@@ -243,6 +257,7 @@ test_accuracy() {
 
 write_inputs
 test_answers
+test_check a1.prm
 test_refusals
 test_run
 test_exhausted

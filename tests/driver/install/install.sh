@@ -23,6 +23,8 @@ check "  and of the newest version's changes" [ "$(grep -m 1 '^## [0-9]' there/s
 check "the program is stripped" [ "$(readelf -S there/bin/signorini | grep -c symtab)" -eq 0 ]
 there/bin/signorini there/share/signorini/prm/patch_test.prm --output results >stdout 2>stderr
 check "a scene runs" [ $? -eq 0 ]
+check "its manual page" [ -s there/share/man/man1/signorini.1 ]
+check "completion for bash" bash -n there/share/bash-completion/completions/signorini
 check "documents" [ -s there/share/doc/signorini/README.md ]
 check "  with their pictures" [ -s there/share/doc/signorini/doc/pictures/block_deformed.png ]
 

@@ -42,6 +42,8 @@ struct RunInput {
   std::vector<std::string> overrides;
   /** The directory of the results. */
   std::filesystem::path directory;
+  /** Whether the scene is shown instead of solved. */
+  bool only_show = false;
   /** Further files that are read after this run; its results must not replace them. */
   std::vector<std::filesystem::path> others;
 };

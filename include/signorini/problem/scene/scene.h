@@ -109,6 +109,9 @@ enum class Role {
   contact
 };
 
+/** Returns "free", "clamped", ... */
+std::string word_for(Role role);
+
 template <int dim>
 using FunctionPointer = std::shared_ptr<const Function<dim>>;
 

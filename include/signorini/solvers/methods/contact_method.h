@@ -203,6 +203,13 @@ public:
    */
   MemoryLimit(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator);
 
+  /** Returns the size of the level that is checked, a low estimate of what it needs, and what there
+   * is: "level 6 has 4096 cells and 32 patches, which need more than 0.1 GiB of 23 GiB". */
+  std::string forecast() const {
+    return describe(judged_) + " of " + describe_available();
+  }
+  /** Returns about how many unknowns that level has. */
+  double n_unknowns() const;
   /** Checks that a level fits. @throws ComputationError if it does not. */
   void check(unsigned int level) const;
 
@@ -214,6 +221,8 @@ private:
   /** The unknowns of a patch. */
   double n_components_;
   const DiscretizationParameters &given_;
+  /** The level that is checked first. */
+  unsigned int judged_;
   /** The solvers, and whether the factor holds the dense Schur complement of the contact unknowns.
    */
   SolverChoice solvers_;

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A scene before it is solved: its sides, what it may cost, a drawing.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/base/parallel.h>
+#include <signorini/base/text.h>
+#include <signorini/discretization/mesh/mesh.h>
+#include <signorini/driver/study/study.h>
+#include <signorini/results/files/files.h>
+#include <signorini/results/files/scene_json.h>
+#include <signorini/results/output/pictures.h>
+#include <signorini/results/output/screen.h>
+#include <signorini/solvers/methods/contact_method.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+namespace Signorini {
+namespace {
+/** Seconds for each unknown of nested levels, by doc/measured/cost_levels.csv. */
+constexpr double seconds_per_unknown = 9e-6;
+
+std::string short_text(const double value) {
+  std::ostringstream text;
+  text << std::setprecision(5) << (std::abs(value) < 1e-300 ? 0. : value);
+  return text.str();
+}
+
+/** Returns "-1 to 2", or one number. */
+std::string range(const SideSamples &samples, const unsigned int component) {
+  double low = samples.values[0][component], high = low;
+  for (const std::vector<double> &values : samples.values) {
+    low = std::min(low, values[component]);
+    high = std::max(high, values[component]);
+  }
+  return short_text(low) + (low < high ? " to " + short_text(high) : "");
+}
+
+/** Returns what is prescribed on a side: "gap 0 to 0.1". */
+std::string data_of(const Scene<2> &scene, const unsigned int side, const SideSamples &samples) {
+  for (const Plate &plate : scene.plates)
+    if (plate.side == side)
+      return (plate.is_pushed ? "plate, force " + short_text(plate.force * scene.geometry.thickness)
+                              : "plate, travel " + short_text(plate.travel)) +
+             " along (" + short_text(plate.direction[0]) + ", " + short_text(plate.direction[1]) +
+             ")" + (plate.turns ? ", turning" : "");
+  if (samples.values[0].empty())
+    return "";
+  return samples.values[0].size() == 1 ? "gap " + range(samples, 0)
+                                       : "x: " + range(samples, 0) + ", y: " + range(samples, 1);
+}
+
+/** Prints a line for every side. */
+void print_sides(const Scene<2> &scene, std::ostream &screen) {
+  const auto point = [](const Point<2> &x) {
+    return "(" + short_text(x[0]) + ", " + short_text(x[1]) + ")";
+  };
+  screen << std::left << std::setw(12) << "side" << std::setw(14) << "role" << std::setw(20)
+         << "from" << std::setw(20) << "to" << std::setw(10) << "length"
+         << "data\n";
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
+    const Side<2> &side = scene.geometry.sides[i];
+    const SideSamples samples = sample_side(scene, i);
+    screen << std::setw(12) << side.name() << std::setw(14) << word_for(scene.boundary[i].role)
+           << std::setw(20) << point(samples.points.front()) << std::setw(20)
+           << point(samples.points.back()) << std::setw(10) << short_text(side.length())
+           << data_of(scene, i, samples) << "\n";
+  }
+  screen << "\n";
+}
+
+/** Returns what a run may cost. */
+template <int dim>
+std::string cost_of(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator) {
+  if (parameters.discretization.strategy == Strategy::hp)
+    return "graded meshes of 1e4 to 1e5 unknowns and 1 to 30 s for most scenes, at most " +
+           std::to_string(parameters.discretization.maximum_unknowns) + " unknowns";
+  const MemoryLimit<dim> limit(parameters, scene, communicator);
+  const double n = limit.n_unknowns(), all = n / (1. - std::pow(0.5, dim));
+  return limit.forecast() + "; about " + number_text(n) + " unknowns and " +
+         short_text(std::ceil(all * seconds_per_unknown * 10.) / 10.) + " s";
+}
+} // namespace
+
+template <int dim>
+void show_scene(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
+                const StudyReport &report) {
+  const DiscretizationParameters &given = parameters.discretization;
+  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
+  check_settings(parameters, scene, communicator);
+  print_scene(parameters, scene, choose_solvers(parameters, scene, given.finest_level, n_ranks),
+              judge_of(parameters, dim, n_ranks), report.screen);
+  const std::string cost = cost_of(parameters, scene, communicator);
+  const Mesh<dim> mesh(scene.geometry, given.coarsest_level, given.coarsest_level, communicator);
+  if constexpr (dim == 2)
+    print_sides(scene, report.screen);
+  report.screen << "First mesh: " << mesh.triangulation().n_global_active_cells() << " cells.\n"
+                << "Cost: " << cost << ".\n";
+  if constexpr (dim == 2)
+    agree(communicator, [&]() {
+      if (Utilities::MPI::this_mpi_process(communicator) != 0)
+        return;
+      write_file(report.directory / "scene.json", [&](std::ostream &stream) {
+        write_scene_json(stream, scene, mesh.triangulation());
+      });
+      const std::string missing = draw_pictures(report.directory, "--scene");
+      report.screen << "Picture: "
+                    << (missing.empty() ? (report.directory / "scene.svg").string() : missing)
+                    << "\n";
+    });
+}
+
+INSTANTIATE_FUNCTION(show_scene);
+} // namespace Signorini
