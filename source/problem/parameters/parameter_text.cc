@@ -9,6 +9,7 @@
 #include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameter_text.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/replace.hpp>
 
@@ -209,8 +210,11 @@ std::size_t edit_distance(const std::string &a, const std::string &b) {
   return row[b.size()];
 }
 
-/** Returns the distance of two paths; another subsection, or none, counts as one character. */
-std::size_t distance_of_paths(const std::string &a, const std::string &b) {
+/** Returns the distance of two paths, in which capital letters do not count; another subsection, or
+ * none, counts as one character. */
+std::size_t distance_of_paths(std::string a, std::string b) {
+  boost::to_lower(a);
+  boost::to_lower(b);
   const auto name = [](const std::string &path) { return path.substr(path.rfind('/') + 1); };
   return std::min(edit_distance(a, b), edit_distance(name(a), name(b)) + 1);
 }
