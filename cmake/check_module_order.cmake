@@ -54,7 +54,7 @@ foreach(floor ${floors})
 endforeach()
 
 # The driver puts the floors together, and needs no details of them.
-foreach(room driver/level driver/sequence driver/study driver/runs)
+foreach(room driver/check driver/level driver/sequence driver/study driver/runs)
   list(REMOVE_DUPLICATES folders_of_${room})
   list(LENGTH folders_of_${room} n_folders)
   if(n_folders GREATER 8)

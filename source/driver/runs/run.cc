@@ -4,6 +4,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
+#include <signorini/driver/check/show_scene.h>
 #include <signorini/driver/runs/run.h>
 #include <signorini/driver/runs/strategy.h>
 #include <signorini/driver/study/study.h>

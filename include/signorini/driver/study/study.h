@@ -31,15 +31,6 @@ Judge judge_of(const Parameters &parameters, unsigned int dimension, unsigned in
 template <int dim>
 void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator);
 
-/**
- * Shows a scene without solving it: prints its sides with their roles and data, and what the run
- * may cost, writes scene.json, and draws it. Later results stay in the directory. Collective.
- * @throws InputError for what contradicts itself, and for levels that do not fit into memory.
- */
-template <int dim>
-void show_scene(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
-                const StudyReport &report);
-
 /** All levels, and the verdict on them. */
 template <int dim>
 struct StudyResult {

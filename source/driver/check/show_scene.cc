@@ -5,7 +5,7 @@
 #include <signorini/base/parallel.h>
 #include <signorini/base/text.h>
 #include <signorini/discretization/mesh/mesh.h>
-#include <signorini/driver/study/study.h>
+#include <signorini/driver/check/show_scene.h>
 #include <signorini/results/files/files.h>
 #include <signorini/results/files/scene_json.h>
 #include <signorini/results/output/pictures.h>

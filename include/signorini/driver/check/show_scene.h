@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/driver/study/study.h>
+
+namespace Signorini {
+/**
+ * Shows a scene without solving it: prints its sides with their roles and data, and what the run
+ * may cost, writes scene.json, and draws it. Later results stay in the directory. Collective.
+ * @throws InputError for what contradicts itself, and for levels that do not fit into memory.
+ */
+template <int dim>
+void show_scene(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
+                const StudyReport &report);
+} // namespace Signorini
