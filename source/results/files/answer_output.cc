@@ -124,6 +124,10 @@ public:
       return;
     for (const Json &report : answer["reports"]) {
       std::string label = report["place"];
+      if (label.size() + 2 >= label_width) {
+        stream_ << "  " << label << "\n";
+        label.clear();
+      }
       if (report.contains("values"))
         add(label, point_text(report["values"]));
       else if (!report.contains("von_mises"))
