@@ -23,12 +23,6 @@ namespace {
 /** Seconds for each unknown of nested levels, by doc/measured/cost_levels.csv. */
 constexpr double seconds_per_unknown = 9e-6;
 
-std::string short_text(const double value) {
-  std::ostringstream text;
-  text << std::setprecision(5) << (std::abs(value) < 1e-300 ? 0. : value);
-  return text.str();
-}
-
 /** Returns "-1 to 2", or one number. */
 std::string range(const SideSamples &samples, const unsigned int component) {
   double low = samples.values[0][component], high = low;
@@ -36,16 +30,17 @@ std::string range(const SideSamples &samples, const unsigned int component) {
     low = std::min(low, values[component]);
     high = std::max(high, values[component]);
   }
-  return short_text(low) + (low < high ? " to " + short_text(high) : "");
+  return number_text(low) + (low < high ? " to " + number_text(high) : "");
 }
 
 /** Returns what is prescribed on a side: "gap 0 to 0.1". */
 std::string data_of(const Scene<2> &scene, const unsigned int side, const SideSamples &samples) {
   for (const Plate &plate : scene.plates)
     if (plate.side == side)
-      return (plate.is_pushed ? "plate, force " + short_text(plate.force * scene.geometry.thickness)
-                              : "plate, travel " + short_text(plate.travel)) +
-             " along (" + short_text(plate.direction[0]) + ", " + short_text(plate.direction[1]) +
+      return (plate.is_pushed
+                ? "plate, force " + number_text(plate.force * scene.geometry.thickness)
+                : "plate, travel " + number_text(plate.travel)) +
+             " along (" + number_text(plate.direction[0]) + ", " + number_text(plate.direction[1]) +
              ")" + (plate.turns ? ", turning" : "");
   if (samples.values[0].empty())
     return "";
@@ -55,8 +50,9 @@ std::string data_of(const Scene<2> &scene, const unsigned int side, const SideSa
 
 /** Prints a line for every side. */
 void print_sides(const Scene<2> &scene, std::ostream &screen) {
-  const auto point = [](const Point<2> &x) {
-    return "(" + short_text(x[0]) + ", " + short_text(x[1]) + ")";
+  const auto point = [rounding = 1e-12 * scene.geometry.diameter()](const Point<2> &x) {
+    const auto text = [&](const double c) { return number_text(std::abs(c) < rounding ? 0. : c); };
+    return "(" + text(x[0]) + ", " + text(x[1]) + ")";
   };
   screen << std::left << std::setw(12) << "side" << std::setw(14) << "role" << std::setw(20)
          << "from" << std::setw(20) << "to" << std::setw(10) << "length"
@@ -66,7 +62,7 @@ void print_sides(const Scene<2> &scene, std::ostream &screen) {
     const SideSamples samples = sample_side(scene, i);
     screen << std::setw(12) << side.name() << std::setw(14) << word_for(scene.boundary[i].role)
            << std::setw(20) << point(samples.points.front()) << std::setw(20)
-           << point(samples.points.back()) << std::setw(10) << short_text(side.length())
+           << point(samples.points.back()) << std::setw(10) << number_text(side.length())
            << data_of(scene, i, samples) << "\n";
   }
   screen << "\n";
@@ -81,7 +77,7 @@ std::string cost_of(const Parameters &parameters, const Scene<dim> &scene, MPI_C
   const MemoryLimit<dim> limit(parameters, scene, communicator);
   const double n = limit.n_unknowns(), all = n / (1. - std::pow(0.5, dim));
   return limit.forecast() + "; about " + number_text(n) + " unknowns and " +
-         short_text(std::ceil(all * seconds_per_unknown * 10.) / 10.) + " s";
+         number_text(std::ceil(all * seconds_per_unknown * 10.) / 10.) + " s";
 }
 } // namespace
 

@@ -21,7 +21,6 @@
 #include <iomanip>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <set>
 #include <sstream>
 #include <unistd.h>
@@ -236,70 +235,69 @@ constexpr std::pair<const char *, const char *> sweep_columns[] = {
   {"energy", "energy"},
   {"estimate", "estimated_relative"},
   {"bound", "bound_relative"},
-  {"seconds", "t_total"}};
+  {"seconds", "t_total"},
+  {"contact_length", "contact_length"},
+  {"plate_travel", "plate_travel"},
+  {"plate_rotation", "plate_rotation"},
+  {"tangential_force", "tangential_force"},
+  {"stick_length", "stick_length"},
+  {"slip_length", "slip_length"}};
+/** The number of columns that the screen has, too; in the file these are there in every sweep. */
+constexpr std::size_t n_on_screen = 8;
 
-/** The columns that stand in the file alone, where a run has them. */
-constexpr std::pair<const char *, const char *> file_columns[] = {
-  {"contact_length", "contact_length"}, {"plate_travel", "plate_travel"},
-  {"plate_rotation", "plate_rotation"}, {"tangential_force", "tangential_force"},
-  {"stick_length", "stick_length"},     {"slip_length", "slip_length"}};
-
-/** Returns the numbers of a run that stand in the file alone, with their names. */
-std::vector<std::pair<std::string, double>> numbers_of(const LevelRecord &finest) {
+/** Returns the numbers of a run with their names, as far as they are known. */
+std::vector<std::pair<std::string, double>> numbers_of(const RunSummary &run) {
   std::vector<std::pair<std::string, double>> numbers;
-  for (const auto &[name, column] : file_columns)
-    if (const std::optional<double> x = value(finest, column))
+  if (!run.finest)
+    return numbers;
+  for (const auto &[name, column] : sweep_columns)
+    if (const std::optional<double> x = value(*run.finest, column))
       numbers.emplace_back(name, *x);
-  for (const SideForce &reaction : finest.answer.reactions)
+  for (const SideForce &reaction : run.finest->answer.reactions)
     for (std::size_t d = 0; d < reaction.resultant.force.size(); ++d)
       numbers.emplace_back("reaction_" + reaction.side + "_" + "xyz"[d],
                            reaction.resultant.force[d]);
-  for (const auto &extreme : named_extremes(finest.answer.reports))
+  for (const auto &extreme : named_extremes(run.finest->answer.reports))
     numbers.push_back(extreme);
   return numbers;
 }
 
-using Table = std::vector<std::vector<std::string>>;
-
-/** Adds the numbers of all runs, before the last column; a run that lacks one leaves it empty. */
-void add_numbers(const std::vector<RunSummary> &runs, Table &rows) {
-  std::vector<std::map<std::string, double>> numbers(runs.size());
+/** Returns the names of the columns: those of the screen, or with those that some run has. */
+std::vector<std::string> column_names(const std::vector<RunSummary> &runs, const bool for_file) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    if (runs[i].finest)
-      for (const auto &[name, x] : numbers_of(*runs[i].finest)) {
-        numbers[i][name] = x;
-        if (std::find(names.begin(), names.end(), name) == names.end())
-          names.push_back(name);
-      }
-  rows[0].insert(rows[0].end() - 1, names.begin(), names.end());
-  for (std::size_t i = 0; i < runs.size(); ++i)
-    for (const std::string &name : names) {
-      std::ostringstream text;
-      if (const auto x = numbers[i].find(name); x != numbers[i].end())
-        text << std::setprecision(16) << x->second;
-      rows[1 + i].insert(rows[1 + i].end() - 1, text.str());
-    }
+  for (std::size_t i = 0; i < n_on_screen; ++i)
+    names.emplace_back(sweep_columns[i].first);
+  if (for_file)
+    for (const RunSummary &run : runs)
+      for (const auto &number : numbers_of(run))
+        if (std::find(names.begin(), names.end(), number.first) == names.end())
+          names.push_back(number.first);
+  return names;
 }
+
+using Table = std::vector<std::vector<std::string>>;
 
 /** Returns a row of titles, and a row for each run. */
 Table sweep_table(const std::vector<Sweep> &sweeps, const std::vector<SweepPoint> &points,
-                  const std::vector<RunSummary> &runs, const int precision) {
+                  const std::vector<RunSummary> &runs, const bool for_file) {
+  constexpr int all_digits = 16, few = 5;
+  const std::vector<std::string> names = column_names(runs, for_file);
   Table rows(1 + runs.size());
   for (const Sweep &sweep : sweeps)
     rows[0].push_back(sweep.parameter);
-  for (const auto &column : sweep_columns)
-    rows[0].emplace_back(column.first);
+  rows[0].insert(rows[0].end(), names.begin(), names.end());
   rows[0].emplace_back("verdict");
   for (std::size_t i = 0; i < runs.size(); ++i) {
     std::vector<std::string> &row = rows[1 + i];
     row = points[i].values;
-    for (const auto &column : sweep_columns) {
-      std::ostringstream number;
-      const auto x = runs[i].finest ? value(*runs[i].finest, column.second) : std::nullopt;
-      if (x)
-        number << std::setprecision(precision) << *x;
-      row.push_back(number.str());
+    const auto numbers = numbers_of(runs[i]);
+    for (const std::string &name : names) {
+      std::ostringstream text;
+      const auto number = std::find_if(numbers.begin(), numbers.end(),
+                                       [&](const auto &known) { return known.first == name; });
+      if (number != numbers.end())
+        text << std::setprecision(for_file ? all_digits : few) << number->second;
+      row.push_back(text.str());
     }
     row.push_back(runs[i].verdict);
   }
@@ -417,15 +415,13 @@ RunSummary run_sweep(const RunInput &input, const std::vector<Sweep> &sweeps, MP
     agree(communicator, [&]() {
       if (first_rank && solved)
         write_file(input.directory / table_name, [&](std::ostream &stream) {
-          Table rows = sweep_table(sweeps, points, runs, 16);
-          add_numbers(runs, rows);
-          write_csv(stream, rows);
+          write_csv(stream, sweep_table(sweeps, points, runs, true));
         });
     });
   }
   if (results)
     results->remove_if_empty();
-  print_table(screen.out(), sweep_table(sweeps, points, runs, 5), sweeps.size());
+  print_table(screen.out(), sweep_table(sweeps, points, runs, false), sweeps.size());
   return worst;
 }
 } // namespace Signorini
