@@ -16,7 +16,7 @@ namespace {
 using Jet = std::array<double, 3>;
 
 /** What is added to the eigenvalues of the normalised Gram matrix. */
-constexpr double rounding_of_gram = 1e-13;
+constexpr double rounding_of_gram = 2e-15;
 
 const char *const too_flat = "a cell is too flat for stresses in equilibrium";
 
