@@ -15,9 +15,6 @@ namespace {
 /** A function with its first and second derivative. */
 using Jet = std::array<double, 3>;
 
-/** What is added to the eigenvalues of the normalised Gram matrix. */
-constexpr double rounding_of_gram = 2e-15;
-
 const char *const too_flat = "a cell is too flat for stresses in equilibrium";
 
 /** @throws ComputationError if the matrix is singular up to rounding. */
@@ -219,10 +216,6 @@ void AiryCell::factorise() {
       gram_(i, j) /= norms_[i] * norms_[j];
     for (unsigned int r = 0; r < n_traces; ++r)
       solved(i, r) = traces_(r, i) /= norms_[i];
-    // At degree 9 the least eigenvalues are rounding, and whether the factorisation exists would
-    // depend on the order of sums. Conditions on traces hold for any Gram matrix; the least energy
-    // grows by this share of |a|².
-    gram_(i, i) = 1. + rounding_of_gram;
   }
   factorise_positive(gram_);
   gram_.solve(solved);

@@ -208,7 +208,7 @@ void moved_bore(Checks &checks) {
   const auto solve_to = [&](const std::string &load, const std::string &target) {
     return solve(text + load,
                  {"Discretization/Strategy=hp", "Discretization/Target error=" + target,
-                  "Discretization/Coarsest level=1"});
+                  "Discretization/Coarsest level=1", "Discretization/Maximum degree=6"});
   };
   const std::string by_force = "Load/Plate force = inner: 0.02\n";
   const StudyResult<2> coarse = solve_to(by_force, "1e-2"), fine = solve_to(by_force, "1e-4");
