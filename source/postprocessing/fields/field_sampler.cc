@@ -46,6 +46,16 @@ SampledField<dim>::SampledField(const DisplacementSpace<dim> &space_, const Scen
                  : std::vector<double>()) {}
 
 template <int dim>
+Strain<dim> SampledField<dim>::strain(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                                      const Point<dim> &x, const Tensor<1, dim> &value,
+                                      const Tensor<2, dim> &gradient) const {
+  Strain<dim> strain = strain_at(scene.geometry, x, value, gradient);
+  if (!dilatation.empty())
+    strain.replace_trace(dilatation[cell->active_cell_index()]);
+  return strain;
+}
+
+template <int dim>
 FieldSampler<dim>::FieldSampler(const SampledField<dim> &field)
   : field_(field)
   , mappings_(field.space.mesh().mapping())
@@ -84,9 +94,7 @@ const std::vector<FieldSample<dim>> &FieldSampler<dim>::evaluate(const Cell &cel
   for (unsigned int q = 0; q < samples_.size(); ++q) {
     const Point<dim> &x = values.quadrature_point(q);
     samples_[q] = {x, values.get_quadrature().point(q), u.values[q],
-                   strain_at(field_.scene.geometry, x, u.values[q], u.gradients[q])};
-    if (!field_.dilatation.empty())
-      samples_[q].strain.replace_trace(field_.dilatation[cell->active_cell_index()]);
+                   field_.strain(cell, x, u.values[q], u.gradients[q])};
   }
   return samples_;
 }

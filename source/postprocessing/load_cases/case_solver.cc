@@ -40,6 +40,8 @@ CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &
   for (const LoadKind kind : {LoadKind::force, LoadKind::weight, LoadKind::travel})
     if (has_load(scene_, kind))
       responses_.push_back(respond(kind));
+  if (!scene_.report_places.empty())
+    singular_places_ = singular_places(scene_);
 }
 
 CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const {
@@ -143,10 +145,8 @@ CaseResult CaseSolver::solve(const LoadCase &load_case) {
 }
 
 std::vector<PlaceReport> CaseSolver::report(const Displacement &U) const {
-  const std::vector<SingularPlace<2>> places = singular_places(scene_);
-  return report_on_places<2>(discretization_.space, scene_, U, [&](const Point<2> &x) {
-    return growth_at(x, places, discretization_.multipliers, P_.normal());
-  });
+  return report_on_places<2>(discretization_.space, scene_, U, singular_places_,
+                             discretization_.multipliers, P_.normal());
 }
 
 Displacement CaseSolver::displacement() const {

@@ -109,8 +109,7 @@ Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &sce
   answer.penetration = max_penetration(space, multipliers, U);
   answer.von_mises = largest_von_mises(space, scene, U, places);
   set_growth(places, multipliers, P, answer.von_mises.point, answer.von_mises);
-  answer.reports = report_on_places<dim>(
-    space, scene, U, [&](const Point<dim> &x) { return growth_at(x, places, multipliers, P); });
+  answer.reports = report_on_places<dim>(space, scene, U, places, multipliers, P);
   return answer;
 }
 

@@ -65,22 +65,30 @@ class PlaceReader {
 public:
   using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-  PlaceReader(const SampledField<dim> &field, const GrowthAt<dim> &growth_at)
+  PlaceReader(const SampledField<dim> &field, const std::vector<SingularPlace<dim>> &singular,
+              const MultiplierSpace<dim> &multipliers, const Pressure &P)
     : field_(field)
-    , growth_at_(growth_at) {}
+    , singular_(singular)
+    , multipliers_(multipliers)
+    , P_(P) {}
 
   /** Returns what a chunk of cells contributes to the places. */
   PlaceParts read_cells(const Cells<dim> &cells) const {
     FieldSampler<dim> sampler(field_);
     const std::vector<ReportPlace<dim>> &places = field_.scene.report_places;
     PlaceParts parts(places.size());
-    for (const Cell &cell : cells)
-      for (std::size_t i = 0; i < places.size(); ++i)
-        if (const bool in_region = is_in_region(places[i], cell);
-            in_region || may_contain(places[i], cell))
-          for (const FieldSample<dim> &sample : sampler.at_nodes(cell))
-            if (in_region || contains(places[i], cell, sample))
-              add_sample(cell, sample, parts[i]);
+    for (const Cell &cell : cells) {
+      if (std::none_of(places.begin(), places.end(),
+                       [&](const auto &place) { return may_contain(place, cell); }))
+        continue;
+      const std::vector<FieldSample<dim>> &samples = sampler.at_nodes(cell);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const bool in_region = is_in_region(places[i], cell);
+        for (const FieldSample<dim> &sample : samples)
+          if (in_region || contains(places[i], cell, sample))
+            add_sample(cell, sample, parts[i]);
+      }
+    }
     return parts;
   }
 
@@ -106,10 +114,10 @@ private:
     return place.region && field_.scene.geometry.region_at(cell->center()) == *place.region;
   }
   /** Returns false where a cell is far from a place. */
-  static bool may_contain(const ReportPlace<dim> &place, const Cell &cell) {
-    return place.sides.empty()
-             ? cell->center().distance(place.centre) <= place.radius + cell->diameter()
-             : cell->at_boundary();
+  bool may_contain(const ReportPlace<dim> &place, const Cell &cell) const {
+    if (place.radius > 0.)
+      return cell->center().distance(place.centre) <= place.radius + cell->diameter();
+    return is_in_region(place, cell) || (!place.sides.empty() && cell->at_boundary());
   }
   static bool contains(const ReportPlace<dim> &place, const Cell &cell,
                        const FieldSample<dim> &sample) {
@@ -131,7 +139,7 @@ private:
   /** @param always whether a sample next to a place of growth counts, too. */
   void add_sample(const Cell &cell, const FieldSample<dim> &sample, PlacePart &part,
                   const bool always = false) const {
-    const std::optional<GrowthPlace> growth = growth_at_(sample.x);
+    const std::optional<GrowthPlace> growth = growth_at(sample.x, singular_, multipliers_, P_);
     if (growth)
       part.add(*growth);
     if (growth && !always)
@@ -164,15 +172,16 @@ private:
   }
 
   const SampledField<dim> &field_;
-  const GrowthAt<dim> &growth_at_;
+  const std::vector<SingularPlace<dim>> &singular_;
+  const MultiplierSpace<dim> &multipliers_;
+  const Pressure &P_;
 };
 
 /** Returns what the whole body contributes to the places. Collective. */
 template <int dim>
-PlaceParts parts_of_all(const SampledField<dim> &field, const GrowthAt<dim> &growth_at) {
+PlaceParts parts_of_all(const SampledField<dim> &field, const PlaceReader<dim> &reader) {
   const std::vector<ReportPlace<dim>> &places = field.scene.report_places;
   const Mesh<dim> &mesh = field.space.mesh();
-  const PlaceReader<dim> reader(field, growth_at);
   PlaceParts mine(places.size()), all;
   integrate_by_chunks<PlaceParts, dim>(
     field.space, [&](const Cells<dim> &cells) { return reader.read_cells(cells); },
@@ -213,11 +222,14 @@ std::string report_header(const unsigned int dimension) {
 template <int dim>
 std::vector<PlaceReport> report_on_places(const DisplacementSpace<dim> &space,
                                           const Scene<dim> &scene, const Displacement &U,
-                                          const GrowthAt<dim> &growth_at) {
+                                          const std::vector<SingularPlace<dim>> &singular,
+                                          const MultiplierSpace<dim> &multipliers,
+                                          const Pressure &P) {
   const std::vector<ReportPlace<dim>> &places = scene.report_places;
   if (places.empty())
     return {};
-  const PlaceParts all = parts_of_all(SampledField<dim>(space, scene, U), growth_at);
+  const SampledField<dim> field(space, scene, U);
+  const PlaceParts all = parts_of_all(field, PlaceReader<dim>(field, singular, multipliers, P));
   std::vector<PlaceReport> reports;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!places[i].points.empty() && all[i].rows.empty())

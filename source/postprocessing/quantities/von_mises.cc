@@ -68,6 +68,21 @@ bool presses_at(const Point<dim> &x, const unsigned int side,
   return presses;
 }
 
+/** Returns the exponent of a place that x lies next to, in the present state of contact. */
+template <int dim>
+double present_exponent(const SingularPlace<dim> &place, const Point<dim> &x,
+                        const MultiplierSpace<dim> &multipliers, const Pressure &P) {
+  const Scene<dim> &scene = multipliers.surface().scene();
+  std::array<EdgeSupport, 2> supports;
+  for (unsigned int i = 0; i < 2; ++i) {
+    const Role role = scene.boundary[place.sides[i]].role;
+    const bool closed =
+      role == Role::contact && presses_at(place.nearest(x), place.sides[i], multipliers, P);
+    supports[i] = closed ? EdgeSupport::sliding : possible_supports(role).front();
+  }
+  return corner_exponent(place.angle, supports[0], supports[1], place.kappa);
+}
+
 /** Returns the block of Hooke's tensor in the plane of two axes. */
 SymmetricTensor<4, 2> in_plane(const SymmetricTensor<4, 3> &hooke,
                                const std::array<unsigned int, 2> &axes) {
@@ -149,20 +164,6 @@ template <int dim>
 bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim> &x) {
   return std::any_of(places.begin(), places.end(),
                      [&x](const auto &place) { return place.contains(x); });
-}
-
-template <int dim>
-double present_exponent(const SingularPlace<dim> &place, const Point<dim> &x,
-                        const MultiplierSpace<dim> &multipliers, const Pressure &P) {
-  const Scene<dim> &scene = multipliers.surface().scene();
-  std::array<EdgeSupport, 2> supports;
-  for (unsigned int i = 0; i < 2; ++i) {
-    const Role role = scene.boundary[place.sides[i]].role;
-    const bool closed =
-      role == Role::contact && presses_at(place.nearest(x), place.sides[i], multipliers, P);
-    supports[i] = closed ? EdgeSupport::sliding : possible_supports(role).front();
-  }
-  return corner_exponent(place.angle, supports[0], supports[1], place.kappa);
 }
 
 template <int dim>

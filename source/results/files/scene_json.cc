@@ -40,9 +40,10 @@ void write_scene_json(std::ostream &stream, const Scene<2> &scene,
     }
     for (const Plate &plate : scene.plates)
       if (plate.side == i)
-        side["plate"] = {{"direction", AnswerVector(plate.direction)},
-                         {"force", plate.is_pushed ? Json(plate.force) : Json(nullptr)},
-                         {"travel", plate.is_pushed ? Json(nullptr) : Json(plate.travel)}};
+        side["plate"] = {
+          {"direction", AnswerVector(plate.direction)},
+          {"force", plate.is_pushed ? Json(plate.force * scene.geometry.thickness) : Json(nullptr)},
+          {"travel", plate.is_pushed ? Json(nullptr) : Json(plate.travel)}};
     json["sides"].push_back(side);
   }
   for (const auto &cell : first_mesh.active_cell_iterators()) {

@@ -4,10 +4,8 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
 #include <signorini/base/parallel.h>
-#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/error_control/estimate/error_estimate.h>
-#include <signorini/postprocessing/fields/patch_interpolation.h>
-#include <signorini/postprocessing/fields/stress.h>
+#include <signorini/postprocessing/fields/field_sampler.h>
 #include <signorini/results/files/files.h>
 #include <signorini/results/files/solution_vtu.h>
 
@@ -29,13 +27,12 @@ class BodyFields {
 public:
   BodyFields(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U,
              const BoundFields &bound)
-    : space_(space)
+    : field_(space, scene, U)
+    , space_(space)
     , scene_(scene)
     , U_(U)
     , bound_(bound)
     , is_recovered_(space.max_element_degree() == 1 && space.mesh().has_parents()) {
-    if (space.strain_operator() == StrainOperator::mean_dilatation)
-      dilatations_ = mean_dilatations(space, scene, U);
     for (unsigned int number = 0; number < space.elements().size(); ++number)
       add_cells(number);
   }
@@ -87,11 +84,9 @@ private:
       add_vector("displacement", u.values[q], fields[q]);
       if (dim == 2 && is_recovered_)
         add_vector("recovered_displacement", recovered.values[q], fields[q]);
-      Strain<dim> strain = strain_at(scene_.geometry, values.quadrature_point(q),
-                                     recovered.values[q], recovered.gradients[q]);
-      if (!dilatations_.empty())
-        strain.replace_trace(dilatations_[index]);
-      add_stress(values.quadrature_point(q), middle, strain, fields[q]);
+      const Point<dim> &x = values.quadrature_point(q);
+      add_stress(x, middle, field_.strain(cell, x, recovered.values[q], recovered.gradients[q]),
+                 fields[q]);
       if (has_regions)
         fields[q].emplace_back("region", region);
       if (!bound_.mesh.empty())
@@ -136,14 +131,13 @@ private:
                                  {"principal_stress_3", principal[2]}});
   }
 
+  const SampledField<dim> field_;
   const DisplacementSpace<dim> &space_;
   const Scene<dim> &scene_;
   const Displacement &U_;
   const BoundFields &bound_;
   /** Whether stresses come from the patch interpolation. */
   bool is_recovered_;
-  /** In place of tr eps(u), by active cell; empty: tr eps(u) itself. */
-  std::vector<double> dilatations_;
   VtuCells<dim> cells_;
 };
 } // namespace

@@ -205,6 +205,11 @@ double MemoryLimit<dim>::n_cells(const unsigned int level) const {
 }
 
 template <int dim>
+double MemoryLimit<dim>::n_nodes(const unsigned int level) const {
+  return (given_.element == Element::q2 ? std::pow(2., dim) : 1.) * n_cells(level);
+}
+
+template <int dim>
 double MemoryLimit<dim>::n_contact_faces(const unsigned int level) const {
   return n_coarse_contact_faces_ * std::pow(2., (dim - 1.) * level);
 }
@@ -220,17 +225,10 @@ template <int dim>
 double MemoryLimit<dim>::needed(const unsigned int level) const {
   if (solvers_.is_matrix_free())
     return bytes_without_factor<dim>(n_cells(level));
-  // A cell of degree two has the unknowns of 2^dim cells of degree one.
   const double degree = given_.element == Element::q2 ? 2. : 1.;
-  return sparse_bytes<dim>(std::pow(degree, dim) * n_cells(level)) +
+  return sparse_bytes<dim>(n_nodes(level)) +
          dense_bytes(n_components_ * n_patches(level),
                      dim * std::pow(degree, dim - 1.) * n_contact_faces(level), condensed_);
-}
-
-template <int dim>
-double MemoryLimit<dim>::n_unknowns() const {
-  const double degree = given_.element == Element::q2 ? 2. : 1.;
-  return dim * std::pow(degree, dim) * n_cells(judged_);
 }
 
 template <int dim>

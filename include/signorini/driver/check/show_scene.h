@@ -6,7 +6,7 @@
 namespace Signorini {
 /**
  * Shows a scene without solving it: prints its sides with their roles and data, and what the run
- * may cost, writes scene.json, and draws it. Later results stay in the directory. Collective.
+ * may cost, writes scene.json, and draws it. Earlier results stay in the directory. Collective.
  * @throws InputError for what contradicts itself, and for levels that do not fit into memory.
  */
 template <int dim>

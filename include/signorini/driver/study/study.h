@@ -43,7 +43,8 @@ struct StudyResult {
 /**
  * Solves a scene on a sequence of nested or graded meshes, until the finest level is reached or the
  * estimated error is small enough. Each mesh starts from the solution on the one before. Results
- * are written as meshes finish. Collective.
+ * are written as meshes finish. Runs decide Strategy = automatic before; here it means nested.
+ * Collective.
  */
 template <int dim>
 StudyResult<dim> run_study(const Parameters &parameters, const Scene<dim> &scene,

@@ -25,6 +25,12 @@ template <int dim>
 struct SampledField {
   SampledField(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U);
 
+  /** Returns the strain at a point of a cell where a displacement, u_h or its interpolation, has
+   * this value and gradient. */
+  Strain<dim> strain(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                     const Point<dim> &x, const Tensor<1, dim> &value,
+                     const Tensor<2, dim> &gradient) const;
+
   const DisplacementSpace<dim> &space;
   const Scene<dim> &scene;
   const Displacement &U;

@@ -115,6 +115,8 @@ private:
   FullMatrix<double> B_;
   dealii::Vector<double> G_;
   std::vector<LoadResponse> responses_;
+  /** The singular places, for reports. */
+  std::vector<SingularPlace<2>> singular_places_;
   LoadCase last_;
   Multiplier P_;
   dealii::Vector<double> q_;

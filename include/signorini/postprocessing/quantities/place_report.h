@@ -4,8 +4,6 @@
 #include <signorini/postprocessing/quantities/von_mises.h>
 
 #include <array>
-#include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,17 +37,16 @@ std::vector<std::pair<std::string, double>> named_extremes(const std::vector<Pla
 /** Returns the names of the columns of PlaceReport::rows, separated by commas. */
 std::string report_header(unsigned int dimension);
 
-/** Returns the place of unlimited growth next to a point, if there is one. */
-template <int dim>
-using GrowthAt = std::function<std::optional<GrowthPlace>(const Point<dim> &)>;
-
 /**
  * Reports on the places of a scene, at the points of FieldSampler::at_nodes(), and at the points of
  * lines. Points where the material's data has no value are left out. Collective.
+ * @param singular the singular places, @p P the pressure that decides whether they grow.
  * @throws InputError for a point or a line outside of the body.
  */
 template <int dim>
 std::vector<PlaceReport> report_on_places(const DisplacementSpace<dim> &space,
                                           const Scene<dim> &scene, const Displacement &U,
-                                          const GrowthAt<dim> &growth_at);
+                                          const std::vector<SingularPlace<dim>> &singular,
+                                          const MultiplierSpace<dim> &multipliers,
+                                          const Pressure &P);
 } // namespace Signorini

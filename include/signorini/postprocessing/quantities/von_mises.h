@@ -63,11 +63,6 @@ unsigned int axis_of(const Side<3> &side);
 template <int dim>
 bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim> &x);
 
-/** Returns the exponent of a place that x lies next to, in the present state of contact. */
-template <int dim>
-double present_exponent(const SingularPlace<dim> &place, const Point<dim> &x,
-                        const MultiplierSpace<dim> &multipliers, const Pressure &P);
-
 /** Returns the place where a value at @p x is part of unlimited growth: @p x lies next to it, and
  * the state of contact there makes λ < 1. The result is empty if there is none. */
 template <int dim>

@@ -66,6 +66,8 @@ private:
   void on_first_rank(const std::function<void()> &work) const;
   /** Writes a file in this way. */
   void write(const std::string &name, const std::function<void(std::ostream &)> &content) const;
+  /** Adds a VTU file to "list.pvd". @param number its time. */
+  void list_vtu(const std::string &list, unsigned int number, const std::string &file);
   void write_certificate(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict) const;
 
   const Parameters &parameters_;
@@ -73,9 +75,6 @@ private:
   std::string scene_description_;
   std::filesystem::path directory_;
   MPI_Comm communicator_;
-  /** Adds a VTU file to "list.pvd". @param number its time. */
-  void list_vtu(const std::string &list, unsigned int number, const std::string &file);
-
   /** Whether the results of this run have taken the place of earlier ones. */
   bool started_ = false;
   /** The VTU files of the levels so far: those of the body and of contact, by these names. */

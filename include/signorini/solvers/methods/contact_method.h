@@ -209,7 +209,9 @@ public:
     return describe(judged_) + " of " + describe_available();
   }
   /** Returns about how many unknowns that level has. */
-  double n_unknowns() const;
+  double n_unknowns() const {
+    return dim * n_nodes(judged_);
+  }
   /** Checks that a level fits. @throws ComputationError if it does not. */
   void check(unsigned int level) const;
 
@@ -230,6 +232,9 @@ private:
   double available_;
 
   double n_cells(unsigned int level) const;
+  /** Returns about how many nodes a level has: those of 2^dim cells of degree one for every cell of
+   * degree two. */
+  double n_nodes(unsigned int level) const;
   double n_contact_faces(unsigned int level) const;
   double n_patches(unsigned int level) const;
   double needed(unsigned int level) const;
