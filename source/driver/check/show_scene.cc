@@ -41,7 +41,11 @@ std::string data_of(const Scene<2> &scene, const unsigned int side, const SideSa
                 ? "plate, force " + number_text(plate.force * scene.geometry.thickness)
                 : "plate, travel " + number_text(plate.travel)) +
              " along (" + number_text(plate.direction[0]) + ", " + number_text(plate.direction[1]) +
-             ")" + (plate.turns ? ", turning" : "");
+             ")" +
+             (plate.drifts
+                ? ", force across " + number_text(plate.cross_force * scene.geometry.thickness)
+                : "") +
+             (plate.turns ? ", turning" : "");
   if (samples.values[0].empty())
     return "";
   return samples.values[0].size() == 1 ? "gap " + range(samples, 0)

@@ -78,7 +78,7 @@ std::vector<PlateRecord> plates_of(const DisplacementSpace<dim> &space, const Sc
     const std::vector<PlateForce> forces = plate_forces(space, scene, nodal);
     for (std::size_t p = 0; p < scene.plates.size(); ++p)
       plates.push_back({scene.geometry.sides[scene.plates[p].side].name(), scene.plates[p],
-                        motions[p], forces[p].force, forces[p].moment});
+                        motions[p], forces[p].force, forces[p].cross_force, forces[p].moment});
   }
   return plates;
 }

@@ -238,6 +238,7 @@ constexpr std::pair<const char *, const char *> sweep_columns[] = {
   {"seconds", "t_total"},
   {"contact_length", "contact_length"},
   {"plate_travel", "plate_travel"},
+  {"plate_drift", "plate_drift"},
   {"plate_rotation", "plate_rotation"},
   {"tangential_force", "tangential_force"},
   {"stick_length", "stick_length"},

@@ -2,8 +2,11 @@
 // All load cases of a scene on one level.
 
 #include <signorini/base/columns.h>
+#include <signorini/driver/sequence/level_clock.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/postprocessing/load_cases/case_solver.h>
+
+#include <chrono>
 
 namespace Signorini {
 std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Scene<2> &scene,
@@ -20,6 +23,9 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
                        given.contact_solver,
                        is_unstable(*level.discretization)},
                       parameters.load_cases.sequence == CaseSequence::steps);
+    const auto since_start = [start = std::chrono::steady_clock::now()] {
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
     const std::size_t n = scene.load_cases.size(), every = std::max<std::size_t>(1, n / 20);
     for (const LoadCase &load_case : scene.load_cases) {
       results.push_back(solver.solve(load_case));
@@ -34,8 +40,9 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
                      with_plates_moved(scene_of_case(scene, load_case), results.back().plates), U,
                      solver.multiplier());
       }
-      if (results.size() % every == 0)
-        progress("load cases: " + std::to_string(results.size()) + " of " + std::to_string(n));
+      if (const std::size_t done = results.size(); done % every == 0)
+        progress("load cases: " + std::to_string(done) + " of " + std::to_string(n) +
+                 text_to_go(since_start() * (n - done) / done));
     }
   }
   LevelRecord &record = level.solution.record;

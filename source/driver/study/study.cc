@@ -5,6 +5,7 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/base/parallel.h>
 #include <signorini/base/text.h>
+#include <signorini/driver/sequence/level_clock.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/driver/study/study.h>
 #include <signorini/problem/parameters/entry_error.h>
@@ -20,6 +21,7 @@
 #include <mpi.h>
 
 #include <algorithm>
+#include <chrono>
 #include <vector>
 
 namespace Signorini {
@@ -84,8 +86,10 @@ private:
   /** Solves one level and writes it. Its large objects are released at the end of this call.
    * @return whether it is the last. */
   bool solve_next() {
-    const Progress progress = [this, name = sequence_->name_of_next()](const std::string &stage) {
-      report_.progress(name + ": " + stage);
+    const auto now = [] { return std::chrono::steady_clock::now().time_since_epoch(); };
+    clock_.begin_level(now());
+    const Progress progress = [&, name = sequence_->name_of_next()](const std::string &stage) {
+      report_.progress(name + ": " + stage + text_to_go(clock_.begin_stage(stage, now())));
     };
     LevelResult<dim> level = sequence_->solve_next(progress);
     LevelRecord &record = level.solution.record;
@@ -144,6 +148,7 @@ private:
   Judge judge_;
   std::unique_ptr<Sequence<dim>> sequence_;
   ResultsWriter writer_;
+  LevelClock clock_;
   /** The load cases of all levels so far. */
   std::vector<CaseResult> cases_;
   StudyResult<dim> result_;

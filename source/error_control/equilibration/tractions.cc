@@ -83,16 +83,18 @@ void Tractions::project_given(const BoundData &data) {
 
 void Tractions::add_plates(const Scene<2> &scene) {
   for (const Plate &plate : scene.plates) {
-    TractionCondition force, moment;
+    TractionCondition force, cross_force, moment;
     for (const TractionEdge &edge : space.edges()) {
       if (edge.side != plate.side)
         continue;
       const std::vector<Tensor<1, 3>> sums = edge.resultants(scene.geometry, plate.centre);
       for (unsigned int i = 0; i < sums.size(); ++i) {
-        const double along = sums[i][0] * plate.direction[0] + sums[i][1] * plate.direction[1],
-                     rounding = 1e-13 * edge.length();
-        if (std::abs(along) > rounding)
-          force.row.emplace_back(edge.first + i, along);
+        const Tensor<1, 2> sum({sums[i][0], sums[i][1]});
+        const double rounding = 1e-13 * edge.length();
+        for (const auto &[condition, part] : {std::pair(&force, sum * plate.direction),
+                                              std::pair(&cross_force, sum * plate.across())})
+          if (std::abs(part) > rounding)
+            condition->row.emplace_back(edge.first + i, part);
         if (std::abs(sums[i][2]) > rounding * sums[0].norm())
           moment.row.emplace_back(edge.first + i, sums[i][2]);
       }
@@ -108,6 +110,8 @@ void Tractions::add_plates(const Scene<2> &scene) {
     };
     if (plate.is_pushed)
       add(std::move(force), plate.force);
+    if (plate.drifts)
+      add(std::move(cross_force), plate.cross_force);
     if (plate.turns)
       add(std::move(moment), plate.moment);
   }

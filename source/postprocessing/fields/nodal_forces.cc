@@ -40,7 +40,7 @@ std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space, const 
       motions[p] = motion;
       return space.prescribed(with_only_plates_moved(scene, motions)) * forces.residual;
     };
-    result.push_back({work_on({1., 0.}), work_on({0., 1.})});
+    result.push_back({work_on({1., 0., 0.}), work_on({0., 1., 0.}), work_on({0., 0., 1.})});
   }
   return result;
 }

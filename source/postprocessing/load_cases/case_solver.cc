@@ -18,6 +18,8 @@ double share_of(const LoadCase &load_case, const LoadKind kind) {
     return load_case.force;
   case LoadKind::weight:
     return load_case.weight;
+  case LoadKind::cross:
+    return load_case.cross;
   case LoadKind::travel:
     break;
   }
@@ -37,7 +39,7 @@ CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &
   , B_(contact_.modes.couple(discretization_.D))
   , G_(discretization_.assemble_gap_of(scene_))
   , slip_(discretization_.multipliers.n_multipliers()) {
-  for (const LoadKind kind : {LoadKind::force, LoadKind::weight, LoadKind::travel})
+  for (const LoadKind kind : {LoadKind::force, LoadKind::weight, LoadKind::travel, LoadKind::cross})
     if (has_load(scene_, kind))
       responses_.push_back(respond(kind));
   if (!scene_.report_places.empty())

@@ -149,7 +149,7 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load,
     scene.plates = read_plates(given.plates, load, scene.geometry);
     for (const Plate &plate : scene.plates)
       assign(sides[plate.side], Role::displacement, given.plates).data =
-        plate_displacement(plate, PlateMotion{plate.travel, 0.});
+        plate_displacement(plate, PlateMotion{plate.travel, 0., 0.});
   }
   if constexpr (dim == 2)
     hold_on_axis(entries, scene);

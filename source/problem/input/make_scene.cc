@@ -46,7 +46,7 @@ bool is_loaded(const Scene<2> &scene) {
         return true;
     }
   return has_load(scene, LoadKind::force) || has_load(scene, LoadKind::weight) ||
-         has_load(scene, LoadKind::travel);
+         has_load(scene, LoadKind::travel) || has_load(scene, LoadKind::cross);
 }
 
 /** Finds out whether contact alone holds the body, which needs a load. */
@@ -160,8 +160,8 @@ Scene<3> make_scene(const Parameters &parameters) {
 namespace {
 constexpr unsigned int max_cases = 100000;
 
-const std::vector<std::string> factor_names = {"force", "weight",  "travel", "gap",
-                                               "slide", "shift x", "shift y"};
+const std::vector<std::string> factor_names = {"force", "weight", "travel",  "gap",
+                                               "slide", "cross",  "shift x", "shift y"};
 
 double &factor_of(LoadCase &load_case, const std::string &name) {
   if (name == "force")
@@ -174,6 +174,8 @@ double &factor_of(LoadCase &load_case, const std::string &name) {
     return load_case.gap;
   if (name == "slide")
     return load_case.slide;
+  if (name == "cross")
+    return load_case.cross;
   return load_case.shift[name == "shift x" ? 0 : 1];
 }
 
@@ -194,6 +196,8 @@ std::string uselessness(const std::string &name, const Scene<2> &scene) {
     return "the scene has no body force";
   if (name == "travel" && !has_load(scene, LoadKind::travel))
     return "the scene has no prescribed displacement";
+  if (name == "cross" && !has_load(scene, LoadKind::cross))
+    return "the scene has no Load/Plate cross force";
   return "";
 }
 

@@ -135,10 +135,11 @@ std::vector<Plate> read_plates(const Given<std::string> &given, const LoadParame
   }
   const auto forces = read_numbers_of(load.plate_force, names),
              travels = read_numbers_of(load.plate_travel, names),
-             moments = read_numbers_of(load.plate_moment, names);
+             moments = read_numbers_of(load.plate_moment, names),
+             cross = read_numbers_of(load.plate_cross_force, names);
   for (std::size_t p = 0; p < plates.size(); ++p) {
     const auto force = forces.find(names[p]), travel = travels.find(names[p]),
-               moment = moments.find(names[p]);
+               moment = moments.find(names[p]), across = cross.find(names[p]);
     plates[p].is_pushed = force != forces.end();
     if (plates[p].is_pushed == (travel != travels.end()))
       throw error_at(given, "the plate '", names[p], "' has ",
@@ -152,6 +153,8 @@ std::vector<Plate> read_plates(const Given<std::string> &given, const LoadParame
       plates[p].force = force->second / geometry.thickness;
     else
       plates[p].travel = travel->second;
+    plates[p].drifts = across != cross.end();
+    plates[p].cross_force = plates[p].drifts ? across->second / geometry.thickness : 0.;
     plates[p].moment = moment == moments.end() ? 0. : moment->second / geometry.thickness;
   }
   return plates;

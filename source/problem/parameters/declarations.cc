@@ -121,6 +121,10 @@ void Declarations::declare_data(Parameters &parameters) {
       "Force per volume: fx; fy, in 3-D fx; fy; fz, expressions in x, y, z (force/volume).");
   add("Load/Plate force", parameters.load.plate_force,
       "Force on a plate along its direction (force per thickness) by side: top: 35.");
+  add(
+    "Load/Plate cross force", parameters.load.plate_cross_force,
+    "Force on a plate across its direction (force per thickness) by side, in the direction turned "
+    "counter-clockwise by a right angle; the plate may then move across, too.");
   add("Load/Plate moment", parameters.load.plate_moment,
       "Moment on a turning plate about its middle, counter-clockwise (force x length per "
       "thickness) by side; zero where nothing is given.");

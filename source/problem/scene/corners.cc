@@ -280,8 +280,10 @@ std::vector<std::pair<Tensor<1, dim>, std::string>> motions_at(const Scene<dim> 
       if (plate.side == side) {
         if (plate.is_pushed)
           found.emplace_back(plate.direction, "move along " + text_of(plate.direction));
+        if (plate.drifts)
+          found.emplace_back(plate.across(), "move along " + text_of(plate.across()));
         if (plate.turns)
-          found.emplace_back(plate.displacement({0., 1.}, x), "turn");
+          found.emplace_back(plate.displacement({0., 0., 1.}, x), "turn");
       }
   return found;
 }

@@ -81,7 +81,8 @@ void add_side_conditions(const Side<3> &side, const Role role, Conditions<3> &co
 
 /** Adds what a plate forbids to a body that moves as a whole. */
 void add_plate_conditions(const Plate &plate, Conditions<2> &conditions) {
-  conditions.forbid_velocity(plate.centre, cross_product_2d(plate.direction));
+  if (!plate.drifts)
+    conditions.forbid_velocity(plate.centre, plate.across());
   if (!plate.is_pushed)
     conditions.forbid_velocity(plate.centre, plate.direction);
   if (!plate.turns)
@@ -189,10 +190,11 @@ namespace {
 using Coordinates = dealii::Vector<double>;
 
 Coordinates coordinates_of(const std::vector<PlateMotion> &motions, const double size) {
-  Coordinates x(2 * motions.size());
+  Coordinates x(3 * motions.size());
   for (std::size_t p = 0; p < motions.size(); ++p) {
-    x[2 * p] = motions[p].travel;
-    x[2 * p + 1] = size * motions[p].rotation;
+    x[3 * p] = motions[p].travel;
+    x[3 * p + 1] = motions[p].drift;
+    x[3 * p + 2] = size * motions[p].rotation;
   }
   return x;
 }
@@ -244,6 +246,7 @@ std::vector<PlateMotion> follow(const RigidMotion &rigid, const std::vector<Plat
   motions.reserve(plates.size());
   for (const Plate &plate : plates)
     motions.push_back({plate.is_pushed ? rigid.velocity(plate.centre) * plate.direction : 0.,
+                       plate.drifts ? rigid.velocity(plate.centre) * plate.across() : 0.,
                        plate.turns ? rigid.rotation / rigid.size : 0.});
   return motions;
 }
@@ -257,9 +260,11 @@ std::vector<FreeMotion> single_motions(const std::vector<Plate> &plates, const d
       motions.back().plates[p] = motion;
     };
     if (plates[p].is_pushed)
-      add({1., 0.});
+      add({1., 0., 0.});
+    if (plates[p].drifts)
+      add({0., 1., 0.});
     if (plates[p].turns)
-      add({0., 1. / size});
+      add({0., 0., 1. / size});
   }
   return motions;
 }
@@ -300,6 +305,7 @@ std::vector<PlateMotion> combine_plates(const std::vector<FreeMotion> &motions,
   for (std::size_t j = 0; j < motions.size(); ++j)
     for (std::size_t p = 0; p < n_plates; ++p) {
       sum[p].travel += q[j] * motions[j].plates[p].travel;
+      sum[p].drift += q[j] * motions[j].plates[p].drift;
       sum[p].rotation += q[j] * motions[j].plates[p].rotation;
     }
   return sum;

@@ -11,7 +11,8 @@
 namespace Signorini {
 Tensor<1, 2> Plate::displacement(const PlateMotion &motion, const Point<2> &x) const {
   const Tensor<1, 2> arm = x - centre;
-  return motion.travel * direction + motion.rotation * Tensor<1, 2>({-arm[1], arm[0]});
+  return motion.travel * direction + motion.drift * across() +
+         motion.rotation * Tensor<1, 2>({-arm[1], arm[0]});
 }
 
 std::shared_ptr<const Function<2>> plate_displacement(const Plate &plate,
@@ -114,6 +115,7 @@ std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &loa
   for (Plate &plate : plates) {
     plate.force *= load_case.force;
     plate.moment *= load_case.force;
+    plate.cross_force *= load_case.cross;
     plate.travel *= load_case.travel;
   }
   return plates;
@@ -150,12 +152,17 @@ Scene<2> with_only(Scene<2> scene, const LoadKind kind) {
                                           kind == LoadKind::travel ? 1. : 0.,
                                           1.,
                                           {},
-                                          false});
+                                          false,
+                                          1.,
+                                          kind == LoadKind::cross ? 1. : 0.});
 }
 
 bool has_load(const Scene<2> &scene, const LoadKind kind) {
   if (kind == LoadKind::weight)
     return scene.body_force != nullptr;
+  if (kind == LoadKind::cross)
+    return std::any_of(scene.plates.begin(), scene.plates.end(),
+                       [](const Plate &plate) { return plate.drifts; });
   const Role role = kind == LoadKind::force ? Role::traction : Role::displacement;
   const bool on_sides = std::any_of(scene.boundary.begin(), scene.boundary.end(),
                                     [&](const auto &condition) { return condition.role == role; });

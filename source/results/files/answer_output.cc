@@ -101,6 +101,9 @@ public:
       std::string text = "travel " + number_text(plate["travel"], size_) + " along " +
                          number_text(plate["direction"], 1.) + ", force " +
                          number_text(plate["force"], scale_);
+      if (level_.motions.plates[i].plate.drifts)
+        text += ", drift " + number_text(plate["drift"], size_) + " across, force " +
+                number_text(plate["cross_force"], scale_);
       if (level_.motions.plates[i].plate.turns)
         text += ", rotation " + number_text(plate["rotation"], 1.) + " about " +
                 number_text(plate["centre"], size_) + ", moment " +

@@ -87,6 +87,8 @@ static void to_json(Json &json, const PlateRecord &plate) {
           {"direction", AnswerVector(plate.plate.direction)},
           {"travel", plate.motion.travel},
           {"force", plate.force},
+          {"drift", plate.motion.drift},
+          {"cross_force", plate.cross_force},
           {"centre", AnswerVector(plate.plate.centre)},
           {"rotation", plate.motion.rotation},
           {"moment", plate.moment}};

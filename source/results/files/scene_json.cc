@@ -43,7 +43,8 @@ void write_scene_json(std::ostream &stream, const Scene<2> &scene,
         side["plate"] = {
           {"direction", AnswerVector(plate.direction)},
           {"force", plate.is_pushed ? Json(plate.force * scene.geometry.thickness) : Json(nullptr)},
-          {"travel", plate.is_pushed ? Json(nullptr) : Json(plate.travel)}};
+          {"travel", plate.is_pushed ? Json(nullptr) : Json(plate.travel)},
+          {"cross_force", plate.cross_force * scene.geometry.thickness}};
     json["sides"].push_back(side);
   }
   for (const auto &cell : first_mesh.active_cell_iterators()) {

@@ -205,10 +205,12 @@ Columns<CaseResult> case_columns(const bool has_friction) {
                      {"plate_travel", of_plate(&PlateMotion::travel)},
                      {"plate_rotation", of_plate(&PlateMotion::rotation)},
                      {"qp_iterations", &Case::iterations},
-                     {"kkt", &Case::kkt}})
+                     {"kkt", &Case::kkt},
+                     {"plate_drift", of_plate(&PlateMotion::drift)}})
     columns.push_back({answer.name, [answer](const Case &c) {
                          return c.escape.empty() ? answer.value(c) : std::nullopt;
                        }});
+  columns.push_back({"cross", [](const Case &c) { return c.load_case.cross; }});
   if (has_friction) {
     columns.push_back({"level", &Case::level});
     columns.push_back({"slide", [](const Case &c) { return c.load_case.slide; }});

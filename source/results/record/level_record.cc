@@ -32,8 +32,10 @@ Columns<MotionRecord> MotionRecord::columns() {
   };
   return {
     {"plate_travel", of_first([](const PlateRecord &plate) { return plate.motion.travel; })},
+    {"plate_drift", of_first([](const PlateRecord &plate) { return plate.motion.drift; })},
     {"plate_rotation", of_first([](const PlateRecord &plate) { return plate.motion.rotation; })},
     {"plate_force", of_first([](const PlateRecord &plate) { return plate.force; })},
+    {"plate_cross_force", of_first([](const PlateRecord &plate) { return plate.cross_force; })},
     {"plate_moment", of_first([](const PlateRecord &plate) { return plate.moment; })}};
 }
 
@@ -79,7 +81,7 @@ void multiply_forces(const double thickness, LevelRecord &record) {
     for (SideForce &force : *forces)
       multiply(thickness, force.resultant.force, force.resultant.moment);
   for (PlateRecord &plate : record.motions.plates)
-    multiply(thickness, plate.force, plate.moment);
+    multiply(thickness, plate.force, plate.cross_force, plate.moment);
   if (record.friction)
     multiply(thickness, record.friction->tangential_force, record.friction->dissipation);
   if (record.bound)

@@ -312,12 +312,13 @@ Vector on_springs(const Vector &F, const Balances &balances, const double stiffn
  * Returns the steady sliding in the direction of the loads, if a single motion slides along the
  * patches that press: with the body far ahead of where it was, all of them slip, and the other
  * motions balance.
+ * @param stiffness that of the contact patches, by contact_stiffness().
  * @param presses P of the patches along which it may slide.
  */
 std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOperator> &C,
                                       const Vector &F, const AdmissibleSet &K,
-                                      const FreeMotions &motions, const DualSolverOptions &options,
-                                      const Vector &presses) {
+                                      const FreeMotions &motions, const double stiffness,
+                                      const DualSolverOptions &options, const Vector &presses) {
   constexpr double far = 100.;
   const unsigned int k = motions.b.size(), m = F.size() / 2;
   Matrix closing(k, k);
@@ -339,7 +340,12 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
   FreeMotions rest = {Matrix(2 * m, n), Matrix(n, n), Vector(n)};
   Vector slip(2 * m), moved(F);
   motions.B.vmult(slip, sliding.v);
-  moved.add(-far * F.linfty_norm() / slip.linfty_norm(), slip);
+  // Forces on plates press also where F, the closing by other loads, is zero.
+  double closing_size = F.linfty_norm();
+  const Vector norms = column_norms(motions.B);
+  for (unsigned int j = 0; j < k; ++j)
+    closing_size += norms[j] > 0. ? std::abs(motions.b[j]) / (norms[j] * stiffness) : 0.;
+  moved.add(-far * closing_size / slip.linfty_norm(), slip);
   if (n > 0) {
     motions.B.mmult(rest.B, others);
     rest.K.triple_product(motions.K, others, others, true);
@@ -376,7 +382,7 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   const auto slides_along_all = [&]() {
     Vector all(m);
     all = -1.;
-    return steady_sliding(C, F, K, motions, options, all);
+    return steady_sliding(C, F, K, motions, stiffness, options, all);
   };
   if (reduced.escape && has_friction)
     result.sliding = slides_along_all();
@@ -399,7 +405,7 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
       // Sweeps follow the body while it slides along some of its contact sides.
       const Vector drifting =
         solve_by_psor({C, F, K, reduced.balances}, {}, {options.tolerance, 2000, 1.}).P;
-      sliding = steady_sliding(C, F, K, motions, options, drifting);
+      sliding = steady_sliding(C, F, K, motions, stiffness, options, drifting);
     }
     if (sliding && sliding->lasts()) {
       result.sliding = sliding;

@@ -95,6 +95,38 @@ void test_steps(Checks &checks) {
               alone.friction->tangential_force, 1e-12);
 }
 
+/** Cattaneo and Mindlin by force: under Q the part sqrt(1 - Q/(f N)) of the zone sticks, every
+ * force is carried, and a closed cycle ends where it began. */
+void test_fretting_by_force(Checks &checks) {
+  const OneLevel level("Geometry/Lower left = -1, 0\nGeometry/Upper right = 1, 1\n"
+                       "Geometry/Cells = 2, 1\nMaterial/Poisson's ratio = 0.45\n"
+                       "Boundary/Contact = bottom\nBoundary/Plates = top: 0, -1\n"
+                       "Load/Plate force = top: 0.01\nLoad/Plate cross force = top: 0.003\n"
+                       "Contact/Gap = x^2/2\nContact/Friction = coulomb\n"
+                       "Contact/Friction coefficient = 0.5\nLoad cases/Cases = cross 0 | cross 1\n",
+                       6);
+  const LevelSolution<2> solution = level.solve();
+  CaseSolver solver = make_solver(level, solution, true);
+  const auto solve_at = [&](const double cross) {
+    LoadCase load_case;
+    load_case.cross = cross;
+    CaseResult result = solver.solve(load_case);
+    checks.near("fretting: forces", {result.contact.force[0], result.contact.force[1]},
+                {-0.003 * cross, 0.01}, 1e-14);
+    return result;
+  };
+  solve_at(0.);
+  const CaseResult first = solve_at(1.);
+  // A patch is 1/32 long, and each end of a zone is known within one.
+  checks.near("fretting: stick", first.friction->stick_length, first.zone_length * std::sqrt(0.4),
+              1. / 32);
+  solve_at(-1.);
+  const CaseResult last = solve_at(1.);
+  checks.near("fretting: the cycle closes", last.plates[0].drift / first.plates[0].drift, 1., 0.02);
+  checks.that("fretting: each cycle costs work",
+              last.friction->dissipation > 2. * first.friction->dissipation);
+}
+
 /** Steps that only stick are one step; small steps in one direction are one step in plain slip. */
 void test_sequence(Checks &checks) {
   const StudyResult<2> found = solve(
@@ -110,5 +142,5 @@ void test_sequence(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {test_unloading, test_steps, test_sequence});
+  return run_tests(argc, argv, {test_unloading, test_steps, test_fretting_by_force, test_sequence});
 }

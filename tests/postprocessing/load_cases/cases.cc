@@ -20,6 +20,7 @@ std::string block(const LoadCase &load_case) {
        << ", w=" << 0.03 * load_case.weight << ", u=" << 0.01 * load_case.travel
        << ", X=" << load_case.shift[0] << ", Y=" << load_case.shift[1] << ", G=" << load_case.gap
        << "\nLoad/Plate force = left: " << 0.08 * load_case.force
+       << "\nLoad/Plate cross force = left: " << 0.04 * load_case.cross
        << "\nLoad/Plate moment = left: " << -0.01 * load_case.force
        << "\nLoad/Body force = 0; -w\nGeometry/Upper right = 2, 1\nGeometry/Cells = 2, 1\n"
           "Boundary/Contact = bottom\nBoundary/Plates = left: 0, -1 turning\n"
@@ -48,9 +49,9 @@ void compare(Checks &checks, const std::string &name, const std::string &foundat
     const auto &force = own.record.answer.contact_force.resultant.force;
     const auto &peak = own.record.answer.peak_pressure;
     checks.near(at + ": numbers",
-                {result.plates.at(0).travel, result.plates.at(0).rotation, result.contact.force[0],
-                 result.contact.force[1]},
-                {motion.travel, motion.rotation, force[0], force[1]}, 1e-10);
+                {result.plates.at(0).travel, result.plates.at(0).drift,
+                 result.plates.at(0).rotation, result.contact.force[0], result.contact.force[1]},
+                {motion.travel, motion.drift, motion.rotation, force[0], force[1]}, 1e-10);
     checks.near(at + ": peak", result.peak_pressure, peak ? peak->value : 0., 1e-8);
   }
 }
@@ -63,9 +64,11 @@ int main(int argc, char **argv) {
       all.force = 1.7;
       all.weight = 0.4;
       all.travel = -2.;
+      all.cross = -0.7;
       pulled.force = 0.1;
       pulled.weight = 0.;
       pulled.gap = 0.5;
+      pulled.cross = 1.3;
       moved.shift = dealii::Tensor<1, 2>({0.05, 0.03});
       moved.force = 1.2;
       compare(

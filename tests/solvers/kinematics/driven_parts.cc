@@ -102,6 +102,57 @@ void test_elastic_resistance(Checks &checks) {
   checks.near("bar: energy", result.levels.back().certificate.energy, -0.5 * 0.1 * 0.06, 1e-13);
 }
 
+/** A force with two components on a plate that moves in both: the direction of the plate only says
+ * what they are called. */
+void test_two_components(Checks &checks) {
+  const std::string text =
+    "subsection Geometry\nset Upper right = 3, 1\nset Cells = 3, 1\nend\n"
+    "Boundary/Clamped = left\nBoundary/Contact = bottom\nContact/Gap = 0.01 + 0.4*(x-1.5)^2\n";
+  const auto loads = [](const std::string &direction, const double force, const double across) {
+    return "Boundary/Plates = right: " + direction +
+           " turning\nLoad/Plate force = right: " + exactly(force) +
+           "\nLoad/Plate cross force = right: " + exactly(across) + "\n";
+  };
+  const StudyResult<2> down = solve(text + loads("0, -1", 0.02, 0.01), levels(2, 5));
+  const PlateRecord &plate = down.levels.back().motions.plates.at(0);
+  checks.near("two components: reactions", {plate.force, plate.cross_force, plate.moment},
+              {0.02, 0.01, 0.}, 1e-12);
+  // The direction (3, 4)/5 and across it (-4, 3)/5 for the force (0.01, -0.02).
+  for (const auto &[direction, force, across] :
+       {std::tuple("1, 0", 0.01, -0.02), {"3, 4", -0.01, -0.02}}) {
+    const StudyResult<2> other = solve(text + loads(direction, force, across), levels(2, 5));
+    const auto &[side, same, motion, f, t, moment] = other.levels.back().motions.plates.at(0);
+    const dealii::Tensor<1, 2> moved = same.displacement(motion, same.centre),
+                               expected = plate.plate.displacement(plate.motion, same.centre);
+    checks.near(std::string("two components along ") + direction, (moved - expected).norm(), 0.,
+                1e-12);
+    checks.near("two components: pressures", relative_distance(other.pressure.P, down.pressure.P),
+                0., 1e-9);
+  }
+  const LevelRecord graded =
+    solve(text + loads("0, -1", 0.02, 0.01),
+          {"Discretization/Strategy=hp", "Discretization/Target error=1e-5"})
+      .levels.back();
+  const ErrorBound &bound = *down.levels.back().bound;
+  checks.between("two components: energy of a finer run", graded.certificate.energy,
+                 *bound.energy_lower, *bound.energy_upper);
+  checks.near("two components: drift of a finer run", plate.motion.drift,
+              graded.motions.plates.at(0).motion.drift, 2e-3 * plate.motion.drift);
+}
+
+/** Fretting by force: friction holds T up to f N, at every step of a cycle. */
+void test_fretting_by_force(Checks &checks) {
+  const std::string block = "Boundary/Contact = bottom\nBoundary/Plates = top: 0, -1\n"
+                            "Contact/Friction = coulomb\nContact/Friction coefficient = 0.5\n"
+                            "Load/Plate force = top: 0.02\nLoad/Plate cross force = top: T\n";
+  const LevelRecord held = solve("Constants/Values = T=0.006\n" + block).levels.back();
+  checks.near("fretting: friction carries the force", std::abs(held.friction->tangential_force),
+              0.006, 1e-10);
+  checks.near("fretting: its share", held.friction->carried_share, 0.6, 1e-8);
+  checks.throws<InputError>("more than f N", "slides",
+                            [&]() { solve("Constants/Values = T=0.0101\n" + block); });
+}
+
 /** The resultant of the pressure is that of the loads: F at the distance M/F from the middle. */
 void test_moment(Checks &checks) {
   const std::string loads = "Load/Plate force = top: 2\nLoad/Plate moment = top: 0\n";
@@ -293,6 +344,7 @@ void test_loads_in_balance(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_column, test_force_and_travel, test_turning, test_elastic_resistance,
-                    test_moment, test_escapes, test_units, test_bounds, test_roller,
-                    test_interference, test_rotation_of_a_ring, test_loads_in_balance});
+                    test_two_components, test_fretting_by_force, test_moment, test_escapes,
+                    test_units, test_bounds, test_roller, test_interference,
+                    test_rotation_of_a_ring, test_loads_in_balance});
 }

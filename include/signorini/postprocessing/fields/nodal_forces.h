@@ -55,6 +55,8 @@ NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &
 struct PlateForce {
   /** The force along the plate's direction. */
   double force = 0.;
+  /** The force across it. */
+  double cross_force = 0.;
   /** The moment about the plate's centre, counter-clockwise. */
   double moment = 0.;
 };

@@ -103,6 +103,7 @@ struct LoadParameters {
   Given<std::string> body_force{"0; 0"};
   Given<std::string> plate_force;
   Given<std::string> plate_moment;
+  Given<std::string> plate_cross_force;
   Given<std::string> plate_travel;
 };
 

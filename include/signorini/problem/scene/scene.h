@@ -47,19 +47,24 @@ struct LoadCase {
   bool has_fields = false;
   /** Factor of the tangential motion of the foundation. */
   double slide = 1.;
+  /** Factor of the forces across the direction of plates. */
+  double cross = 1.;
 };
 
 /** The motion of a plate. */
 struct PlateMotion {
   /** The travel delta along the plate's direction (length). */
   double travel = 0.;
+  /** The drift eta across the plate's direction (length). */
+  double drift = 0.;
   /** The rotation theta, counter-clockwise about the plate's centre (radians, small). */
   double rotation = 0.;
 };
 
 /**
- * A side to which a rigid plate is bonded: u = delta d + theta (-(y - c2), x - c1) on it. Each of
- * the two motions is given, or the force or the moment that drives it is.
+ * A side to which a rigid plate is bonded: u = delta d + eta d' + theta (-(y - c2), x - c1) on it,
+ * where d' is d turned counter-clockwise by a right angle. Each of the three motions is given, or
+ * the force or the moment that drives it is.
  */
 struct Plate {
   /** The number of the side in the geometry. */
@@ -74,18 +79,26 @@ struct Plate {
   double force = 0.;
   /** The travel delta of a plate that is not pushed (length). */
   double travel = 0.;
+  /** Whether a force drives the drift; otherwise it is zero. */
+  bool drifts = false;
+  /** The force along d' on a plate that drifts (force per thickness). */
+  double cross_force = 0.;
   /** Whether a moment drives the rotation; otherwise it is zero. */
   bool turns = false;
   /** The moment about c, counter-clockwise, on a plate that turns (force x length per thickness).
    */
   double moment = 0.;
 
+  /** Returns d'. */
+  Tensor<1, 2> across() const {
+    return -cross_product_2d(direction);
+  }
   /** Returns the displacement of the point @p x of the plate. */
   Tensor<1, 2> displacement(const PlateMotion &motion, const Point<2> &x) const;
-  /** Returns the work that the force and the moment that drive the plate do in a motion (force x
+  /** Returns the work that the forces and the moment that drive the plate do in a motion (force x
    * length per thickness). */
   double work(const PlateMotion &motion) const {
-    return force * motion.travel + moment * motion.rotation;
+    return force * motion.travel + cross_force * motion.drift + moment * motion.rotation;
   }
 };
 
@@ -193,7 +206,7 @@ Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case);
 std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &load_case);
 
 /** The kinds of load of a scene. */
-enum class LoadKind { force, weight, travel };
+enum class LoadKind { force, weight, travel, cross };
 
 /** Returns the scene with one kind of load; all others are zero, and forces do not act on plates.
  */

@@ -58,9 +58,10 @@ struct PlateRecord {
   std::string side;
   Plate plate;
   PlateMotion motion;
-  /** The force on the body through the plate along its direction, and the moment about its centre.
-   * Both come from the nodal forces, also if they are given. */
+  /** The force on the body through the plate along and across its direction, and the moment about
+   * its centre. They come from the nodal forces, also if they are given. */
   double force = 0.;
+  double cross_force = 0.;
   double moment = 0.;
 };
 
