@@ -57,7 +57,8 @@ std::vector<PinCandidate> pin_candidates(const DoFHandler<2> &dofs, const Scene<
     for (const unsigned int v : cell->vertex_indices())
       weights[cell->vertex_index(v)] = 1.;
   for (const auto &face : dofs.get_triangulation().active_face_iterators())
-    if (face->at_boundary() && scene.boundary[face->boundary_id()].role == Role::contact)
+    if (face->at_boundary() && (scene.boundary[face->boundary_id()].role == Role::contact ||
+                                scene.boundary[face->boundary_id()].role == Role::opposite))
       for (const unsigned int v : {0, 1})
         if (const auto vertex = weights.find(face->vertex_index(v)); vertex != weights.end())
           vertex->second = 1e-3;
@@ -68,7 +69,8 @@ std::vector<PinCandidate> pin_candidates(const DoFHandler<2> &dofs, const Scene<
         for (unsigned int c = 0; c < 2; ++c) {
           const auto dof = cell->vertex_dof_index(v, c, cell->active_fe_index());
           if (!essential.is_constrained(dof))
-            candidates.push_back({{dof, cell->vertex(v), c}, vertex->second});
+            candidates.push_back(
+              {{dof, cell->vertex(v), c, scene.geometry.body_of(cell)}, vertex->second});
         }
         weights.erase(vertex);
       }
@@ -82,7 +84,7 @@ std::vector<Pin> choose_pins(const DoFHandler<2> &dofs, const Scene<2> &scene,
   std::vector<RigidMotion> motions = free_rigid_motions(scene);
   const auto candidates = pin_candidates(dofs, scene, essential);
   const auto speed = [](const RigidMotion &motion, const Pin &pin) {
-    return motion.velocity(pin.node)[pin.component];
+    return motion.bodies[pin.body].velocity(pin.node)[pin.component];
   };
   std::vector<Pin> pins;
   while (!motions.empty()) {

@@ -157,22 +157,22 @@ private:
 
 /**
  * Adds f_i of all owned cells.
- * @return the resultant of this rank.
+ * @return the resultants of this rank by body.
  */
 template <int dim>
-Resultant<dim> add_loads(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                         const unsigned int n_points, DualVector &loads) {
+std::vector<Resultant<dim>> add_loads(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                                      const unsigned int n_points, DualVector &loads) {
   CellLoads<dim> cell_loads(space, scene, n_points);
-  Resultant<dim> resultant;
+  std::vector<Resultant<dim>> resultants(scene.geometry.n_bodies());
   dealii::Vector<double> cell_data;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->is_locally_owned() && (scene.body_force != nullptr || cell->at_boundary())) {
       const auto indices = space.cell_dofs(cell);
       cell_data.reinit(indices.size());
-      cell_loads.add(cell, cell_data, resultant);
+      cell_loads.add(cell, cell_data, resultants[scene.geometry.body_of(cell)]);
       loads.add(indices, cell_data);
     }
-  return resultant;
+  return resultants;
 }
 
 /** Adds the matrices of all owned cells, and -a(k, φ_i)/unit with the prescribed displacements k;
@@ -209,7 +209,8 @@ LinearSystem<dim> begin_system(const DisplacementSpace<dim> &space, const Scene<
                               {}};
   agree(communicator, [&]() { system.applied = add_loads(space, scene, n_points, system.loads); });
   system.loads.compress(VectorOperation::add);
-  system.applied = sum_over_ranks(system.applied, communicator);
+  for (Resultant<dim> &resultant : system.applied)
+    resultant = sum_over_ranks(resultant, communicator);
   system.f = space.condense(system.loads);
   return system;
 }

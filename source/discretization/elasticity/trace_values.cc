@@ -24,24 +24,17 @@ const FEFaceValues<dim> &TraceValues<dim>::reinit(const ContactFace<dim> &face,
 }
 
 template <int dim>
-std::vector<Tensor<1, dim>> TraceValues<dim>::displacement(const ContactFace<dim> &face,
+std::vector<Tensor<1, dim>> TraceValues<dim>::displacement(const ContactSurface<dim> &surface,
+                                                           const Piece<dim> &piece,
                                                            const SurfaceRule<dim> &rule,
                                                            const Displacement &U) {
-  const auto &values = reinit(face, rule.on_face);
-  std::vector<Tensor<1, dim>> u(rule.size());
-  values[FEValuesExtractors::Vector(0)].get_function_values(U.entries(), u);
-  return u;
-}
-
-template <int dim>
-std::vector<double> TraceValues<dim>::normal_displacement(const ContactFace<dim> &face,
-                                                          const SurfaceRule<dim> &rule,
-                                                          const Displacement &U) {
-  const std::vector<Tensor<1, dim>> u = displacement(face, rule, U);
-  std::vector<double> u_n(rule.size());
-  for (std::size_t q = 0; q < rule.size(); ++q)
-    u_n[q] = u[q] * rule.normals[q];
-  return u_n;
+  std::vector<Tensor<1, dim>> sum(rule.size()), u(rule.size());
+  for (const auto &[face, points, sign] : surface.faces_at(piece, rule)) {
+    reinit(face, points)[FEValuesExtractors::Vector(0)].get_function_values(U.entries(), u);
+    for (std::size_t q = 0; q < u.size(); ++q)
+      sum[q] += sign * u[q];
+  }
+  return sum;
 }
 
 template class TraceValues<2>;

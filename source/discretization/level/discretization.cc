@@ -99,9 +99,9 @@ Discretization<dim>::Discretization(const Parameters &parameters, const Scene<di
                 }))
   , surface(timed(times.setup,
                   [&]() {
-                    return ContactSurface<dim>(mesh, scene,
-                                               Partition{parameters.discretization.patch_ratio,
-                                                         parameters.discretization.patches});
+                    return ContactSurface<dim>(
+                      mesh, scene,
+                      Partition{parameters.discretization.patch_ratio, scene.given_patches()});
                   }))
   , multipliers(surface)
   , n_gap_points(n_points)

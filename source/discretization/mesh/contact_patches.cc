@@ -20,52 +20,84 @@ namespace {
 /** A contact face with the arc lengths of its ends. */
 struct FaceInterval {
   ContactFace<2> face;
-  double start, end;
-  /** Whether the face's own parameter runs against the arc length. */
-  bool reversed;
-
-  /** Returns the face's own parameter of the point at arc length @p s; exactly 0 and 1 at the ends.
-   */
-  Point<1> parameter(const double s) const {
-    const double t = s == start ? 0. : s == end ? 1. : (s - start) / (end - start);
-    return Point<1>(reversed ? 1. - t : t);
-  }
+  FaceSpan span;
 };
 
-/** Returns the interval of a face. At the end of a closed side its length replaces 0. */
-FaceInterval interval_of(const ContactFace<2> &face, const Side<2> &side) {
-  const auto mesh_face = face.cell->face(face.face_no);
-  double first = side.arc_length(mesh_face->vertex(0));
-  double last = side.arc_length(mesh_face->vertex(1));
+/** Returns the interval between two points of a side. At the end of a closed side its length
+ * replaces 0. */
+FaceSpan span_of(const Point<2> &first, const Point<2> &last, const Side<2> &side) {
+  double from = side.arc_length(first), to = side.arc_length(last);
   if (side.is_closed()) {
-    const double middle =
-      side.arc_length(mesh_face->vertex(0) + 0.5 * (mesh_face->vertex(1) - mesh_face->vertex(0)));
-    for (double *const end : {&first, &last})
+    const double middle = side.arc_length(first + 0.5 * (last - first));
+    for (double *const end : {&from, &to})
       *end += side.length() * std::round((middle - *end) / side.length());
   }
-  return {face, std::min(first, last), std::max(first, last), last < first};
+  return {std::min(from, to), std::max(from, to), to < from};
 }
 
-/** Returns the ends of the patches on the faces [first, last), which make up a side; groups of
- * faces end at corners of the side. */
-std::vector<double> ends_of_patches(const std::vector<FaceInterval> &faces, const std::size_t first,
-                                    const std::size_t last, const Curve &curve,
-                                    const Partition &partition) {
-  std::vector<double> ends;
-  if (const unsigned int n = partition.patches_per_side) {
-    for (unsigned int t = 0; t <= n; ++t)
-      ends.push_back(t * faces[last - 1].end / n);
-    return ends;
-  }
-  ends.push_back(faces[first].start);
-  for (std::size_t begin = first, end = first; begin < last; begin = end) {
-    while (end < last && (end == begin || !curve.has_corner(faces[end].start)))
+/** Returns the interval of a face on a side: its own one, or one to which it is projected. */
+FaceSpan span_of(const ContactFace<2> &face, const Side<2> &side) {
+  const auto mesh_face = face.cell->face(face.face_no);
+  return span_of(mesh_face->vertex(0), mesh_face->vertex(1), side);
+}
+
+/** The intervals of the faces of a side and, in a pair, those of the other one that are projected
+ * to it: [lower, upper] is where both are. */
+struct SideFaces {
+  std::vector<FaceSpan> own, opposite;
+  /** The numbers of the faces. */
+  std::vector<unsigned int> own_numbers, opposite_numbers;
+  double lower, upper;
+};
+
+double longest_of(const std::vector<FaceSpan> &spans) {
+  double longest = 0.;
+  for (const FaceSpan &span : spans)
+    longest = std::max(longest, span.end - span.start);
+  return longest;
+}
+
+/** Returns the ends of groups of @p ratio intervals within [lower, upper]; groups end at corners of
+ * the side, and the last one is the longer one. */
+std::vector<double> groups_of(const std::vector<FaceSpan> &spans, const unsigned int ratio,
+                              const double lower, const double upper, const Curve &curve) {
+  std::vector<double> ends = {lower};
+  std::vector<double> starts;
+  const double sliver = 1e-10 * (upper - lower);
+  for (const FaceSpan &span : spans)
+    if (span.start > lower + sliver && span.start < upper - sliver)
+      starts.push_back(span.start);
+  starts.push_back(upper);
+  for (std::size_t begin = 0, end = 0; begin < starts.size(); begin = end) {
+    // The faces begin..end-1 lie before the next corner; starts[k] is where face k ends.
+    do
       ++end;
-    for (std::size_t k = begin + partition.ratio; k + partition.ratio <= end; k += partition.ratio)
-      ends.push_back(faces[k].start);
-    ends.push_back(faces[end - 1].end);
+    while (end < starts.size() && !curve.has_corner(starts[end - 1]));
+    for (std::size_t k = begin + ratio; k + ratio <= end; k += ratio)
+      ends.push_back(starts[k - 1]);
+    ends.push_back(starts[end - 1]);
   }
   return ends;
+}
+
+/**
+ * Returns the ends of the patches on a side. In a pair they are groups of the finer faces, if these
+ * hold 4/3 of the longest face of the other side; else groups of the coarser faces.
+ */
+std::vector<double> ends_of_patches(const SideFaces &faces, const Curve &curve,
+                                    const unsigned int ratio, const unsigned int n) {
+  if (n > 0) {
+    std::vector<double> ends;
+    for (unsigned int t = 0; t <= n; ++t)
+      ends.push_back(faces.lower + t * (faces.upper - faces.lower) / n);
+    return ends;
+  }
+  const double own = longest_of(faces.own), other = longest_of(faces.opposite);
+  const bool own_is_finer = own <= other;
+  const bool fine_suffices =
+    3. * ratio * std::min(own, other) >= 4. * (1. - 1e-10) * std::max(own, other);
+  const bool takes_own = faces.opposite.empty() || own_is_finer == fine_suffices;
+  return groups_of(takes_own ? faces.own : faces.opposite, ratio, faces.lower, faces.upper, curve);
 }
 
 /** The smallest number of points on graded parts: with fewer, a square root between two graded
@@ -106,43 +138,114 @@ SurfaceRule<2> points_at(const Piece<2> &piece, const Side<2> &side,
 }
 } // namespace
 
+Point<1> FaceSpan::parameter(const double s) const {
+  constexpr double rounding = 1e-9;
+  double t = (s - start) / (end - start);
+  t = t < rounding ? 0. : t > 1. - rounding ? 1. : t;
+  return Point<1>(reversed ? 1. - t : t);
+}
+
+namespace {
+/** Returns the faces [first, last) of a side, and those of the side that it touches.
+ * @throws InputError where the overlap of a pair is shorter than two faces. */
+SideFaces faces_of_side(const std::vector<FaceInterval> &all, const unsigned int number,
+                        const Scene<2> &scene) {
+  const Side<2> &side = scene.geometry.sides[number];
+  const std::optional<unsigned int> opposite = scene.boundary[number].opposite;
+  SideFaces faces;
+  for (unsigned int f = 0; f < all.size(); ++f)
+    if (all[f].face.side == number) {
+      faces.own.push_back(all[f].span);
+      faces.own_numbers.push_back(f);
+    } else if (opposite && all[f].face.side == *opposite) {
+      faces.opposite.push_back(span_of(all[f].face, side));
+      faces.opposite_numbers.push_back(f);
+    }
+  faces.lower = faces.own.front().start;
+  faces.upper = faces.own.back().end;
+  if (!opposite)
+    return faces;
+  if (faces.opposite.front().start > faces.opposite.back().start) {
+    std::reverse(faces.opposite.begin(), faces.opposite.end());
+    std::reverse(faces.opposite_numbers.begin(), faces.opposite_numbers.end());
+  }
+  faces.lower = std::max(faces.lower, faces.opposite.front().start);
+  faces.upper = std::min(faces.upper, faces.opposite.back().end);
+  const double face = std::max(longest_of(faces.own), longest_of(faces.opposite));
+  if (!(faces.upper - faces.lower >= 2. * (1. - 1e-10) * face))
+    throw InputError("the sides '" + side.name() + "' and '" +
+                     scene.geometry.sides[*opposite].name() +
+                     "' face each other on less than two faces of the mesh, allowed: a finer mesh "
+                     "(Coarsest level), or sides that face each other on a longer part.");
+  return faces;
+}
+
+/** Returns the ends of pieces: those of patches and of faces of both sides. */
+std::vector<double> cuts_of(const SideFaces &faces, const std::vector<double> &ends) {
+  std::vector<double> cuts = ends;
+  for (const auto *const spans : {&faces.own, &faces.opposite})
+    for (const FaceSpan &span : *spans)
+      for (const double s : {span.start, span.end})
+        if (s > faces.lower && s < faces.upper)
+          cuts.push_back(s);
+  std::sort(cuts.begin(), cuts.end());
+  // Ends that differ by rounding only are the same: no slivers.
+  double shortest = faces.upper - faces.lower;
+  for (const FaceSpan &span : faces.own)
+    shortest = std::min(shortest, span.end - span.start);
+  cuts.erase(std::unique(cuts.begin(), cuts.end(),
+                         [&](const double a, const double b) { return b - a < 1e-10 * shortest; }),
+             cuts.end());
+  return cuts;
+}
+
+/** Returns the number of the interval that contains s, beginning with @p k. */
+unsigned int containing(const std::vector<FaceSpan> &spans, unsigned int k, const double s) {
+  while (k + 1 < spans.size() && s > spans[k].end)
+    ++k;
+  return k;
+}
+} // namespace
+
 template <>
 void ContactSurface<2>::divide(const Partition &partition) {
-  std::vector<FaceInterval> faces;
+  std::vector<FaceInterval> all;
   for (const ContactFace<2> &face : faces_)
-    faces.push_back(interval_of(face, scene_.geometry.sides[face.side]));
-  std::sort(faces.begin(), faces.end(), [](const auto &a, const auto &b) {
-    return std::tie(a.face.side, a.start) < std::tie(b.face.side, b.start);
+    all.push_back({face, span_of(face, scene_.geometry.sides[face.side])});
+  std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
+    return std::tie(a.face.side, a.span.start) < std::tie(b.face.side, b.span.start);
   });
-  for (unsigned int f = 0, last = 0; f < faces.size();) {
-    const unsigned int side = faces[f].face.side;
-    while (last < faces.size() && faces[last].face.side == side)
-      ++last;
+  for (const unsigned int side : scene_.contact_sides()) {
+    const SideFaces faces = faces_of_side(all, side, scene_);
     const std::vector<double> ends =
-      ends_of_patches(faces, f, last, scene_.geometry.sides[side], partition);
-    for (std::size_t t = 0; t + 1 < ends.size(); ++t) {
-      const unsigned int patch = patches_.size();
+      ends_of_patches(faces, scene_.geometry.sides[side], partition.ratio,
+                      partition.patches_by_side.empty() ? 0 : partition.patches_by_side[side]);
+    const unsigned int first_patch = patches_.size();
+    for (std::size_t t = 0; t + 1 < ends.size(); ++t)
       patches_.push_back({side, Point<1>(ends[t]), Point<1>(ends[t + 1]), ends[t + 1] - ends[t]});
-      for (bool face_ends = true; face_ends && f < last; f += face_ends ? 1 : 0) {
-        const FaceInterval &face = faces[f];
-        // Ends that differ by rounding only are the same: no slivers.
-        const double sliver = 1e-10 * (face.end - face.start);
-        const double start = std::max(face.start, ends[t]), end = std::min(face.end, ends[t + 1]);
-        if (end - start > sliver)
-          pieces_.push_back({f,
-                             patch,
-                             Point<1>(start),
-                             Point<1>(end),
-                             face.parameter(start),
-                             face.parameter(end),
-                             {}});
-        face_ends = face.end <= ends[t + 1] + sliver;
+    const std::vector<double> cuts = cuts_of(faces, ends);
+    for (unsigned int i = 0, own = 0, opposite = 0, t = 0; i + 1 < cuts.size(); ++i) {
+      const double start = cuts[i], end = cuts[i + 1], middle = 0.5 * (start + end);
+      own = containing(faces.own, own, middle);
+      while (middle > ends[t + 1])
+        ++t;
+      const FaceSpan &span = faces.own[own];
+      pieces_.push_back({faces.own_numbers[own],
+                         first_patch + t,
+                         Point<1>(start),
+                         Point<1>(end),
+                         span.parameter(start),
+                         span.parameter(end),
+                         {}});
+      if (!faces.opposite.empty()) {
+        opposite = containing(faces.opposite, opposite, middle);
+        const unsigned int number = faces.opposite_numbers[opposite];
+        pieces_.back().opposite = {number, all[number].span};
       }
     }
-    f = last;
   }
-  for (std::size_t f = 0; f < faces.size(); ++f)
-    faces_[f] = faces[f].face;
+  for (std::size_t f = 0; f < all.size(); ++f)
+    faces_[f] = all[f].face;
 }
 
 template <>
@@ -157,7 +260,8 @@ Piece<2> ContactSurface<2>::part(const Piece<2> &piece, const unsigned int i,
           at(piece.lower, piece.upper, i + 1.),
           at(piece.lower_on_face, piece.upper_on_face, i),
           at(piece.lower_on_face, piece.upper_on_face, i + 1.),
-          {}};
+          {},
+          piece.opposite};
 }
 
 template <>
@@ -166,7 +270,9 @@ SurfaceRule<2> ContactSurface<2>::at(const Piece<2> &piece,
   std::vector<Point<1>> arc_lengths;
   for (const Point<1> &r : positions)
     arc_lengths.emplace_back((1. - r[0]) * piece.lower[0] + r[0] * piece.upper[0]);
-  return points_at(piece, side(patches_[piece.patch]), arc_lengths);
+  SurfaceRule<2> rule = points_at(piece, side(patches_[piece.patch]), arc_lengths);
+  find_opposite(piece, rule);
+  return rule;
 }
 
 template <>
@@ -191,6 +297,7 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece, const unsigned int
   rule.weights = quadrature.get_weights();
   for (std::size_t q = 0; q < rule.size(); ++q)
     rule.weights[q] *= scene_.geometry.circumference(rule.points[q]);
+  find_opposite(piece, rule);
   return rule;
 }
 
@@ -199,8 +306,6 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece, const unsigned int
 
 template <>
 void ContactSurface<3>::divide(const Partition &partition) {
-  if (partition.patches_per_side > 0)
-    throw ComputationError("In space, contact patches are groups of faces of the mesh.");
   // The number of the patch by its side, column and row.
   std::map<std::array<unsigned int, 3>, unsigned int> numbers;
   for (unsigned int f = 0; f < faces_.size(); ++f) {

@@ -110,7 +110,8 @@ std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Sc
     for (const unsigned int f : cell->face_indices())
       if (cell->face(f)->at_boundary()) {
         const unsigned int side = cell->face(f)->boundary_id();
-        if (scene.boundary[side].role == Role::contact)
+        if (scene.boundary[side].role == Role::contact ||
+            scene.boundary[side].role == Role::opposite)
           faces.push_back({cell, f, side});
       }
   std::stable_sort(faces.begin(), faces.end(),
@@ -163,7 +164,7 @@ ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &sce
   : mesh_(mesh)
   , scene_(scene)
   , faces_(find_contact_faces(mesh, scene)) {
-  divide(Partition{1, 0});
+  divide(Partition{1});
   place_points(n_points);
 }
 
@@ -191,7 +192,26 @@ void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points
     for (const Point<dim> &x : on_mesh.points)
       on_mesh.on_side.push_back(
         coordinates_on(patches_[piece.patch], side(patches_[piece.patch]), x));
+    find_opposite(piece, on_mesh);
   }
+}
+
+template <int dim>
+void ContactSurface<dim>::find_opposite(const Piece<dim> &piece, SurfaceRule<dim> &rule) const {
+  if constexpr (dim == 2)
+    if (piece.opposite) {
+      const auto &[face, span] = *piece.opposite;
+      const Side<2> &other = scene_.geometry.sides[faces_[face].side];
+      const double middle = 0.5 * (span.start + span.end);
+      for (std::size_t q = 0; q < rule.size(); ++q) {
+        const Point<2> &x = rule.points[q];
+        const double d = other.distance_along(x, rule.normals[q]).value_or(0.);
+        double s = other.arc_length(x + d * rule.normals[q]);
+        if (other.is_closed())
+          s += other.length() * std::round((middle - s) / other.length());
+        rule.on_opposite.push_back(span.parameter(s));
+      }
+    }
 }
 
 template <int dim>

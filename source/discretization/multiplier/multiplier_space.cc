@@ -187,21 +187,23 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
   TraceValues<dim> traces(space);
   std::vector<Coupling::Column> columns(multipliers.n_multipliers());
   for (const Piece<dim> &piece : surface.pieces()) {
-    const ContactFace<dim> &face = surface.faces()[piece.face];
     const SurfaceRule<dim> &rule = piece.on_mesh;
-    const auto &values = traces.reinit(face, rule.on_face);
-    const auto indices = space.cell_dofs(face.cell);
     const double measure = std::accumulate(rule.weights.begin(), rule.weights.end(), 0.);
-    for (unsigned int k = multipliers.first_of(piece.patch);
-         k < multipliers.first_of(piece.patch + 1); ++k)
-      for (unsigned int j = 0; j < indices.size(); ++j) {
-        double integral = 0.;
-        for (std::size_t q = 0; q < rule.size(); ++q)
-          integral += values[displacement].value(j, q) * direction_of(component, rule.normals[q]) *
-                      multipliers.shape_value(k, rule.on_side[q]) * rule.weights[q];
-        if (std::abs(integral) > 1e-15 * measure)
-          columns[k][indices[j]] += integral;
-      }
+    for (const auto &[face, points, sign] : surface.faces_at(piece, rule)) {
+      const auto &values = traces.reinit(face, points);
+      const auto indices = space.cell_dofs(face.cell);
+      for (unsigned int k = multipliers.first_of(piece.patch);
+           k < multipliers.first_of(piece.patch + 1); ++k)
+        for (unsigned int j = 0; j < indices.size(); ++j) {
+          double integral = 0.;
+          for (std::size_t q = 0; q < rule.size(); ++q)
+            integral += values[displacement].value(j, q) *
+                        direction_of(component, rule.normals[q]) *
+                        multipliers.shape_value(k, rule.on_side[q]) * rule.weights[q];
+          if (std::abs(integral) > 1e-15 * measure)
+            columns[k][indices[j]] += sign * integral;
+        }
+    }
   }
   return Coupling(std::move(columns));
 }

@@ -118,7 +118,9 @@ void add_bound(const Discretization<2> &discretization, LevelSolution<2> &soluti
   const StageTimer timer(record.times.postprocess), bound_timer(record.times.bound);
   LocatedBound located;
   const ContactSolution<2> &contact = solution.contact;
-  if (contact.U.size() > max_bounded_unknowns)
+  if (solution.scene.geometry.n_bodies() > 1)
+    located.bound.missing = "it is not computed for several bodies";
+  else if (contact.U.size() > max_bounded_unknowns)
     located.bound.missing =
       "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
   else {

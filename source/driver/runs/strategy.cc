@@ -14,6 +14,8 @@ std::string reason_for_nested(const Parameters &parameters, const Scene<dim> &sc
     return "bodies in space have no graded meshes";
   if (n_ranks > 1)
     return "graded meshes need a single process";
+  if (scene.has_pairs())
+    return "two bodies touch";
   if (scene.exact_displacement != nullptr)
     return "an exact solution is given";
   const DiscretizationParameters &given = parameters.discretization;

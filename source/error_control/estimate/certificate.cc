@@ -25,12 +25,19 @@ double relative(const double value, const double scale) {
   return scale > 0. ? std::abs(value) / scale : std::abs(value);
 }
 
-/** Returns the degrees of freedom that hold the body: number, position, component. */
+/** A degree of freedom that holds a body. */
 template <int dim>
-std::map<types::global_dof_index, std::pair<Point<dim>, unsigned int>>
-support_points(const DisplacementSpace<dim> &space) {
+struct SupportPoint {
+  Point<dim> node;
+  unsigned int component, body;
+};
+
+/** Returns the degrees of freedom that hold the bodies. */
+template <int dim>
+std::map<types::global_dof_index, SupportPoint<dim>>
+support_points(const DisplacementSpace<dim> &space, const Geometry<dim> &geometry) {
   NodePositions<dim> positions(space);
-  std::map<types::global_dof_index, std::pair<Point<dim>, unsigned int>> points;
+  std::map<types::global_dof_index, SupportPoint<dim>> points;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (!cell->is_artificial() && cell->at_boundary()) {
       const std::vector<Point<dim>> &nodes = positions(cell);
@@ -38,32 +45,46 @@ support_points(const DisplacementSpace<dim> &space) {
       for (unsigned int i = 0; i < dofs.size(); ++i)
         if (space.supports().is_element(dofs[i])) {
           const auto [component, node] = cell->get_fe().system_to_component_index(i);
-          points[dofs[i]] = {nodes[node], component};
+          points[dofs[i]] = {nodes[node], component, geometry.body_of(cell)};
         }
     }
   return points;
 }
 
-/** Computes the balance of forces and moments between reactions, loads and contact. */
+/** Returns the resultants of contact by body, and the sum of their sizes: pressures all around a
+ * hole have none. */
+template <int dim>
+std::pair<std::vector<Resultant<dim>>, double> contact_by_body(
+  const Discretization<dim> &discretization, const Geometry<dim> &geometry, const Multiplier &P) {
+  std::vector<Resultant<dim>> contact(geometry.n_bodies());
+  double size = 0.;
+  for (const Piece<dim> &piece : discretization.surface.pieces()) {
+    const Resultant<dim> resultant = contact_resultant(discretization.multipliers, P, piece);
+    const auto &faces = discretization.surface.faces();
+    contact[geometry.body_of_side(faces[piece.face].side)] += resultant;
+    if (piece.opposite)
+      contact[geometry.body_of_side(faces[piece.opposite->first].side)] +=
+        {-resultant.force, -resultant.moment};
+    size += resultant.force.norm();
+  }
+  return {contact, size};
+}
+
+/** Computes the balances of forces and moments between reactions, loads and contact: those of the
+ * body where they are worst. @param sums loads and contact by body. */
 template <int dim>
 void balance(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-             const Resultant<dim> &applied, const Resultant<dim> &contact,
-             const double size_of_contact, const NodalForces &forces, Certificate &certificate) {
-  Resultant<dim> sum = applied;
-  sum += contact;
+             std::vector<Resultant<dim>> sums, const double size_of_contact,
+             const NodalForces &forces, Certificate &certificate) {
   double sum_of_sizes = 0.;
-  Resultant<dim> reactions;
-  for (const auto &[dof, place] : support_points(space))
+  std::vector<Resultant<dim>> reactions(sums.size());
+  for (const auto &[dof, place] : support_points(space, scene.geometry))
     if (forces.residual.in_local_range(dof)) {
       Tensor<1, dim> reaction;
-      reaction[place.second] = forces.residual(dof);
+      reaction[place.component] = forces.residual(dof);
       sum_of_sizes += reaction.norm();
-      reactions.add(reaction, place.first);
+      reactions[place.body].add(reaction, place.node);
     }
-  sum += sum_over_ranks(reactions, space.mesh().communicator());
-  // All around the axis radial forces are in balance, and hoop stresses carry them.
-  if (scene.geometry.axisymmetric)
-    sum = {Tensor<1, dim>() + sum.force[dim - 1] * Point<dim>::unit_vector(dim - 1), {}};
   sum_of_sizes = Utilities::MPI::sum(sum_of_sizes, space.mesh().communicator());
   // About the centre of the body: the origin may be far away.
   const Point<dim> centre =
@@ -71,9 +92,19 @@ void balance(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
   // Loads in balance have no resultant: the forces at the nodes are the size of loads.
   const double largest = std::max({sum_of_sizes, forces.loads.l1_norm(), size_of_contact});
   const double scale = forces.energy.rigid ? std::max(forces.magnitude, largest) : largest;
-  certificate.force_balance = relative(sum.force.norm(), scale);
-  certificate.moment_balance =
-    relative(sum.moment_about(centre).norm(), scale * (scene.geometry.diameter() + centre.norm()));
+  const double arm = scene.geometry.diameter() + centre.norm();
+  certificate.force_balance = certificate.moment_balance = 0.;
+  for (unsigned int k = 0; k < sums.size(); ++k) {
+    Resultant<dim> &sum = sums[k];
+    sum += sum_over_ranks(reactions[k], space.mesh().communicator());
+    // All around the axis radial forces are in balance, and hoop stresses carry them.
+    if (scene.geometry.axisymmetric)
+      sum = {Tensor<1, dim>() + sum.force[dim - 1] * Point<dim>::unit_vector(dim - 1), {}};
+    certificate.force_balance =
+      std::max(certificate.force_balance, relative(sum.force.norm(), scale));
+    certificate.moment_balance =
+      std::max(certificate.moment_balance, relative(sum.moment_about(centre).norm(), scale * arm));
+  }
 }
 
 /** Returns the largest error of U at the vertices of sides that hold the body. */
@@ -246,16 +277,10 @@ Certificate certify(const Discretization<dim> &discretization, const Scene<dim> 
   certificate.support = support_error(space, scene, solution.U);
   const Deformation deformed = deformation(space, solution.U);
   certificate.translation = deformed.translation;
-  Resultant<dim> contact;
-  // Pressures all around a hole have no resultant.
-  double size_of_contact = 0.;
-  for (const Piece<dim> &piece : discretization.surface.pieces()) {
-    const Resultant<dim> piece_resultant =
-      contact_resultant(discretization.multipliers, solution.P, piece);
-    contact += piece_resultant;
-    size_of_contact += piece_resultant.force.norm();
-  }
-  balance(space, scene, solution.system->applied, contact, size_of_contact, forces, certificate);
+  auto [sums, size_of_contact] = contact_by_body(discretization, scene.geometry, solution.P);
+  for (unsigned int k = 0; k < sums.size(); ++k)
+    sums[k] += solution.system->applied[k];
+  balance(space, scene, std::move(sums), size_of_contact, forces, certificate);
 
   // A translation has no strain energy, but its product with rounding of forces may be large.
   const double strain_energy = 0.5 * (deformed.V * forces.internal);

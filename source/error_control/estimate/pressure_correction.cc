@@ -201,7 +201,7 @@ PressureCorrection correct_pressure(const Discretization<dim> &discretization,
                            contact);
   }
   if (contact.dual) {
-    const ContactSurface<dim> finer(space.mesh(), scene, Partition{recovery_ratio, 0});
+    const ContactSurface<dim> finer(space.mesh(), scene, Partition{recovery_ratio});
     const MultiplierSpace<dim> finer_multipliers(finer);
     if (finer.patches().size() > surface.patches().size())
       if (const auto P = solve_on(finer_multipliers, discretization, contact))

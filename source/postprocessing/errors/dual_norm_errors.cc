@@ -254,11 +254,11 @@ double interpolation_trace(const DisplacementSpace<2> &space, const Scene<2> &sc
       const SurfaceRule<2> rule =
         surface.rule(surface.part(piece, i, n_parts), n_points, Grading::towards_kinks);
       const auto u_n = exact_normal_displacement(scene, rule);
-      const auto interpolated =
-        traces.normal_displacement(surface.faces()[piece.face], rule, interpolant);
+      const auto interpolated = traces.displacement(surface, piece, rule, interpolant);
       for (std::size_t k = 0; k < rule.size(); ++k) {
         samples.arc_lengths.push_back(rule.on_side[k][0]);
-        samples.weighted_values.push_back((u_n[k] - interpolated[k]) * rule.weights[k]);
+        samples.weighted_values.push_back((u_n[k] - interpolated[k] * rule.normals[k]) *
+                                          rule.weights[k]);
       }
     }
   }

@@ -28,7 +28,7 @@ template <int dim>
 std::vector<double> penetration(const ContactSurface<dim> &surface, const Piece<dim> &piece,
                                 const SurfaceRule<dim> &rule, const Displacement &U,
                                 TraceValues<dim> &traces, const Component component) {
-  const auto u = traces.displacement(surface.faces()[piece.face], rule, U);
+  const auto u = traces.displacement(surface, piece, rule, U);
   const BoundaryCondition<dim> &condition = surface.condition(piece);
   const auto &data = component == Component::normal ? condition.data : condition.shift;
   std::vector<double> depths(rule.size());

@@ -94,8 +94,17 @@ Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &sce
   Answer answer;
   answer.dimension = dim;
   answer.size = scene.geometry.diameter();
-  for (const unsigned int side : scene.contact_sides())
+  for (const unsigned int side : scene.contact_sides()) {
     answer.contact_by_side.push_back(contact_force(multipliers, {side}, multiplier));
+    if (const auto opposite = scene.boundary[side].opposite) {
+      SideForce reaction = answer.contact_by_side.back();
+      reaction.side = scene.geometry.sides[*opposite].name();
+      for (AnswerVector *const part : {&reaction.resultant.force, &reaction.resultant.moment})
+        for (double &component : *part)
+          component *= -1.;
+      answer.contact_by_side.push_back(reaction);
+    }
+  }
   answer.contact_force = contact_force(multipliers, scene.contact_sides(), multiplier);
   answer.contact_force.side.clear();
   answer.reactions = reactions(space, scene, forces);

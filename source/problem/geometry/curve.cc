@@ -278,6 +278,31 @@ double Curve::arc_length(const Point<2> &x) const {
   return circle_->radius * angle;
 }
 
+std::optional<double> Curve::distance_along(const Point<2> &x, const Tensor<1, 2> &n) const {
+  std::optional<double> nearest;
+  const auto take = [&](const double d) {
+    if (std::isfinite(d) && (!nearest || std::abs(d) < std::abs(*nearest)))
+      nearest = d;
+  };
+  if (chain_)
+    for (unsigned int k = 0; k < n_pieces(); ++k) {
+      const auto d = piece(k).distance_along(x, n);
+      const double s = d ? piece(k).arc_length(x + *d * n) : -1.;
+      if (d && s >= -1e-10 * length_ && s <= piece(k).length() + 1e-10 * length_)
+        take(*d);
+    }
+  else if (circle_) {
+    const Tensor<1, 2> arm = x - circle_->centre;
+    const double half = arm * n,
+                 root = half * half - arm.norm_square() + circle_->radius * circle_->radius;
+    if (root >= 0.)
+      for (const double sign : {-1., 1.})
+        take(-half + sign * std::sqrt(root));
+  } else if (std::abs(normal_ * n) > 1e-10)
+    take((start_ - x) * normal_ / (normal_ * n));
+  return nearest;
+}
+
 std::vector<double> Curve::crossings(const Tensor<1, 2> &m, const double position,
                                      const double from, const double to) const {
   std::vector<double> found;

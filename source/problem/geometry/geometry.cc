@@ -134,6 +134,14 @@ std::size_t Geometry<dim>::find_side(const std::string &name) const {
 }
 
 template <int dim>
+unsigned int Geometry<dim>::body_of_side(const unsigned int side) const {
+  unsigned int body = 0;
+  while (body + 1 < bodies.size() && bodies[body + 1].first_side <= side)
+    ++body;
+  return body;
+}
+
+template <int dim>
 std::vector<std::string> Geometry<dim>::side_names() const {
   std::vector<std::string> names;
   for (const Side<dim> &side : sides)

@@ -133,14 +133,28 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load,
     scene.boundary[side].role = role;
     return scene.boundary[side];
   };
-  for (const auto &[names, role] : {std::pair{&given.clamped, Role::clamped},
-                                    {&given.rollers, Role::roller},
-                                    {&given.contact, Role::contact}})
-    for (const std::string &name : split_words(*names)) {
+  const auto assign_all = [&](const std::string &words, const Role role, const Entry &entry) {
+    for (const std::string &name : split_words(words)) {
       const std::vector<std::string> called = sides_called(name, sides);
       for (const std::string &side : called.empty() ? std::vector<std::string>{name} : called)
-        assign(side, role, *names);
+        assign(side, role, entry);
     }
+  };
+  assign_all(given.clamped, Role::clamped, given.clamped);
+  assign_all(given.rollers, Role::roller, given.rollers);
+  for (const std::string &part : split_list(given.contact, '|')) {
+    const std::vector<std::string> words = split_words(part);
+    if (std::count(words.begin(), words.end(), "with") == 0) {
+      assign_all(part, Role::contact, given.contact);
+      continue;
+    }
+    if (dim == 3 || words.size() != 3 || words[1] != "with")
+      throw error_at(given.contact, "found ", quote(part),
+                     ", allowed for a pair, in the plane: the names of two sides with the word "
+                     "'with' between them; pairs and other sides are separated by '|'.");
+    assign(words[2], Role::opposite, given.contact);
+    assign(words[0], Role::contact, given.contact).opposite = scene.geometry.find_side(words[2]);
+  }
   for (const auto &[list, role] :
        {std::pair{&given.displacement, Role::displacement}, {&given.traction, Role::traction}})
     for (const auto &[name, text] : read_side_list(list->value, list->where(), sides))
@@ -172,6 +186,8 @@ void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Sce
                          scene.geometry.side_names());
   for (const auto &[side, text] : gaps)
     scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, given.gap);
+  if constexpr (dim == 2)
+    close_pairs(parameters.boundary.contact.where(), scene);
 }
 
 /** Reads the law of friction of all contact sides: one expression for all, or one per side. */
@@ -246,7 +262,10 @@ Scene<dim> make_described_scene(const Parameters &parameters) {
   Scene<dim> scene;
   scene.name = "described";
   scene.title = "described by expressions";
-  scene.geometry = make_geometry<dim>(parameters.geometry);
+  if constexpr (dim == 3)
+    scene.geometry = make_geometry<3>(parameters.geometry);
+  else
+    scene.geometry = make_geometry_of_bodies(parameters);
   if constexpr (dim == 2)
     revolve(parameters.material.plane_state, scene.geometry);
   scene.geometry.thickness = parameters.geometry.thickness;

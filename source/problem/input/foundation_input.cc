@@ -197,4 +197,42 @@ SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2>
                    without.front(), ": 0).");
   return read_list_for(without, gap.value, gap.where(), all);
 }
+
+// Pairs of sides of two bodies.
+
+void close_pairs(const std::string &where, Scene<2> &scene) {
+  constexpr unsigned int n_samples = 32;
+  const double small = 0.01 * scene.geometry.diameter();
+  for (BoundaryCondition<2> &condition : scene.boundary) {
+    if (!condition.opposite)
+      continue;
+    const Side<2> &first = scene.geometry.sides[&condition - scene.boundary.data()],
+                  &second = scene.geometry.sides[*condition.opposite];
+    const std::string pair = "'" + first.name() + "' with '" + second.name() + "'";
+    if (condition.foundation != nullptr)
+      throw input_error(where, ": the pair ", pair,
+                        " has a Contact/Foundation, allowed: a Gap, in addition to the distance of "
+                        "the two sides.");
+    unsigned int n_facing = 0;
+    for (unsigned int k = 0; k < n_samples; ++k) {
+      const double s = (k + 0.5) / n_samples * first.length();
+      const Point<2> x = first.point(s);
+      const Tensor<1, 2> n = first.normal(s);
+      const std::optional<double> d = second.distance_along(x, n);
+      const double t = d ? second.arc_length(x + *d * n) : -1.;
+      if (!(t >= 0. && t <= second.length()) || n * second.normal(t) > -std::cos(numbers::PI / 6.))
+        continue;
+      ++n_facing;
+      if (*d < -small)
+        throw input_error(where, ": the bodies of the pair ", pair, " overlap by ", -*d, " at (", x,
+                          "), allowed: bodies that lie apart or touch as they are drawn, and a "
+                          "negative Gap for interference.");
+    }
+    if (n_facing < 2)
+      throw input_error(where, ": the sides of the pair ", pair,
+                        " do not face each other, allowed: sides of which some part has a normal "
+                        "within 30 degrees of the other's.");
+    condition.data = gap_of_pair(first, second, condition.data);
+  }
+}
 } // namespace Signorini

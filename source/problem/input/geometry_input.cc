@@ -235,6 +235,22 @@ Geometry<3> make_geometry(const GeometryParameters &given) {
   return geometry;
 }
 
+Geometry<2> make_geometry_of_bodies(const Parameters &parameters) {
+  const std::vector<std::string> names = split_words(parameters.geometry.bodies);
+  std::vector<Geometry<2>> bodies;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (std::count(names.begin(), names.end(), names[k]) > 1)
+      throw error_at(parameters.geometry.bodies, "found '", names[k],
+                     "' twice, allowed: bodies with different names.");
+    bodies.push_back(make_geometry<2>(parameters.bodies[k]));
+    if (bodies.back().number_after_refinement)
+      throw error_at(parameters.geometry.bodies, "a side of the body '", names[k],
+                     "' ends inside a face of its coarse mesh, allowed with several bodies: a mesh "
+                     "with nodes there.");
+  }
+  return names.empty() ? make_geometry<2>(parameters.geometry) : unite(names, bodies);
+}
+
 template <>
 Geometry<2> make_geometry(const GeometryParameters &given) {
   refuse_other_shapes(given, given.shape);

@@ -123,6 +123,13 @@ Geometry<2> make_geometry(const GeometryParameters &given);
 template <>
 Geometry<3> make_geometry(const GeometryParameters &given);
 
+/** Returns the body, or the bodies of Geometry/Bodies as one geometry. @throws InputError */
+Geometry<2> make_geometry_of_bodies(const Parameters &parameters);
+
+/** Makes the gaps of all pairs of sides. @throws InputError if two sides do not face each other, or
+ * bodies overlap. */
+void close_pairs(const std::string &where, Scene<2> &scene);
+
 /** Reads the body of Shape = polygon. */
 Geometry<2> read_polygon(const GeometryParameters &given);
 

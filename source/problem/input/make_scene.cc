@@ -122,9 +122,23 @@ unsigned int dimension_of(const Parameters &parameters) {
            : parameters.dimension.value;
 }
 
+/** Reads the number of equal patches of all contact sides, or of each of them. */
+static void read_patches(const Given<std::string> &given, Scene<2> &scene) {
+  for (const auto &[side, text] : read_list_for(contact_side_names(scene), given.value,
+                                                given.where(), scene.geometry.side_names())) {
+    constexpr double most = 16384.;
+    std::vector<double> n;
+    if (!read_numbers(given, text, n) || n.size() != 1 || !(n[0] >= 0. && n[0] <= most) ||
+        n[0] != std::floor(n[0]))
+      throw error_at(given, "found ", quote(text), ", allowed: an integer from 0 to ", most, ".");
+    scene.boundary[scene.geometry.find_side(side)].n_patches = static_cast<unsigned int>(n[0]);
+  }
+}
+
 template <>
 Scene<2> make_scene(const Parameters &parameters) {
   Scene<2> scene = read_scene<2>(parameters);
+  read_patches(parameters.discretization.patches, scene);
   refuse_contradiction(scene, parameters.boundary.where);
   check_free_motions(scene, parameters.boundary.where);
   const DiscretizationParameters &discretization = parameters.discretization;

@@ -198,7 +198,8 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
       "is the longer one.",
       1U, 16384U);
   add("Discretization/Patches", discretization.patches,
-      "If positive: this many equal patches per contact side, aligned with nothing.", 0U, 16384U);
+      "If positive: this many equal patches per contact side, aligned with nothing; or per side: "
+      "bottom: 8 | left: 5. In a pair they divide the overlap.");
   add("Discretization/Target error", discretization.target_error,
       "If positive: stop refining when the relative error of u_h in the energy norm is below it: "
       "its guaranteed bound, or, where there is no bound, its estimate. Where none is given, hp "
@@ -280,6 +281,9 @@ void Declarations::declare_output(OutputParameters &output) {
 // The subsection Geometry.
 
 void Declarations::declare_geometry(GeometryParameters &geometry) {
+  add("Geometry/Bodies", geometry.bodies,
+      "Names of several bodies, separated by blanks. Every entry of Geometry may then have a value "
+      "for each, 'upper: 1 | lower: 2', and so may moduli; a side is called upper.bottom.");
   add("Geometry/Shape", geometry.shape,
       "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
       "side1, ... in the order of its vertices; a half disc (the lower half) flat and arc, a disc "

@@ -35,6 +35,10 @@ public:
    */
   void assign(const Assignment &assignment);
 
+  /** Takes the value of an entry that has one for each body, for print() alone. @throws InputError
+   * if the entry is unknown. */
+  void assign_by_body(const Assignment &assignment);
+
   /** Sets the constants that numbers of all entries may be made of. */
   void set_constants(const std::shared_ptr<const Constants> &constants);
 
@@ -92,7 +96,12 @@ private:
   void declare_solver(SolverParameters &solver);
   void declare_output(OutputParameters &output);
 
+  /** Returns the declaration of an entry, and notes its place. @throws InputError */
+  const Declared &find(const Assignment &assignment);
+
   mutable ParameterHandler handler_;
+  /** The texts of entries with a value for each body, by their names in Geometry. */
+  std::map<std::string, std::string> by_body_;
   std::string file_name_;
   /** The entries by subsection and name. */
   std::map<std::string, Declared> declared_;

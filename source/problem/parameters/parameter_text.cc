@@ -266,8 +266,8 @@ void Declarations::set_constants(const std::shared_ptr<const Constants> &constan
     declared.second.entry->constants = constants;
 }
 
-void Declarations::assign(const Assignment &assignment) {
-  const std::string &path = assignment.path, &value = assignment.value;
+const Declarations::Declared &Declarations::find(const Assignment &assignment) {
+  const std::string &path = assignment.path;
   const auto known = declared_.find(path);
   if (known == declared_.end()) {
     const auto nearest =
@@ -277,10 +277,21 @@ void Declarations::assign(const Assignment &assignment) {
     throw input_error(assignment.place, ": ", shorten(path), ": unknown parameter; did you mean '",
                       nearest->first, "'? (--print-parameters lists all)");
   }
-  const Declared &declared = known->second;
-  Entry &entry = *declared.entry;
+  Entry &entry = *known->second.entry;
   entry.place = assignment.place;
   entry.is_given = true;
+  return known->second;
+}
+
+void Declarations::assign_by_body(const Assignment &assignment) {
+  find(assignment).entry->changed = true;
+  by_body_[assignment.path.substr(assignment.path.find('/') + 1)] = assignment.value;
+}
+
+void Declarations::assign(const Assignment &assignment) {
+  const std::string &path = assignment.path, &value = assignment.value;
+  const Declared &declared = find(assignment);
+  Entry &entry = *declared.entry;
   if (value.empty() && !declared.default_text.empty())
     throw error_at(entry, "found '', allowed: ",
                    declared.allowed.empty() ? "a value, by default " + quote(declared.default_text)
@@ -324,6 +335,12 @@ std::string Declarations::print(const bool with_help) const {
   handler_.print_parameters(text,
                             (with_help ? ParameterHandler::Text : ParameterHandler::ShortText) |
                               ParameterHandler::KeepDeclarationOrder);
-  return text.str();
+  std::string lines = text.str();
+  for (const auto &[name, value] : by_body_) {
+    const std::size_t entry = lines.find("set " + name + " ", lines.find("subsection Geometry")),
+                      begin = lines.find("= ", entry) + 2;
+    lines.replace(begin, lines.find('\n', begin) - begin, value);
+  }
+  return lines;
 }
 } // namespace Signorini

@@ -92,6 +92,49 @@ std::string find_file(const std::string &name, const std::string &folder) {
   return name;
 }
 
+const std::string geometry_section = "Geometry/", bodies_path = "Geometry/Bodies";
+
+/** Returns the values of "upper: 1 | lower: 2" by body; empty if the text is one value for all. A
+ * part that begins with no body belongs to the one before it. */
+std::map<std::string, std::string> values_by_body(const std::string &text,
+                                                  const std::vector<std::string> &bodies) {
+  std::map<std::string, std::string> values;
+  std::string body;
+  for (const std::string &part : split_list(text, '|')) {
+    const std::size_t colon = part.find(':');
+    const std::string name = trim(part.substr(0, colon));
+    if (colon != std::string::npos && std::count(bodies.begin(), bodies.end(), name) > 0)
+      values[body = name] = trim(part.substr(colon + 1));
+    else if (!body.empty())
+      values[body] += " | " + part;
+  }
+  return values;
+}
+
+/** Returns the geometry of one of several bodies. */
+GeometryParameters read_body(const std::string &name, const std::vector<std::string> &bodies,
+                             const std::vector<Assignment> &assignments,
+                             const std::shared_ptr<const Constants> &constants,
+                             const Parameters &parameters) {
+  Parameters body;
+  body.file_name = parameters.file_name;
+  body.geometry.folder = parameters.geometry.folder;
+  Declarations declarations(body);
+  declarations.set_constants(constants);
+  for (Assignment assignment : assignments) {
+    if (assignment.path.rfind(geometry_section, 0) != 0 || assignment.path == bodies_path)
+      continue;
+    const auto values = values_by_body(assignment.value, bodies);
+    if (const auto own = values.find(name); own != values.end())
+      assignment.value = own->second;
+    if (assignment.path == mesh_file_path)
+      assignment.value = find_file(assignment.value, body.geometry.folder);
+    if (values.empty() || values.count(name) > 0)
+      declarations.assign(assignment);
+  }
+  return body.geometry;
+}
+
 /** Checks plain values for contradictions that do not depend on the scene. */
 void check(const Parameters &parameters) {
   const DiscretizationParameters &discretization = parameters.discretization;
@@ -114,11 +157,23 @@ Parameters parse_parameters(const std::string &text, const std::string &file_nam
   Declarations declarations(parameters);
   std::vector<Assignment> assignments =
     add_overrides(scan_parameter_text(text, file_name, declarations.sections()), overrides);
+  std::vector<std::string> bodies;
+  auto constants = std::make_shared<const Constants>();
   for (const Assignment &assignment : assignments)
     if (assignment.path == constants_path)
-      declarations.set_constants(std::make_shared<const Constants>(
-        read_constants(assignment.value, assignment.place + ": " + constants_path)));
+      constants = std::make_shared<const Constants>(
+        read_constants(assignment.value, assignment.place + ": " + constants_path));
+    else if (assignment.path == bodies_path)
+      bodies = split_words(assignment.value);
+  declarations.set_constants(constants);
+  for (const std::string &name : bodies)
+    parameters.bodies.push_back(read_body(name, bodies, assignments, constants, parameters));
   for (Assignment &assignment : assignments) {
+    if (assignment.path.rfind(geometry_section, 0) == 0 &&
+        !values_by_body(assignment.value, bodies).empty()) {
+      declarations.assign_by_body(assignment);
+      continue;
+    }
     if (assignment.path == mesh_file_path)
       assignment.value = find_file(assignment.value, folder);
     declarations.assign(assignment);

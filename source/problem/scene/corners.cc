@@ -174,7 +174,8 @@ std::vector<Corner> corners(const Geometry<2> &geometry) {
     // Where the body touches itself, it lies between a side and the next one.
     std::vector<Corner> here;
     for (const SideEnd &second : arriving)
-      if (first.position.distance(second.position) < 1e-8 * geometry.diameter())
+      if (first.position.distance(second.position) < 1e-8 * geometry.diameter() &&
+          geometry.body_of_side(first.side) == geometry.body_of_side(second.side))
         here.push_back({first.position, opening(first, second), {{first.side, second.side}}});
     const auto next = std::min_element(
       here.begin(), here.end(), [](const Corner &a, const Corner &b) { return a.angle < b.angle; });
@@ -189,7 +190,7 @@ std::vector<EdgeSupport> possible_supports(const Role role) {
     return {EdgeSupport::held};
   if (role == Role::roller)
     return {EdgeSupport::sliding};
-  if (role == Role::contact)
+  if (role == Role::contact || role == Role::opposite)
     return {EdgeSupport::free, EdgeSupport::sliding};
   return {EdgeSupport::free};
 }

@@ -122,4 +122,12 @@ foundation_gap(const Side<2> &side, const std::shared_ptr<const Foundation> &fou
     return foundation->gap(on_side - position, side.normal(s));
   });
 }
+
+std::shared_ptr<const Function<2>> gap_of_pair(const Side<2> &first, const Side<2> &second,
+                                               const std::shared_ptr<const Function<2>> &given) {
+  return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
+    const Tensor<1, 2> n = first.normal(first.coordinates(x));
+    return given->value(x) + second.distance_along(x, n).value_or(0.);
+  });
+}
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // The kernel of A, found from the boundary conditions alone: no finite elements.
 
 #include <signorini/base/message.h>
+#include <signorini/base/text.h>
 #include <signorini/problem/scene/rigid_motions.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -10,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <sstream>
 
 namespace Signorini {
@@ -31,45 +34,66 @@ Tensor<1, dim> rigid_velocity(const unsigned int k, const Tensor<1, dim> &x) {
 }
 
 /** The sum of r r^T over conditions r.motion = 0 on translations and rotations times the size of
- * the body, about the centre of the box around it. */
+ * the whole geometry, body after body, each about the centre of the box around it. */
 template <int dim>
 class Conditions {
 public:
   explicit Conditions(const Geometry<dim> &geometry)
-    : matrix(n_rigid_motions<dim>)
-    , centre(geometry.lower + 0.5 * (geometry.upper - geometry.lower))
-    , size(geometry.diameter()) {}
+    : matrix(geometry.n_bodies() * n_rigid_motions<dim>)
+    , size(geometry.diameter()) {
+    const auto add = [&](const Point<dim> &lower, const Point<dim> &upper) {
+      centres.push_back(lower + 0.5 * (upper - lower));
+    };
+    for (const ElasticBody<dim> &body : geometry.bodies)
+      add(body.lower, body.upper);
+    if (geometry.bodies.empty())
+      add(geometry.lower, geometry.upper);
+  }
 
-  /** Adds the condition v(x).n = 0. */
-  void forbid_velocity(const Point<dim> &x, const Tensor<1, dim> &n, const double weight = 1.) {
+  /** Adds the condition v(x).n = 0 for a body or, with another one, for v of the first less v of
+   * the second. */
+  void forbid_velocity(const Point<dim> &x, const Tensor<1, dim> &n, const double weight = 1.,
+                       const unsigned int body = 0,
+                       const std::optional<unsigned int> &other = std::nullopt) {
+    constexpr unsigned int n_own = n_rigid_motions<dim>;
     dealii::Vector<double> row(matrix.m());
-    for (unsigned int k = 0; k < row.size(); ++k)
-      row[k] = rigid_velocity<dim>(k, (x - centre) / size) * n;
+    for (unsigned int k = 0; k < n_own; ++k) {
+      row[n_own * body + k] += rigid_velocity<dim>(k, (x - centres[body]) / size) * n;
+      if (other)
+        row[n_own * *other + k] -= rigid_velocity<dim>(k, (x - centres[*other]) / size) * n;
+    }
     for (unsigned int i = 0; i < row.size(); ++i)
       for (unsigned int j = 0; j < row.size(); ++j)
         matrix(i, j) += weight * row[i] * row[j];
   }
-  /** Adds what a side of this role forbids at a point. */
-  void forbid(const Role role, const Point<dim> &x, const Tensor<1, dim> &n, const double weight) {
+  /** Adds what a side of this role forbids at a point to a body, or to two bodies that touch. */
+  void forbid(const Role role, const Point<dim> &x, const Tensor<1, dim> &n, const double weight,
+              const unsigned int body = 0,
+              const std::optional<unsigned int> &other = std::nullopt) {
     if (role == Role::roller)
-      forbid_velocity(x, n, weight);
+      forbid_velocity(x, n, weight, body, other);
     if (role == Role::clamped || role == Role::displacement)
       for (unsigned int d = 0; d < dim; ++d)
-        forbid_velocity(x, Point<dim>::unit_vector(d), weight);
+        forbid_velocity(x, Point<dim>::unit_vector(d), weight, body, other);
   }
 
   LAPACKFullMatrix<double> matrix;
-  Point<dim> centre;
+  std::vector<Point<dim>> centres;
   double size;
 };
 
 /** Adds what a side of this role forbids; two points suffice for a segment, three for a circle. */
-void add_side_conditions(const Side<2> &side, const Role role, Conditions<2> &conditions) {
+void add_side_conditions(const Geometry<2> &geometry, const unsigned int number,
+                         const BoundaryCondition<2> &condition, Conditions<2> &conditions) {
+  const Side<2> &side = geometry.sides[number];
+  std::optional<unsigned int> other;
+  if (condition.opposite)
+    other = geometry.body_of_side(*condition.opposite);
   for (unsigned int k = 0; k < side.n_pieces(); ++k)
     for (const double share : {0., 1. / 3., 2. / 3., 1.}) {
       const double s = share * side.piece(k).length();
-      conditions.forbid(role, side.piece(k).point(s), side.piece(k).normal(s),
-                        1. / side.n_pieces());
+      conditions.forbid(condition.role, side.piece(k).point(s), side.piece(k).normal(s),
+                        1. / side.n_pieces(), geometry.body_of_side(number), other);
     }
 }
 
@@ -99,54 +123,119 @@ std::string point_text(const double x, const double y) {
 }
 
 /** Returns the point that does not move, as text. */
-std::string pole(const RigidMotion &motion) {
+std::string pole(const BodyMotion &motion) {
   const double omega = motion.rotation / motion.size;
   return point_text(motion.centre[0] - motion.translation[1] / omega,
                     motion.centre[1] + motion.translation[0] / omega);
 }
 } // namespace
 
-Tensor<1, 2> RigidMotion::velocity(const Point<2> &x) const {
+Tensor<1, 2> BodyMotion::velocity(const Point<2> &x) const {
   const Tensor<1, 2> arm = (x - centre) / size;
   return translation + rotation * Tensor<1, 2>({-arm[1], arm[0]});
 }
 
+double BodyMotion::speed() const {
+  return std::max(translation.norm(), std::abs(rotation));
+}
+
+namespace {
+bool is_translation(const BodyMotion &motion) {
+  return std::abs(motion.rotation) < 1e-6 * motion.translation.norm();
+}
+
+/** Returns the texts of all bodies that move. */
+std::string join_parts(const RigidMotion &motion, const std::string &before_body,
+                       const std::function<std::string(const BodyMotion &)> &text_of) {
+  double fastest = 0.;
+  for (const BodyMotion &part : motion.bodies)
+    fastest = std::max(fastest, part.speed());
+  std::vector<std::string> texts;
+  for (const BodyMotion &part : motion.bodies)
+    if (part.speed() > 1e-6 * fastest)
+      texts.push_back(text_of(part) +
+                      (part.name.empty() ? "" : before_body + "'" + part.name + "'"));
+  return join(texts, " and ");
+}
+} // namespace
+
 bool RigidMotion::is_translation() const {
-  return std::abs(rotation) < 1e-6 * translation.norm();
+  return std::all_of(bodies.begin(), bodies.end(), [](const BodyMotion &part) {
+    return part.speed() == 0. || Signorini::is_translation(part);
+  });
 }
 
 std::string RigidMotion::name() const {
-  if (!is_translation())
-    return "the rotation about " + pole(*this);
-  const Tensor<1, 2> t = translation / translation.norm();
-  const double sign = (std::abs(t[0]) > 1e-6 ? t[0] : t[1]) < 0 ? -1. : 1.;
-  return "the translation along " + point_text(sign * t[0], sign * t[1]);
+  return join_parts(*this, " of ", [](const BodyMotion &part) {
+    if (!Signorini::is_translation(part))
+      return "the rotation about " + pole(part);
+    const Tensor<1, 2> t = part.translation / part.translation.norm();
+    const double sign = (std::abs(t[0]) > 1e-6 ? t[0] : t[1]) < 0 ? -1. : 1.;
+    return "the translation along " + point_text(sign * t[0], sign * t[1]);
+  });
 }
 
 std::string RigidMotion::direction() const {
-  if (!is_translation())
-    return std::string(rotation > 0. ? "counter-clockwise" : "clockwise") + " about " + pole(*this);
-  const double length = translation.norm();
-  return "along " + point_text(translation[0] / length, translation[1] / length);
+  return join_parts(*this, ", of ", [](const BodyMotion &part) {
+    if (!Signorini::is_translation(part))
+      return std::string(part.rotation > 0. ? "counter-clockwise" : "clockwise") + " about " +
+             pole(part);
+    const double length = part.translation.norm();
+    return "along " + point_text(part.translation[0] / length, part.translation[1] / length);
+  });
 }
 
 RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<double> &weights) {
   RigidMotion sum = motions.front();
-  sum.translation = 0.;
-  sum.rotation = 0.;
-  for (std::size_t i = 0; i < motions.size(); ++i) {
-    sum.translation += weights[i] * motions[i].translation;
-    sum.rotation += weights[i] * motions[i].rotation;
+  for (std::size_t b = 0; b < sum.bodies.size(); ++b) {
+    BodyMotion &part = sum.bodies[b];
+    part.translation = 0.;
+    part.rotation = 0.;
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      part.translation += weights[i] * motions[i].bodies[b].translation;
+      part.rotation += weights[i] * motions[i].bodies[b].rotation;
+    }
   }
   return sum;
 }
 
+namespace {
+/** Changes the columns of a matrix into a basis of their span in which each vector alone has a one
+ * at some row: motions of one body each, where bodies move independently. */
+void separate(FullMatrix<double> &vectors) {
+  std::vector<bool> done(vectors.m(), false);
+  for (unsigned int k = 0; k < vectors.n(); ++k) {
+    unsigned int pivot = 0;
+    double largest = 0.;
+    for (unsigned int i = 0; i < vectors.m(); ++i)
+      if (!done[i] && std::abs(vectors(i, k)) > largest) {
+        largest = std::abs(vectors(i, k));
+        pivot = i;
+      }
+    done[pivot] = true;
+    const double factor = vectors(pivot, k);
+    for (unsigned int i = 0; i < vectors.m(); ++i)
+      vectors(i, k) /= factor;
+    for (unsigned int l = 0; l < vectors.n(); ++l)
+      if (const double share = vectors(pivot, l); l != k)
+        for (unsigned int i = 0; i < vectors.m(); ++i)
+          vectors(i, l) -= share * vectors(i, k);
+  }
+  // The work of loads must not be rounding relative to rounding.
+  for (unsigned int i = 0; i < vectors.m(); ++i)
+    for (unsigned int k = 0; k < vectors.n(); ++k)
+      if (std::abs(vectors(i, k)) < 1e-10)
+        vectors(i, k) = 0.;
+}
+} // namespace
+
 std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates plates) {
   Conditions<2> conditions(scene.geometry);
   // A body of revolution is rigid along its axis only.
+  const unsigned int n = conditions.matrix.m(), n_bodies = scene.geometry.n_bodies();
   if (scene.geometry.axisymmetric)
-    for (const unsigned int k : {0, 2})
-      conditions.matrix(k, k) += 1.;
+    for (unsigned int k = 0; k < n; ++k)
+      conditions.matrix(k, k) += k % 3 != 1 ? 1. : 0.;
   std::vector<bool> is_released(scene.boundary.size(), false);
   if (plates == Plates::released)
     for (const Plate &plate : scene.plates) {
@@ -155,17 +244,26 @@ std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates 
     }
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
     if (!is_released[i])
-      add_side_conditions(scene.geometry.sides[i], scene.boundary[i].role, conditions);
-  dealii::Vector<double> eigenvalues(3);
-  FullMatrix<double> vectors(3, 3);
+      add_side_conditions(scene.geometry, i, scene.boundary[i], conditions);
+  dealii::Vector<double> eigenvalues(n);
+  FullMatrix<double> vectors(n, n);
   conditions.matrix.compute_eigenvalues_symmetric(-1., 1e6, 1e-15, eigenvalues, vectors);
-  std::vector<RigidMotion> motions;
-  for (unsigned int k = 0; k < 3; ++k)
-    // A clamped side of the length l holds a rotation with (l / size)² at least, see
-    // max_slenderness; rounding leaves 1e-15.
-    if (eigenvalues[k] < 1e-14)
-      motions.push_back({Tensor<1, 2>({vectors(0, k), vectors(1, k)}), vectors(2, k),
-                         conditions.centre, conditions.size});
+  // A clamped side of the length l holds a rotation with (l / size)² at least, see
+  // max_slenderness; rounding leaves 1e-15.
+  const unsigned int n_free = std::count_if(eigenvalues.begin(), eigenvalues.end(),
+                                            [](const double value) { return value < 1e-14; });
+  FullMatrix<double> free(n, n_free);
+  for (unsigned int k = 0; k < n_free; ++k)
+    for (unsigned int i = 0; i < n; ++i)
+      free(i, k) = vectors(i, k);
+  if (n_bodies > 1)
+    separate(free);
+  std::vector<RigidMotion> motions(n_free);
+  for (unsigned int k = 0; k < n_free; ++k)
+    for (unsigned int b = 0; b < n_bodies; ++b)
+      motions[k].bodies.push_back({n_bodies > 1 ? scene.geometry.bodies[b].name : "",
+                                   Tensor<1, 2>({free(3 * b, k), free(3 * b + 1, k)}),
+                                   free(3 * b + 2, k), conditions.centres[b], conditions.size});
   return motions;
 }
 
@@ -202,16 +300,20 @@ Coordinates coordinates_of(const std::vector<PlateMotion> &motions, const double
 /** Returns a basis of the same span: first all translations that lie in it, then what turns the
  * body. */
 std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions) {
+  // Motions of several bodies are separate already.
+  if (motions.empty() || motions.front().bodies.size() > 1)
+    return motions;
+  const auto rotation = [](const RigidMotion &motion) { return motion.bodies[0].rotation; };
   const auto turning =
-    std::max_element(motions.begin(), motions.end(), [](const auto &a, const auto &b) {
-      return std::abs(a.rotation) < std::abs(b.rotation);
+    std::max_element(motions.begin(), motions.end(), [&](const auto &a, const auto &b) {
+      return std::abs(rotation(a)) < std::abs(rotation(b));
     });
-  if (turning == motions.end() || turning->is_translation())
+  if (turning->is_translation())
     return motions;
   std::iter_swap(turning, motions.end() - 1);
   const RigidMotion &last = motions.back();
   for (std::size_t i = 0; i + 1 < motions.size(); ++i)
-    motions[i] = combine({motions[i], last}, {1., -motions[i].rotation / last.rotation});
+    motions[i] = combine({motions[i], last}, {1., -rotation(motions[i]) / rotation(last)});
   return motions;
 }
 
@@ -244,10 +346,12 @@ bool extend(std::vector<Coordinates> &basis, Coordinates x) {
 std::vector<PlateMotion> follow(const RigidMotion &rigid, const std::vector<Plate> &plates) {
   std::vector<PlateMotion> motions;
   motions.reserve(plates.size());
-  for (const Plate &plate : plates)
-    motions.push_back({plate.is_pushed ? rigid.velocity(plate.centre) * plate.direction : 0.,
-                       plate.drifts ? rigid.velocity(plate.centre) * plate.across() : 0.,
-                       plate.turns ? rigid.rotation / rigid.size : 0.});
+  for (const Plate &plate : plates) {
+    const BodyMotion &body = rigid.bodies.front();
+    motions.push_back({plate.is_pushed ? body.velocity(plate.centre) * plate.direction : 0.,
+                       plate.drifts ? body.velocity(plate.centre) * plate.across() : 0.,
+                       plate.turns ? body.rotation / body.size : 0.});
+  }
   return motions;
 }
 
@@ -282,8 +386,11 @@ FreeMotionBasis free_motions(const Scene<2> &scene) {
   std::vector<Coordinates> rigid_motions, plate_motions;
   const double size = scene.geometry.diameter();
   const auto add = [&](const RigidMotion &rigid, std::vector<FreeMotion> &kind) {
-    const Tensor<1, 2> &t = rigid.translation;
-    if (!extend(rigid_motions, Coordinates({t[0], t[1], rigid.rotation})))
+    Coordinates x(3 * rigid.bodies.size());
+    for (std::size_t b = 0; b < rigid.bodies.size(); ++b)
+      for (unsigned int k = 0; k < 3; ++k)
+        x[3 * b + k] = k < 2 ? rigid.bodies[b].translation[k] : rigid.bodies[b].rotation;
+    if (!extend(rigid_motions, x))
       return;
     kind.push_back({follow(rigid, scene.plates), rigid});
     extend(plate_motions, coordinates_of(kind.back().plates, size));

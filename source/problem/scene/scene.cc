@@ -30,7 +30,8 @@ std::string word_for(const Role role) {
   static const std::map<Role, std::string> words = {
     {Role::free, "free"},         {Role::clamped, "clamped"},
     {Role::roller, "rollers"},    {Role::displacement, "displacement"},
-    {Role::traction, "traction"}, {Role::contact, "contact"}};
+    {Role::traction, "traction"}, {Role::contact, "contact"},
+    {Role::opposite, "opposite"}};
   return words.at(role);
 }
 
@@ -43,6 +44,20 @@ std::vector<unsigned int> Scene<dim>::contact_sides() const {
     if (boundary[i].role == Role::contact)
       numbers.push_back(i);
   return numbers;
+}
+
+template <int dim>
+bool Scene<dim>::has_pairs() const {
+  return std::any_of(boundary.begin(), boundary.end(),
+                     [](const auto &condition) { return condition.opposite.has_value(); });
+}
+
+template <int dim>
+std::vector<unsigned int> Scene<dim>::given_patches() const {
+  std::vector<unsigned int> n;
+  for (const BoundaryCondition<dim> &condition : boundary)
+    n.push_back(condition.n_patches);
+  return n;
 }
 
 template <int dim>

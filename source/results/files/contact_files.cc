@@ -106,7 +106,10 @@ public:
                                        const std::vector<Point<dim - 1>> &positions) {
     const BoundaryCondition<dim> &condition = boundary_[surface_.patches()[piece.patch].side];
     const SurfaceRule<dim> rule = surface_.at(piece, positions);
-    const auto u = traces_.displacement(surface_.faces()[piece.face], rule, U_);
+    const auto closing = traces_.displacement(surface_, piece, rule, U_);
+    Piece<dim> alone = piece;
+    alone.opposite.reset();
+    const auto u = piece.opposite ? traces_.displacement(surface_, alone, rule, U_) : closing;
     std::vector<ContactPoint<dim>> points;
     for (std::size_t q = 0; q < rule.size(); ++q) {
       ContactPoint<dim> point;
@@ -115,10 +118,10 @@ public:
       point.p_H = multipliers_.value(P_.normal(), piece.patch, point.s);
       point.p_recovered = recovered_(piece.patch, point.s);
       point.u = u[q];
-      point.u_n = u[q] * rule.normals[q];
+      point.u_n = closing[q] * rule.normals[q];
       point.g = condition.data->value(point.x);
       if (P_.has_friction())
-        point.friction = friction_at(piece.patch, condition, point, rule.normals[q]);
+        point.friction = friction_at(piece.patch, condition, point, closing[q], rule.normals[q]);
       if (condition.exact_pressure != nullptr)
         point.p_exact = condition.exact_pressure->value(point.x);
       points.push_back(point);
@@ -128,7 +131,8 @@ public:
 
 private:
   FrictionPoint friction_at(const unsigned int patch, const BoundaryCondition<dim> &condition,
-                            const ContactPoint<dim> &at, const Tensor<1, dim> &normal) const {
+                            const ContactPoint<dim> &at, Tensor<1, dim> slip,
+                            const Tensor<1, dim> &normal) const {
     const NodeState state = P_.state(multipliers_.nearest_node(patch, at.s));
     FrictionPoint point;
     point.q_H = multipliers_.value(P_.values(), patch, at.s, 1);
@@ -136,7 +140,6 @@ private:
     point.state = !state.presses ? 0 : state.slip == State::inside ? 1 : 2;
     if (condition.exact_friction != nullptr)
       point.q_exact = condition.exact_friction->value(at.x);
-    Tensor<1, dim> slip = at.u;
     if constexpr (dim == 2)
       point.slip = slip * direction_of(Component::tangential, normal) -
                    (condition.shift != nullptr ? condition.shift->value(at.x) : 0.);

@@ -24,7 +24,11 @@ std::string describe_boundary(const Scene<dim> &scene) {
     std::vector<std::string> names;
     for (unsigned int i = 0; i < scene.boundary.size(); ++i)
       if (scene.boundary[i].role == role)
-        (has_plate(i) ? plates : names).push_back(scene.geometry.sides[i].name());
+        (has_plate(i) ? plates : names)
+          .push_back(scene.geometry.sides[i].name() +
+                     (scene.boundary[i].opposite
+                        ? " with " + scene.geometry.sides[*scene.boundary[i].opposite].name()
+                        : ""));
     if (!names.empty())
       parts.push_back(word_for(role) + " " + join(names, " "));
   }
@@ -38,8 +42,8 @@ std::string describe_boundary(const Scene<dim> &scene) {
 }
 
 std::string describe_partition(const DiscretizationParameters &given) {
-  if (given.patches > 0)
-    return std::to_string(given.patches) + " equal patches per contact side";
+  if (given.patches.changed)
+    return given.patches.value + " equal patches per contact side";
   return "H = " + std::to_string(given.patch_ratio) + " h";
 }
 

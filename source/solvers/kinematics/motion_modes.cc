@@ -17,8 +17,11 @@ namespace Signorini {
 namespace {
 /** Returns the nodal values of a rigid motion. */
 Displacement interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space) {
-  return interpolate_at_nodes(
-    space, FieldFunction<2>([&](const Point<2> &x) { return motion.velocity(x); }));
+  std::vector<FieldFunction<2>> velocities;
+  for (const BodyMotion &body : motion.bodies)
+    velocities.emplace_back([body](const Point<2> &x) { return body.velocity(x); });
+  return velocities.size() == 1 ? interpolate_at_nodes(space, velocities.front())
+                                : interpolate_by_body(space, velocities);
 }
 
 /** Returns the values of the motion on plates, pins and other supports; zero elsewhere. */
@@ -28,7 +31,7 @@ Displacement lift(const FreeMotion &motion, const DisplacementSpace<2> &space,
   if (motion.rigid)
     for (const auto &pin : space.pins())
       if (k.in_local_range(pin.dof))
-        k(pin.dof) = motion.rigid->velocity(pin.node)[pin.component];
+        k(pin.dof) = motion.rigid->bodies[pin.body].velocity(pin.node)[pin.component];
   k.update_ghost_values();
   return k;
 }

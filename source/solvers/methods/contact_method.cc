@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -19,6 +20,14 @@
 
 namespace Signorini {
 namespace {
+/** Returns the number of equal patches that a scene states; zero where patches are groups of faces.
+ */
+template <int dim>
+unsigned int n_given_patches(const Scene<dim> &scene) {
+  const std::vector<unsigned int> patches = scene.given_patches();
+  return std::accumulate(patches.begin(), patches.end(), 0U);
+}
+
 /** Returns the number of unknowns from which V-cycles are faster than a factorisation. */
 constexpr double min_unknowns_of_cycles(const unsigned int dim) {
   return dim == 2 ? 1e5 : 5e3;
@@ -34,7 +43,7 @@ bool may_iterate(const Parameters &parameters, const Scene<dim> &scene,
                            parameters.solver.linear_solver == LinearSolver::multigrid;
   return solver_fits && n_ranks == 1 && discretization.strategy != Strategy::hp &&
          discretization.element == Element::q1 && discretization.patch_ratio > 1 &&
-         discretization.patches == 0 && !parameters.output.compliance && scene.load_cases.empty() &&
+         n_given_patches(scene) == 0 && !parameters.output.compliance && scene.load_cases.empty() &&
          scene.plates.empty() && !scene.is_held_by_contact && scene.friction == Friction::none &&
          !scene.geometry.axisymmetric;
 }
@@ -163,7 +172,7 @@ template <int dim>
 MemoryLimit<dim>::MemoryLimit(const Parameters &parameters, const Scene<dim> &scene,
                               MPI_Comm communicator)
   : n_coarse_cells_(scene.geometry.n_coarse_cells)
-  , n_contact_sides_(static_cast<double>(scene.contact_sides().size()))
+  , n_given_patches_(n_given_patches(scene))
   , n_components_(scene.friction == Friction::none ? 1. : dim)
   , given_(parameters.discretization)
   , judged_(judged_level(given_))
@@ -216,8 +225,8 @@ double MemoryLimit<dim>::n_contact_faces(const unsigned int level) const {
 
 template <int dim>
 double MemoryLimit<dim>::n_patches(const unsigned int level) const {
-  return given_.patches > 0
-           ? n_contact_sides_ * given_.patches
+  return n_given_patches_ > 0
+           ? n_given_patches_
            : std::floor(n_contact_faces(level) / std::pow(given_.patch_ratio.value, dim - 1.));
 }
 
@@ -234,7 +243,7 @@ double MemoryLimit<dim>::needed(const unsigned int level) const {
 template <int dim>
 std::string MemoryLimit<dim>::describe(const unsigned int level) const {
   // Before the coarse mesh is made its contact faces are not known.
-  const bool knows_patches = given_.patches > 0 || n_coarse_contact_faces_ > 0.;
+  const bool knows_patches = n_given_patches_ > 0 || n_coarse_contact_faces_ > 0.;
   return "level " + std::to_string(level) + " has " + number_text(n_cells(level)) + " cells" +
          (knows_patches ? " and " + number_text(n_patches(level)) + " patches" : "") +
          ", which need more than " + gibibytes(needed(level));

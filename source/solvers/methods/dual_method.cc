@@ -42,7 +42,7 @@ PointMotions with_forces_at_points(FreeMotions motions, const Discretization<2> 
     const Piece<2> &piece = surface.pieces()[i];
     const SurfaceRule<2> rule = surface.at(piece, ends);
     for (unsigned int j = 0; j < modes.size(); ++j) {
-      const auto z = traces.displacement(surface.faces()[piece.face], rule, modes.Z[j]);
+      const auto z = traces.displacement(surface, piece, rule, modes.Z[j]);
       for (std::size_t e = 0; e < ends.size(); ++e) {
         motions.B(ends.size() * i + e, j) = z[e] * rule.normals[e];
         if (has_friction)
@@ -132,7 +132,9 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
   const RigidMotion motion = rigid_part(modes, v);
   if (sliding) {
     const RigidMotion along = rigid_part(modes, sliding->v);
-    const double unit = std::max(along.translation.norm(), std::abs(along.rotation) / along.size);
+    double unit = 0.;
+    for (const BodyMotion &body : along.bodies)
+      unit = std::max({unit, body.translation.norm(), std::abs(body.rotation) / body.size});
     throw InputError(
       parameters.boundary.where + ": the body slides " + along.direction() +
       ": friction carries at most " + number_text(sliding->friction / unit) +

@@ -18,7 +18,7 @@ using Point = dealii::Point<2>;
 using S = dealii::Point<1>;
 
 /** Every face is a patch and a piece. */
-constexpr Partition by_faces = {1, 0};
+const Partition by_faces = {1};
 
 /** A body that may touch on the sides of these numbers. */
 Scene<2> touching(const Geometry<2> &geometry, const std::vector<unsigned int> &sides) {
@@ -150,7 +150,7 @@ void test_ratios(Checks &checks) {
                                  {100, {8 * h}, false}};
   for (const Row &row : rows) {
     checks.about("ratio " + std::to_string(row.ratio));
-    const ContactSurface<2> surface(mesh, bottom, Partition{row.ratio, 0});
+    const ContactSurface<2> surface(mesh, bottom, Partition{row.ratio});
     compare(checks, surface, row.expected);
     checks.near("H", surface.longest_patch(), row.expected.back(), 1e-14);
     checks.near("one piece per face", surface.pieces().size(), 8, 0);
@@ -159,7 +159,7 @@ void test_ratios(Checks &checks) {
   }
   checks.about("two sides");
   const Scene<2> both = touching(geometry, {0, 2});
-  const ContactSurface<2> surface(mesh, both, Partition{3, 0});
+  const ContactSurface<2> surface(mesh, both, Partition{3});
   compare(checks, surface, {1., 3 * h, 5 * h});
   checks.that("numbers of the sides",
               surface.patches()[0].side == 0 && surface.patches()[1].side == 2);
@@ -173,7 +173,7 @@ void test_ratios(Checks &checks) {
   const Mesh<2> coarse(square, 0, 0, MPI_COMM_WORLD);
   const Scene<2> below = touching(square, {2});
   checks.that("one face on a side is unstable",
-              ContactSurface<2>(coarse, below, Partition{2, 0}).has_unstable_patch());
+              ContactSurface<2>(coarse, below, Partition{2}).has_unstable_patch());
 }
 
 /** n equal patches on the 8 faces of the bottom and the 4 of the left side. */
@@ -183,7 +183,7 @@ void test_equal_patches(Checks &checks) {
   const Scene<2> bottom = touching(geometry, {2});
   for (const unsigned int n : {1U, 2U, 3U, 4U, 5U, 6U, 7U, 8U, 9U, 16U}) {
     checks.about(std::to_string(n) + " equal patches");
-    const ContactSurface<2> surface(mesh, bottom, Partition{2, n});
+    const ContactSurface<2> surface(mesh, bottom, Partition{2, std::vector<unsigned int>(9, n)});
     compare(checks, surface, std::vector<double>(n, 3. / n));
     // Ends of patches inside of faces add one piece each.
     checks.near("number of pieces", surface.pieces().size(), 8 + n - std::gcd(8U, n), 0);
@@ -193,7 +193,7 @@ void test_equal_patches(Checks &checks) {
   }
   checks.about("two sides");
   const Scene<2> both = touching(geometry, {0, 2});
-  const ContactSurface<2> surface(mesh, both, Partition{2, 3});
+  const ContactSurface<2> surface(mesh, both, Partition{2, std::vector<unsigned int>(9, 3)});
   compare(checks, surface, {1. / 3., 1. / 3., 1. / 3., 1., 1., 1.});
   test_pieces(checks, geometry, surface);
 
@@ -203,8 +203,12 @@ void test_equal_patches(Checks &checks) {
   const Scene<2> around = touching(odd, all_sides(odd));
   for (const unsigned int n : {2, 4, 8, 16})
     checks.near("aligned with 16 faces",
-                ContactSurface<2>(odd_mesh, around, Partition{2, n}).pieces().size(), 48, 0);
-  test_pieces(checks, odd, ContactSurface<2>(odd_mesh, around, Partition{2, 5}));
+                ContactSurface<2>(odd_mesh, around, Partition{2, std::vector<unsigned int>(9, n)})
+                  .pieces()
+                  .size(),
+                48, 0);
+  test_pieces(checks, odd,
+              ContactSurface<2>(odd_mesh, around, Partition{2, std::vector<unsigned int>(9, 5)}));
 }
 } // namespace
 

@@ -62,7 +62,7 @@ struct Box {
     : scene(scene_)
     , mesh(scene.geometry, 0, level, MPI_COMM_WORLD)
     , space(mesh, scene, Signorini::StrainOperator::symmetric_gradient, degree)
-    , surface(mesh, scene, Signorini::Partition{ratio, 0})
+    , surface(mesh, scene, Signorini::Partition{ratio})
     , multipliers(surface)
     , D(assemble_coupling(space, multipliers))
     , condensed_D(condense(D, space.constraints()))

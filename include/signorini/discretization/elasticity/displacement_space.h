@@ -142,6 +142,8 @@ public:
     types::global_dof_index dof;
     Point<dim> node;
     unsigned int component;
+    /** The number of the body. */
+    unsigned int body;
   };
   /** Returns one pin for each rigid motion that supports leave free, where
    * Scene::is_held_by_contact. Pins are no supports: the solution leaves no reaction there. */

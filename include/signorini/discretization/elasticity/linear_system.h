@@ -35,7 +35,7 @@ struct LinearSystem {
   /** The loads f_j = ∫ f.φ_j + ∫ t.φ_j for all j, nothing eliminated (force). */
   DualVector loads;
   /** The resultant of the loads, by quadrature of f and t. */
-  Resultant<dim> applied;
+  std::vector<Resultant<dim>> applied;
 };
 
 /**

@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/function.h>
 #include <deal.II/hp/fe_values.h>
@@ -42,4 +43,8 @@ private:
 /** Returns I^h u: the values of u at the nodes of V^h, all of them on every rank. */
 template <int dim>
 Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Function<dim> &u);
+
+/** Returns the same for functions by body, of which bodies that touch have several at a point. */
+Displacement interpolate_by_body(const DisplacementSpace<2> &space,
+                                 const std::vector<FieldFunction<2>> &u);
 } // namespace Signorini

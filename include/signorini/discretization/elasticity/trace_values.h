@@ -25,13 +25,11 @@ public:
   const FEFaceValues<dim> &reinit(const ContactFace<dim> &face,
                                   const std::vector<Point<dim - 1>> &on_face);
 
-  /** Returns u_h at the points of a rule on the face. */
-  std::vector<Tensor<1, dim>> displacement(const ContactFace<dim> &face,
-                                           const SurfaceRule<dim> &rule, const Displacement &U);
-
-  /** Returns u_h.n at the points of a rule on the face. */
-  std::vector<double> normal_displacement(const ContactFace<dim> &face,
-                                          const SurfaceRule<dim> &rule, const Displacement &U);
+  /** Returns u_h at the points of a rule on a piece; in a pair the difference to u_h of the other
+   * body. */
+  std::vector<Tensor<1, dim>> displacement(const ContactSurface<dim> &surface,
+                                           const Piece<dim> &piece, const SurfaceRule<dim> &rule,
+                                           const Displacement &U);
 
 private:
   const DisplacementSpace<dim> &space_;

@@ -100,13 +100,28 @@ struct SurfaceRule {
   std::vector<Tensor<1, dim>> normals;
   /** The quadrature weights times the surface element (length^{dim-1}). */
   std::vector<double> weights;
+  /** In a pair: the points along the normals, in the reference coordinates of the face of the other
+   * body. */
+  std::vector<Point<dim - 1>> on_opposite;
 
   std::size_t size() const {
     return points.size();
   }
 };
 
-/** A piece face ∩ τ: traces of V^h are polynomials on it, and so are multipliers. */
+/** A face as an interval of arc length of its side. */
+struct FaceSpan {
+  double start, end;
+  /** Whether the face's own parameter runs against the arc length. */
+  bool reversed;
+
+  /** Returns the face's own parameter of the point at arc length @p s, between 0 and 1; exactly
+   * these at the ends. */
+  Point<1> parameter(double s) const;
+};
+
+/** A piece face ∩ τ, in a pair of bodies face ∩ face ∩ τ: traces of V^h are polynomials on it, and
+ * so are multipliers. */
 template <int dim>
 struct Piece {
   /** The numbers of the contact face and of the patch. */
@@ -118,6 +133,17 @@ struct Piece {
   /** The Gauss points on the face of the mesh. They integrate products of a trace of V^h, a
    * multiplier and, on parabolas, a component of the normal exactly. */
   SurfaceRule<dim> on_mesh;
+  /** In a pair: the number of the face of the other body, and its interval. */
+  std::optional<std::pair<unsigned int, FaceSpan>> opposite = {};
+};
+
+/** A face at a piece, and what it adds to the closing u.n: u of the body itself, -u of the other
+ * one. */
+template <int dim>
+struct FaceOfPiece {
+  const ContactFace<dim> &face;
+  const std::vector<Point<dim - 1>> &points;
+  double sign;
 };
 
 /** The rule by which Γ_c^H is made. */
@@ -125,8 +151,8 @@ struct Partition {
   /** The ratio H/h: faces per patch and direction. Where it does not divide the faces of a side,
    * the last patch is the longer one. */
   unsigned int ratio = 2;
-  /** The number of equal patches per side, aligned with nothing, if it is positive. */
-  unsigned int patches_per_side = 0;
+  /** The number of equal patches by side, aligned with nothing, where it is positive. */
+  std::vector<unsigned int> patches_by_side = {};
 };
 
 /** The refinement of a rule. */
@@ -179,6 +205,16 @@ public:
     return scene_.boundary[patches_[piece.patch].side];
   }
 
+  /** Returns the face of a piece with the points of a rule, and in a pair that of the other body.
+   */
+  std::vector<FaceOfPiece<dim>> faces_at(const Piece<dim> &piece,
+                                         const SurfaceRule<dim> &rule) const {
+    std::vector<FaceOfPiece<dim>> found = {{faces_[piece.face], rule.on_face, 1.}};
+    if (piece.opposite)
+      found.push_back({faces_[piece.opposite->first], rule.on_opposite, -1.});
+    return found;
+  }
+
   /** Returns a rule on the side itself for functions of the position: @p n_points Gauss points per
    * direction on every part into which kinks cut the piece. */
   SurfaceRule<dim> rule(const Piece<dim> &piece, unsigned int n_points,
@@ -203,6 +239,8 @@ public:
 private:
   /** Sorts the faces and makes patches and pieces. */
   void divide(const Partition &partition);
+  /** Fills SurfaceRule::on_opposite. */
+  void find_opposite(const Piece<dim> &piece, SurfaceRule<dim> &rule) const;
   /** Fills Piece::on_mesh with the given numbers of points, by active cell. */
   void place_points(const std::vector<unsigned int> &n_points);
 

@@ -31,16 +31,17 @@ Coupling::Column contact_load(const DisplacementSpace<dim> &space,
   TraceValues<dim> traces(space);
   Coupling::Column load;
   for (const Piece<dim> &piece : surface.pieces()) {
-    const ContactFace<dim> &face = surface.faces()[piece.face];
     const SurfaceRule<dim> &rule = rule_on(piece);
     const std::vector<double> q = values_on(piece, rule);
-    const auto &values = traces.reinit(face, rule.on_face);
-    const auto indices = space.cell_dofs(face.cell);
-    for (std::size_t k = 0; k < rule.size(); ++k)
-      for (unsigned int j = 0; j < indices.size(); ++j)
-        load[indices[j]] += q[k] * rule.weights[k] *
-                            (values[FEValuesExtractors::Vector(0)].value(j, k) *
-                             direction_of(component, rule.normals[k]));
+    for (const auto &[face, points, sign] : surface.faces_at(piece, rule)) {
+      const auto &values = traces.reinit(face, points);
+      const auto indices = space.cell_dofs(face.cell);
+      for (std::size_t k = 0; k < rule.size(); ++k)
+        for (unsigned int j = 0; j < indices.size(); ++j)
+          load[indices[j]] += sign * q[k] * rule.weights[k] *
+                              (values[FEValuesExtractors::Vector(0)].value(j, k) *
+                               direction_of(component, rule.normals[k]));
+    }
   }
   return load;
 }

@@ -134,6 +134,11 @@ public:
   /** Returns s of a point on the curve; on a closed one from 0 (included) to its length. */
   double arc_length(const Point<2> &x) const;
 
+  /** Returns the smallest distance, by its size, at which the line through @p x along the unit
+   * vector @p n meets the curve; negative behind x. Segments and circles go on beyond their ends.
+   * None where it does not meet it. */
+  std::optional<double> distance_along(const Point<2> &x, const Tensor<1, 2> &n) const;
+
   /** Returns all s in [from, to], sorted, at which the curve, continued beyond its ends, meets the
    * line m.x = position with the unit normal @p m; none for a line along a segment. */
   std::vector<double> crossings(const Tensor<1, 2> &m, double position, double from,

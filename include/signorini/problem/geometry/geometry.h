@@ -83,7 +83,17 @@ private:
   std::string name_;
 };
 
-/** The body before it is meshed. */
+/** One of several bodies: a component of the mesh that no edges connect to others. */
+template <int dim>
+struct ElasticBody {
+  std::string name;
+  /** The number of its first side; those that follow are its own up to the next body's. */
+  unsigned int first_side = 0;
+  /** The lower corner of its bounding box, and the opposite one. */
+  Point<dim> lower, upper;
+};
+
+/** The body before it is meshed, or several bodies. */
 template <int dim>
 struct Geometry {
   /** The boundary; the faces of sides[i] carry i as their boundary id in the coarse mesh. */
@@ -124,6 +134,8 @@ struct Geometry {
   /** The lower corner of the bounding box, and the opposite one. */
   Point<dim> lower;
   Point<dim> upper;
+  /** The bodies, where there are several. The material id of a cell is the number of its body. */
+  std::vector<ElasticBody<dim>> bodies;
   /** The share of h by which interior vertices of the coarsest level are moved. */
   double distortion = 0.;
   /** The beginning of a message about the distortion. */
@@ -131,6 +143,16 @@ struct Geometry {
 
   double diameter() const {
     return lower.distance(upper);
+  }
+  unsigned int n_bodies() const {
+    return bodies.empty() ? 1 : bodies.size();
+  }
+  /** Returns the number of the body to which a side belongs. */
+  unsigned int body_of_side(unsigned int side) const;
+  /** Returns the number of the body to which a cell belongs. */
+  template <typename Cell>
+  unsigned int body_of(const Cell &cell) const {
+    return bodies.empty() ? 0 : cell->material_id();
   }
   /** Returns what dx and ds are multiplied by: the circumference 2 pi x of a body of revolution,
    * otherwise 1. */
@@ -154,6 +176,10 @@ struct Geometry {
    * the points in their middles. */
   std::vector<std::string> described_sides() const;
 };
+
+/** Returns several bodies as one: the sides of the body "upper" are upper.bottom, ..., and bodies
+ * are regions. */
+Geometry<2> unite(const std::vector<std::string> &names, const std::vector<Geometry<2>> &bodies);
 
 /** Returns whether a side ends inside a boundary face, so that faces cannot be numbered. */
 bool ends_inside_a_face(const std::vector<Side<2>> &sides, const Triangulation<2> &triangulation);

@@ -53,6 +53,8 @@ struct ConstantsParameters {
 
 /** Subsection Geometry: the body before it is meshed (lengths). */
 struct GeometryParameters {
+  /** The names of the bodies; empty for one body. */
+  Given<std::string> bodies;
   Given<Shape> shape{Shape::rectangle};
   Given<std::string> lower_left{"0, 0"};
   Given<std::string> upper_right{"1, 1"};
@@ -140,7 +142,7 @@ struct DiscretizationParameters {
   Given<unsigned int> finest_level{6};
   Given<Element> element{Element::q1};
   Given<unsigned int> patch_ratio{2};
-  Given<unsigned int> patches{0};
+  Given<std::string> patches{"0"};
   Given<double> target_error{0.};
   Given<unsigned int> maximum_unknowns{200000};
   Given<unsigned int> maximum_degree{9};
@@ -183,6 +185,8 @@ struct Parameters {
   SceneParameters scene;
   ConstantsParameters constants;
   GeometryParameters geometry;
+  /** The same for every one of several bodies. */
+  std::vector<GeometryParameters> bodies;
   MaterialParameters material;
   BoundaryParameters boundary;
   LoadParameters load;

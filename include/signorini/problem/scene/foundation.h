@@ -106,4 +106,11 @@ private:
 std::shared_ptr<const Function<2>>
 foundation_gap(const Side<2> &side, const std::shared_ptr<const Foundation> &foundation,
                const Tensor<1, 2> &position);
+
+/**
+ * Returns the gap of a pair of sides: @p given in addition to the distance along the outward normal
+ * of the first side to the second one as drawn (length); @p given alone beside the second side.
+ */
+std::shared_ptr<const Function<2>> gap_of_pair(const Side<2> &first, const Side<2> &second,
+                                               const std::shared_ptr<const Function<2>> &given);
 } // namespace Signorini

@@ -12,6 +12,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -119,7 +120,10 @@ enum class Role {
   /** sigma n is given. */
   traction,
   /** u.n <= g, sigma_n <= 0, sigma_n (u.n - g) = 0; sigma_T = 0, or the law of friction. */
-  contact
+  contact,
+  /** A contact side of another body touches this one, whose traction is that of the contact side
+   * with the other sign. */
+  opposite
 };
 
 /** Returns "free", "clamped", ... */
@@ -137,6 +141,12 @@ struct BoundaryCondition {
   FunctionPointer<dim> data;
   /** The exact contact pressure p = sigma_n of a contact side, if known. */
   FunctionPointer<dim> exact_pressure;
+  /** The number of the side of another body that a contact side may touch; then u.n is that of both
+   * bodies along the normals of the contact side. None where the foundation is rigid. */
+  std::optional<unsigned int> opposite = {};
+  /** The number of equal patches of a contact side, aligned with nothing; zero where patches are
+   * groups of faces. */
+  unsigned int n_patches = 0;
   /** The obstacles of a contact side whose gap is the distance to them; foundation_gap(side,
    * foundation, position) computes the gap for another position of theirs. Else empty. */
   std::shared_ptr<const Foundation> foundation = nullptr;
@@ -185,6 +195,10 @@ struct Scene {
 
   /** Returns the numbers of the contact sides gamma_{c,i}, i = 1..n_g. */
   std::vector<unsigned int> contact_sides() const;
+  /** Returns whether a contact side touches another body. */
+  bool has_pairs() const;
+  /** Returns BoundaryCondition::n_patches of all sides. */
+  std::vector<unsigned int> given_patches() const;
   /** Returns whether p is known on every contact side. */
   bool has_exact_pressure() const;
 };

@@ -219,7 +219,7 @@ private:
   /** The numbers of cells and of contact faces on level 0. */
   double n_coarse_cells_;
   double n_coarse_contact_faces_ = 0.;
-  double n_contact_sides_;
+  double n_given_patches_;
   /** The unknowns of a patch. */
   double n_components_;
   const DiscretizationParameters &given_;

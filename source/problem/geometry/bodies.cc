@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Several bodies: one mesh with a component for each of them.
+
+#include <signorini/problem/geometry/geometry.h>
+
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace Signorini {
+namespace {
+/** Returns whether a point lies in a body: on the inner side of the nearest point of its boundary.
+ */
+bool contains(const Geometry<2> &body, const Point<2> &x) {
+  double nearest = std::numeric_limits<double>::max(), depth = 0.;
+  const double rounding = 1e-12 * body.diameter();
+  for (const Side<2> &side : body.sides) {
+    const double s = std::clamp(side.arc_length(x), 0., side.length());
+    const Tensor<1, 2> arm = x - side.point(s);
+    const double across = arm * side.normal(s);
+    // At a corner the side that sees the point from the front tells.
+    if (arm.norm() < nearest - rounding ||
+        (arm.norm() < nearest + rounding && std::abs(across) > std::abs(depth))) {
+      nearest = std::min(nearest, arm.norm());
+      depth = across;
+    }
+  }
+  return depth <= 0.;
+}
+
+/** Returns the number of the body in which a point lies; the box of most bodies tells. */
+unsigned int body_at(const std::vector<Geometry<2>> &bodies, const Point<2> &x) {
+  std::vector<unsigned int> candidates;
+  for (unsigned int k = 0; k < bodies.size(); ++k)
+    if (BoundingBox<2>({bodies[k].lower, bodies[k].upper}).point_inside(x))
+      candidates.push_back(k);
+  if (candidates.empty())
+    return 0;
+  const auto found = candidates.size() == 1
+                       ? candidates.begin()
+                       : std::find_if(candidates.begin(), candidates.end(),
+                                      [&](const unsigned int k) { return contains(bodies[k], x); });
+  return found == candidates.end() ? candidates.front() : *found;
+}
+
+/** Makes the coarse meshes of all bodies side by side; the material id of a cell is the number of
+ * its body. Vertices at the same place stay apart. */
+void make_meshes(const std::vector<Geometry<2>> &bodies,
+                 const std::vector<unsigned int> &first_side, Triangulation<2> &triangulation) {
+  std::vector<Point<2>> vertices;
+  std::vector<CellData<2>> cells;
+  SubCellData edges;
+  std::map<types::manifold_id, std::unique_ptr<Manifold<2>>> manifolds;
+  types::manifold_id first_manifold = 0;
+  for (unsigned int k = 0; k < bodies.size(); ++k) {
+    Triangulation<2> part;
+    bodies[k].make_coarse_mesh(part);
+    auto [points, part_cells, part_edges] = GridTools::get_coarse_mesh_description(part);
+    types::manifold_id next = first_manifold;
+    const auto renumber = [&](auto &object) {
+      for (unsigned int &v : object.vertices)
+        v += vertices.size();
+      if (object.manifold_id == numbers::flat_manifold_id)
+        return;
+      const auto &manifold = part.get_manifold(object.manifold_id);
+      object.manifold_id += first_manifold;
+      next = std::max(next, object.manifold_id + 1);
+      if (manifolds.count(object.manifold_id) == 0)
+        manifolds[object.manifold_id] =
+          dynamic_cast<const TransfiniteInterpolationManifold<2> *>(&manifold) != nullptr
+            ? nullptr
+            : manifold.clone();
+    };
+    for (CellData<2> &cell : part_cells) {
+      renumber(cell);
+      cell.material_id = k;
+      cells.push_back(cell);
+    }
+    for (CellData<1> &edge : part_edges.boundary_lines) {
+      renumber(edge);
+      if (edge.boundary_id != numbers::internal_face_boundary_id)
+        edge.boundary_id += first_side[k];
+      edges.boundary_lines.push_back(edge);
+    }
+    vertices.insert(vertices.end(), points.begin(), points.end());
+    first_manifold = next;
+  }
+  triangulation.create_triangulation(vertices, cells, edges);
+  for (const auto &[id, manifold] : manifolds)
+    if (manifold != nullptr)
+      triangulation.set_manifold(id, *manifold);
+  // A transfinite interpolation looks for its points in all cells of a mesh.
+  for (const auto &[id, manifold] : manifolds)
+    if (manifold == nullptr) {
+      TransfiniteInterpolationManifold<2> transfinite;
+      transfinite.initialize(triangulation);
+      triangulation.set_manifold(id, transfinite);
+    }
+}
+} // namespace
+
+Geometry<2> unite(const std::vector<std::string> &names, const std::vector<Geometry<2>> &bodies) {
+  std::vector<Side<2>> sides;
+  std::vector<unsigned int> first_side;
+  Geometry<2> all;
+  std::vector<unsigned int> first_region;
+  std::vector<std::string> regions;
+  double n_cells = 0.;
+  std::vector<ElasticBody<2>> parts;
+  for (unsigned int k = 0; k < bodies.size(); ++k) {
+    first_side.push_back(sides.size());
+    first_region.push_back(regions.size());
+    for (const Side<2> &side : bodies[k].sides)
+      sides.emplace_back(names[k] + "." + side.name(), side);
+    for (const std::string &region : bodies[k].regions)
+      regions.push_back(names[k] + "." + region);
+    if (bodies[k].regions.empty())
+      regions.push_back(names[k]);
+    n_cells += bodies[k].n_coarse_cells;
+    parts.push_back({names[k], first_side.back(), bodies[k].lower, bodies[k].upper});
+  }
+  all = bounded_by(std::move(sides));
+  all.bodies = std::move(parts);
+  all.n_coarse_cells = n_cells;
+  all.star_shaped = false;
+  all.inside = bodies.front().inner_point();
+  all.regions = std::move(regions);
+  all.region_at = [bodies, first_region](const Point<2> &x) {
+    const unsigned int k = body_at(bodies, x);
+    return first_region[k] + (bodies[k].regions.empty() ? 0 : bodies[k].region_at(x));
+  };
+  all.make_coarse_mesh = [bodies, first_side](Triangulation<2> &triangulation) {
+    make_meshes(bodies, first_side, triangulation);
+  };
+  return all;
+}
+} // namespace Signorini
