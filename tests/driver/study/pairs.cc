@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Two and three elastic bodies: values of an independent program, exact solutions, and limits.
+
+#include <signorini/base/errors.h>
+#include <signorini/solvers/contact/compliance.h>
+
+#include <cmath>
+
+#include "one_level.h"
+#include "study_helpers.h"
+#include "tests.h"
+
+using namespace Signorini;
+
+namespace {
+/** The entries of two rectangles. */
+std::string bodies(const std::string &lower, const std::string &upper, const std::string &cells,
+                   const std::string &E, const std::string &nu) {
+  return "Geometry/Bodies = a b\nGeometry/Lower left = " + lower +
+         "\nGeometry/Upper right = " + upper + "\nGeometry/Cells = " + cells +
+         "\nMaterial/Young's modulus = " + E + "\nMaterial/Poisson's ratio = " + nu + "\n";
+}
+
+const std::string pair = "Boundary/Contact = a.bottom with b.top\n";
+
+/** A lowered block on a parabolic gap. */
+const std::string pressed =
+  bodies("a: -1, 0 | b: -1, -1.5", "a: 1, 1 | b: 1, 0", "a: 4, 2 | b: 3, 2", "a: 1 | b: 7", "0.3") +
+  pair +
+  "Boundary/Clamped = b.bottom\nBoundary/Displacement = a.top: 0; -0.05\nContact/Gap = x^2/4\n";
+
+/** Pressures, of all patches that touch, and energies of a program that shares no code with this
+ * one: Q1 on rectangles, D and G integrated exactly, one factor for each body. */
+struct Reference {
+  std::string name, text;
+  unsigned int level;
+  std::vector<double> P;
+  double energy;
+};
+
+const std::vector<Reference> references = {
+  {"block on block",
+   pressed + "Discretization/Patches = 13\n",
+   3,
+   {-6.5252436856e-03, -7.7702071649e-02, -7.8513007731e-02, -7.7702071649e-02, -6.5252436856e-03},
+   8.4601266052e-04},
+  {"overlap, free to fall",
+   bodies("a: 0, 0 | b: -1, -0.8", "a: 2, 1 | b: 1.3, 0", "a: 16, 8 | b: 24, 8", "a: 1 | b: 3",
+          "a: 0.3 | b: 0.2") +
+     pair +
+     "Boundary/Clamped = b.bottom\nBoundary/Rollers = a.left\nBoundary/Traction = a.top: 0; -0.02\n"
+     "Discretization/Patches = 5\n",
+   0,
+   {-1.3020521848e-02, -1.3137982355e-02, -2.0906906949e-02, -2.3810542355e-02, -8.2970200339e-02},
+   -1.0182973796e-03},
+  {"block on a beam, held by contact alone",
+   bodies("a: 1.2, 0 | b: 0, -0.3", "a: 2.4, 0.5 | b: 3, 0", "a: 12, 5 | b: 40, 4", "1", "0.3") +
+     pair +
+     "Boundary/Clamped = b.left\nLoad/Body force = 0; y > 0 ? -2e-5 : 0\n"
+     "Contact/Gap = 0.00004*(x-1.8)^2\nDiscretization/Patches = 6\n",
+   0,
+   {-3.6063396970e-05, -1.7873206061e-05, -6.0633969697e-06},
+   -5.5433217546e-08},
+  {"three in a row",
+   "Geometry/Bodies = low mid top\n"
+   "Geometry/Lower left = low: -2, -1.5 | mid: -1, -0.5 | top: -1.5, 0\n"
+   "Geometry/Upper right = low: 2, -0.5 | mid: 1, 0 | top: 1.5, 1\n"
+   "Geometry/Cells = low: 32, 8 | mid: 20, 5 | top: 22, 7\n"
+   "Material/Young's modulus = low: 5 | mid: 1 | top: 2\n"
+   "Material/Poisson's ratio = low: 0.25 | mid: 0.3 | top: 0.3\n"
+   "Boundary/Contact = mid.bottom with low.top | top.bottom with mid.top\n"
+   "Boundary/Clamped = low.bottom\nBoundary/Displacement = top.top: 0; -0.02\n"
+   "Load/Body force = 0; y > -0.5 && y < 0 ? -0.001 : 0\n"
+   "Contact/Gap = mid.bottom: 0.03*x^2 | top.bottom: 0.04*(x-0.1)^2\n"
+   "Discretization/Patches = mid.bottom: 8 | top.bottom: 7\n",
+   0,
+   {-5.9162195038e-03, -2.1169547435e-02, -2.3008151269e-02, -1.3498971963e-02, -9.5274805720e-03,
+    -2.3676659948e-02, -1.8939638379e-02},
+   1.1532444141e-04},
+  {"a stack that nothing but contact holds",
+   bodies("a: 0, 0 | b: 0.3, 1", "a: 2, 1 | b: 1.1, 1.6", "a: 20, 10 | b: 12, 9", "a: 1 | b: 3",
+          "a: 0.3 | b: 0.25") +
+     "Boundary/Contact = a.bottom | b.bottom with a.top\n"
+     "Boundary/Traction = b.left: 0.0006; 0 | b.right: -0.0006; 0\n"
+     "Load/Body force = 0; y < 1 ? -0.002 : -0.006\n"
+     "Contact/Gap = a.bottom: 0.0004*(x-0.8)^2 | b.bottom: 0\n"
+     "Discretization/Patches = a.bottom: 10 | b.bottom: 5\n",
+   0,
+   {-3.2504566312e-03, -4.0336965102e-03, -4.4151339977e-03, -4.5879762500e-03, -4.4329618548e-03,
+    -4.0150597148e-03, -3.4485908596e-03, -2.8129572237e-03, -2.2457875948e-03, -1.1573793632e-03,
+    -4.8777502698e-03, -2.5848944921e-03, -3.0642654329e-03, -2.6057845786e-03, -4.8673052266e-03},
+   -8.3505445530e-06}};
+
+void test_references(Checks &checks) {
+  for (const Reference &reference : references) {
+    checks.about(reference.name);
+    const LevelSolution<2> solution = OneLevel(reference.text, reference.level).solve();
+    std::vector<double> pressing;
+    for (const double p : solution.contact.P.normal())
+      if (p < 0.)
+        pressing.push_back(p);
+    checks.that("patches that press", pressing.size() == reference.P.size());
+    if (pressing.size() == reference.P.size())
+      checks.near("P", pressing, reference.P, 1e-9 * std::abs(reference.P[0]));
+    const Certificate &certificate = solution.record.certificate;
+    checks.near("energy", certificate.energy, reference.energy, 1e-9 * std::abs(reference.energy));
+    checks.near("balance of each body", certificate.force_balance + certificate.moment_balance, 0.,
+                1e-11);
+  }
+}
+
+void test_friction(Checks &checks) {
+  const std::string block =
+    bodies("a: -1, 0 | b: -1.5, -1", "a: 1, 1 | b: 1.5, 0", "a: 16, 8 | b: 36, 9", "a: 1 | b: 4",
+           "a: 0.3 | b: 0.25") +
+    pair +
+    "Boundary/Clamped = b.bottom\nBoundary/Displacement = a.top: 0.02; -0.03\n"
+    "Contact/Gap = 0.02*x^2\nDiscretization/Patches = 6\n";
+  const LevelSolution<2> tresca =
+    OneLevel(block + "Contact/Friction = tresca\nContact/Friction bound = 0.006\n", 0).solve();
+  const Pressure q = tresca.contact.P.tangential()[0];
+  checks.near("Tresca: q", std::vector<double>(q.begin(), q.end()),
+              {-9.6467707722e-04, -5.1209931991e-03, -6e-3, -6e-3, -6e-3, -6e-3}, 1e-11);
+  checks.near("Tresca: T and work",
+              {tresca.record.friction->tangential_force, tresca.record.friction->dissipation},
+              {-1.0028556759e-02, 1.0499019187e-05}, 1e-11);
+  const LevelSolution<2> coulomb =
+    OneLevel(block + "Contact/Friction = coulomb\nContact/Friction coefficient = 0.3\n", 0).solve();
+  const auto &force = coulomb.record.answer.contact_by_side;
+  checks.near("Coulomb: action and reaction", force.at(0).resultant.force[0],
+              -force.at(1).resultant.force[0], 1e-15);
+  checks.between("Coulomb: T/N", std::abs(force[0].resultant.force[0]), 1e-3,
+                 0.3 * force[0].resultant.force[1] + 1e-12);
+}
+
+/** Uniform pressure passes through bodies whose meshes do not match, whatever the moduli. */
+void test_patch(Checks &checks) {
+  for (const std::string contrast : {"1e-6", "1", "1e6"})
+    for (const std::string cells : {"a: 8, 3 | b: 6, 4", "a: 7, 2 | b: 11, 5"}) {
+      const OneLevel level(bodies("a: 0, 0 | b: 0, -1", "a: 2, 1 | b: 2, 0", cells,
+                                  "a: 1 | b: " + contrast, "a: 0.3 | b: 0.1") +
+                             pair +
+                             "Boundary/Rollers = b.bottom a.left b.left\n"
+                             "Boundary/Traction = a.top: 0; -0.01\nContact/Gap = 0\n",
+                           0);
+      const LevelSolution<2> solution = level.solve();
+      for (const double p : solution.contact.P.normal())
+        checks.near("patch test, " + contrast + ", " + cells, p, -0.01, 1e-12);
+    }
+}
+
+std::vector<double> pressures(const std::string &text, const unsigned int level) {
+  const Pressure P = OneLevel(text, level).solve().contact.P.normal();
+  return {P.begin(), P.end()};
+}
+
+/** Roles exchanged, a second body that hardly yields, and C as the sum of those of both bodies. */
+void test_limits(Checks &checks) {
+  const std::string thirteen = "Discretization/Patches = 13\n";
+  std::string exchanged = pressed;
+  exchanged.replace(exchanged.find(pair), pair.size(), "Boundary/Contact = b.top with a.bottom\n");
+  checks.near("roles exchanged", pressures(exchanged + thirteen, 3),
+              pressures(pressed + thirteen, 3), 1e-11);
+  const std::string own = "Geometry/Lower left = -1, 0\nGeometry/Upper right = 1, 1\n"
+                          "Geometry/Cells = 4, 2\nBoundary/Contact = bottom\n"
+                          "Boundary/Displacement = top: 0; -0.05\nContact/Gap = x^2/4\n";
+  const std::string base =
+    "Geometry/Lower left = -1, -1.5\nGeometry/Upper right = 1, 0\n"
+    "Geometry/Cells = 3, 2\nMaterial/Young's modulus = 7\n"
+    "Boundary/Contact = top\nBoundary/Clamped = bottom\nContact/Gap = x^2/4 - 0.05\n";
+  std::string hard = pressed;
+  hard.replace(hard.find("b: 7"), 4, "b: 1e12");
+  checks.near("a rigid second body", pressures(hard + thirteen, 3), pressures(own + thirteen, 3),
+              1e-11);
+  const auto compliance = [&](const std::string &text) {
+    const OneLevel level(text + thirteen + "Output/Compliance = true\n", 3);
+    const LevelSolution<2> solution = level.solve();
+    dealii::Vector<double> P(13);
+    for (unsigned int k = 0; k < 13; ++k)
+      P[k] = std::sin(1. + k);
+    const dealii::Vector<double> C_P = solution.contact.dual->C->apply(P);
+    return std::vector<double>(C_P.begin(), C_P.end());
+  };
+  std::vector<double> sum = compliance(own);
+  const std::vector<double> other = compliance(base);
+  for (unsigned int k = 0; k < 13; ++k)
+    sum[k] += other[k];
+  checks.near("C = C_1 + C_2", compliance(pressed), sum, 1e-12);
+}
+
+/** Lamé: a hub of radii 1 and 2 on a shaft with a bore of 0.5, interference 0.01. */
+void test_press_fit(Checks &checks) {
+  const std::string fit = "Geometry/Bodies = hub shaft\nGeometry/Shape = ring\n"
+                          "Geometry/Radius = hub: 2 | shaft: 1\n"
+                          "Geometry/Inner radius = hub: 1 | shaft: 0.5\n"
+                          "Material/Young's modulus = hub: 1 | shaft: 5\n"
+                          "Boundary/Contact = shaft.outer with hub.inner\nContact/Gap = -0.01\n";
+  const double nu = 0.3, a = 0.5, r = 1., b = 2.,
+               u_hub = (1. + nu) * r * ((1. - 2. * nu) * r * r + b * b) / (b * b - r * r),
+               u_shaft = (1. + nu) / 5. * r * ((1. - 2. * nu) * r * r + a * a) / (r * r - a * a),
+               exact = -0.01 / (u_hub + u_shaft);
+  std::vector<double> errors;
+  for (const unsigned int level : {2, 3, 4}) {
+    const std::vector<double> p = pressures(fit, level);
+    errors.push_back(std::abs(p[0] - exact) / std::abs(exact));
+    for (const double value : p)
+      checks.near("press fit: uniform", value, p[0], 1e-11);
+  }
+  checks.between("press fit: order", std::log2(errors[1] / errors[2]), 1.8, 2.2);
+  checks.between("press fit: error on level 4", errors[2], 0., 2e-3);
+}
+
+void test_refusals(Checks &checks) {
+  const auto refuses = [&](const std::string &what, const std::string &text,
+                           const std::string &sentence) {
+    checks.throws<InputError>(what, sentence, [&]() { solve(text, levels(1, 2)); });
+  };
+  refuses("bodies that overlap",
+          bodies("a: 0, -0.1 | b: 0, -1", "a: 1, 1 | b: 1, 0", "1, 1", "1", "0.3") + pair +
+            "Boundary/Clamped = b.bottom a.top\n",
+          "overlap by 0.1");
+  refuses("sides that look away",
+          bodies("a: 0, 0 | b: 0, -1", "a: 1, 1 | b: 1, 0", "1, 1", "1", "0.3") +
+            "Boundary/Contact = a.left with b.top\nBoundary/Clamped = b.bottom a.top\n",
+          "do not face each other");
+  const std::string blocks = bodies("a: 0, 0 | b: 0, -1", "a: 1, 1 | b: 1, 0", "2, 2", "1", "0.3") +
+                             "Boundary/Clamped = b.bottom\n";
+  refuses("no second name", blocks + "Boundary/Contact = a.bottom with\n",
+          "the names of two sides");
+  refuses("graded meshes", pressed + "Discretization/Strategy = hp\n", "with a pair of sides");
+  refuses("plates", blocks + pair + "Boundary/Plates = a.top: 0, -1\nLoad/Plate force = a.top: 1\n",
+          "not there for several bodies");
+  refuses("a body that nothing presses", blocks + pair + "Boundary/Traction = a.top: 0; 0.01\n",
+          "along (0, 1), of 'a'");
+}
+} // namespace
+
+int main(int argc, char **argv) {
+  return run_tests(
+    argc, argv,
+    {test_references, test_friction, test_patch, test_limits, test_press_fit, test_refusals});
+}
