@@ -48,7 +48,9 @@ std::string data_of(const Scene<2> &scene, const unsigned int side, const SideSa
              (plate.turns ? ", turning" : "");
   if (samples.values[0].empty())
     return "";
-  return samples.values[0].size() == 1 ? "gap " + range(samples, 0)
+  const auto opposite = scene.boundary[side].opposite;
+  const std::string with = opposite ? ", with " + scene.geometry.sides[*opposite].name() : "";
+  return samples.values[0].size() == 1 ? "gap " + range(samples, 0) + with
                                        : "x: " + range(samples, 0) + ", y: " + range(samples, 1);
 }
 
@@ -58,13 +60,17 @@ void print_sides(const Scene<2> &scene, std::ostream &screen) {
     const auto text = [&](const double c) { return number_text(std::abs(c) < rounding ? 0. : c); };
     return "(" + text(x[0]) + ", " + text(x[1]) + ")";
   };
-  screen << std::left << std::setw(12) << "side" << std::setw(14) << "role" << std::setw(20)
+  std::size_t width = 12;
+  for (const Side<2> &side : scene.geometry.sides)
+    width = std::max(width, side.name().size() + 2);
+  const auto columns = static_cast<int>(width);
+  screen << std::left << std::setw(columns) << "side" << std::setw(14) << "role" << std::setw(20)
          << "from" << std::setw(20) << "to" << std::setw(10) << "length"
          << "data\n";
   for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     const Side<2> &side = scene.geometry.sides[i];
     const SideSamples samples = sample_side(scene, i);
-    screen << std::setw(12) << side.name() << std::setw(14) << word_for(scene.boundary[i].role)
+    screen << std::setw(columns) << side.name() << std::setw(14) << word_for(scene.boundary[i].role)
            << std::setw(20) << point(samples.points.front()) << std::setw(20)
            << point(samples.points.back()) << std::setw(10) << number_text(side.length())
            << data_of(scene, i, samples) << "\n";
@@ -92,7 +98,7 @@ void show_scene(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm 
   const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
   check_settings(parameters, scene, communicator);
   print_scene(parameters, scene, choose_solvers(parameters, scene, given.finest_level, n_ranks),
-              judge_of(parameters, dim, n_ranks), report.screen);
+              judge_of(parameters, scene, n_ranks), report.screen);
   const std::string cost = cost_of(parameters, scene, communicator);
   const Mesh<dim> mesh(scene.geometry, given.coarsest_level, given.coarsest_level, communicator);
   if constexpr (dim == 2)

@@ -52,7 +52,7 @@ public:
     , scene_(scene)
     , n_ranks_(Utilities::MPI::n_mpi_processes(communicator))
     , report_(report)
-    , judge_(judge_of(parameters, dim, n_ranks_))
+    , judge_(judge_of(parameters, scene, n_ranks_))
     , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_}))
     , writer_(parameters, judge_, scene.description, report.directory, communicator) {}
 
@@ -155,11 +155,11 @@ private:
 };
 } // namespace
 
-Judge judge_of(const Parameters &parameters, const unsigned int dimension,
-               const unsigned int n_ranks) {
+template <int dim>
+Judge judge_of(const Parameters &parameters, const Scene<dim> &scene, const unsigned int n_ranks) {
   return Judge({parameters.solver.tolerance, parameters.solver.tolerated_error,
-                target_error(parameters.discretization), dimension == 2 && n_ranks == 1,
-                dimension == 2});
+                target_error(parameters.discretization),
+                dim == 2 && n_ranks == 1 && !scene.has_pairs(), dim == 2});
 }
 
 template <int dim>
@@ -170,6 +170,7 @@ StudyResult<dim> run_study(const Parameters &parameters, const Scene<dim> &scene
   return Study<dim>(parameters, scene, communicator, report).run();
 }
 
+INSTANTIATE_FUNCTION(judge_of);
 INSTANTIATE_FUNCTION(run_study);
 
 // Contradictions between parameters, scene and number of ranks, found before the first level.

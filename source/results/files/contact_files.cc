@@ -181,7 +181,8 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
       if (!multipliers.is_piecewise_constant())
         rows = corners = positions_of_polynomial(piece, multipliers);
     contact.push_back({surface.side(patch).name(), patch.side, piece.face, piece.patch,
-                       patch.measure, tracer.trace(piece, rows), tracer.trace(piece, corners)});
+                       patch.measure, surface.condition(piece).opposite, tracer.trace(piece, rows),
+                       tracer.trace(piece, corners)});
   }
   return contact;
 }
@@ -212,6 +213,8 @@ template <int dim>
 void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
                        const std::vector<double> &bound) {
   VtuCells<dim - 1> cells;
+  const bool has_pairs = std::any_of(contact.begin(), contact.end(),
+                                     [](const auto &piece) { return piece.opposite.has_value(); });
   constexpr unsigned int n_corners = GeometryInfo<dim - 1>::vertices_per_cell;
   for (const ContactPiece<dim> &piece : contact)
     for (std::size_t first = 0; first + n_corners <= piece.corners.size(); ++first) {
@@ -231,6 +234,9 @@ void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
            {"opening", point.g - point.u_n},
            {"patch", piece.patch},
            {"side", piece.side_number}});
+        if (has_pairs)
+          fields.back().emplace_back("opposite",
+                                     piece.opposite ? static_cast<double>(*piece.opposite) : -1.);
         if (const auto &friction = point.friction) {
           add_friction<dim>("friction_traction", friction->q_H, friction->traction, fields.back());
           fields.back().emplace_back("friction_limit", friction->s_H);

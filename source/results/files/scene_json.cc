@@ -33,6 +33,8 @@ void write_scene_json(std::ostream &stream, const Scene<2> &scene,
     const SideSamples samples = sample_side(scene, i);
     Json side = {{"name", scene.geometry.sides[i].name()},
                  {"role", word_for(scene.boundary[i].role)}};
+    if (const auto opposite = scene.boundary[i].opposite)
+      side["opposite"] = scene.geometry.sides[*opposite].name();
     for (std::size_t k = 0; k < samples.points.size(); ++k) {
       side["points"].push_back(AnswerVector(samples.points[k]));
       side["normals"].push_back(AnswerVector(samples.normals[k]));

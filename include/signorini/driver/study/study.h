@@ -21,7 +21,8 @@ struct StudyReport {
 };
 
 /** Returns the judge of a study on these ranks. */
-Judge judge_of(const Parameters &parameters, unsigned int dimension, unsigned int n_ranks);
+template <int dim>
+Judge judge_of(const Parameters &parameters, const Scene<dim> &scene, unsigned int n_ranks);
 
 /**
  * Refuses settings that contradict the scene or the number of ranks: solvers that need a serial

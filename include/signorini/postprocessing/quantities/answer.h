@@ -30,7 +30,8 @@ struct Answer {
   double thickness = 1.;
   /** The size of the body (length): smaller coordinates may be rounding. */
   double size = 0.;
-  /** The force of all contact sides together. */
+  /** The force of all contact sides together; with pairs of bodies that of the rigid foundation, or
+   * where there is none of the first pair. */
   SideForce contact_force;
   std::vector<SideForce> contact_by_side;
   std::vector<SideForce> reactions;

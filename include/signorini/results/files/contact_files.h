@@ -48,6 +48,8 @@ struct ContactPiece {
   unsigned int side_number, face, patch;
   /** The length or area |tau| of the patch. */
   double patch_measure;
+  /** The number of the side of another body that it may touch. */
+  std::optional<unsigned int> opposite;
   /** The points of tables. A piece with a constant has its middle; a piece with polynomials has its
    * ends, the nodes of the multipliers, and the middles between all of these, in the order of arc
    * length. */
