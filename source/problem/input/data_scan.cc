@@ -169,6 +169,9 @@ BoxTree Scan::scan_body(const std::vector<Expression<2>> &formulas, const unsign
   const Data data = data_of(formulas);
   if (data.empty())
     return {};
+  // Where boxes meet on a line, nothing switches in either of them.
+  for (const Datum &datum : data)
+    add_lines(datum.formula.formula(), {scene_.geometry.lower, scene_.geometry.upper});
   return BoxTree(
     body_,
     [&](const BoundingBox<2> &box) {

@@ -73,6 +73,12 @@ void test_integrals(Checks &checks) {
     checks.near("integral of " + formula, integral(scene_with(formula)), expected, tolerance);
 }
 
+/** The scan begins with sixteenths of the body: a jump between two of them is not lost. */
+void test_jump_between_boxes(Checks &checks) {
+  checks.that("a jump between boxes has a line",
+              scene_with("y < 0.5 ? -1 : 0").kinks.lines().size() == 1);
+}
+
 /** Plain rules stay plain where they are right. */
 void test_smooth(Checks &checks) {
   for (const char *formula :
@@ -118,5 +124,5 @@ void test_sides(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests({test_integrals, test_smooth, test_sides});
+  return run_tests({test_integrals, test_jump_between_boxes, test_smooth, test_sides});
 }
