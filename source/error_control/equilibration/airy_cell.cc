@@ -5,6 +5,7 @@
 #include <signorini/error_control/equilibration/airy_cell.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/lac/lapack_templates.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,14 +18,21 @@ using Jet = std::array<double, 3>;
 
 const char *const too_flat = "a cell is too flat for stresses in equilibrium";
 
-/** @throws ComputationError if the matrix is singular up to rounding. */
-void factorise_positive(LAPACKFullMatrix<double> &matrix) {
-  matrix.set_property(LAPACKSupport::symmetric);
-  try {
-    matrix.compute_cholesky_factorization();
-  } catch (const ExceptionBase &) {
-    throw ComputationError(too_flat);
+/** Writes R of A = Q R, at the given place of its diagonal, by Householder's reflections: they keep
+ * twice the digits of a factor of AᵀA = RᵀR. @throws ComputationError if R is singular. */
+void write_factor(LAPACKFullMatrix<double> A, LAPACKFullMatrix<double> &R,
+                  const unsigned int first = 0) {
+  const types::blas_int m = A.m(), n = A.n(), n_work = 32 * n;
+  types::blas_int info = 0;
+  std::vector<double> scales(n), work(n_work);
+  geqrf(&m, &n, &A(0, 0), &m, scales.data(), work.data(), &n_work, &info);
+  for (unsigned int j = 0; j < A.n(); ++j) {
+    if (A(j, j) == 0.)
+      throw ComputationError(too_flat);
+    for (unsigned int i = 0; i <= j; ++i)
+      R(first + i, first + j) = A(i, j);
   }
+  R.set_property(LAPACKSupport::upper_triangular);
 }
 
 /** Returns τ n. */
@@ -74,18 +82,22 @@ void AiryCell::number_functions() {
   const unsigned int m = degree_ + 2;
   // The numbers by i, j, and the half-axes on which functions of i ≥ 2 or j ≥ 2 live.
   std::map<std::array<unsigned int, 4>, unsigned int> known;
-  for (unsigned int i = 0; i <= m; ++i)
-    for (unsigned int j = i < 2 ? 2 - i : 0; i + j <= m; ++j) {
-      pairs_.push_back({{i, j}});
-      // Triangle k lies between half-axes k and k + 1: on the negative one of X for k = 1, 2.
-      for (unsigned int k = 0; k < 4; ++k)
-        numbers_[k].push_back(
-          known
-            .emplace(
-              std::array<unsigned int, 4>{{i, i < 2 ? 0 : (k + 1) % 4 / 2, j, j < 2 ? 0 : k / 2}},
-              known.size())
-            .first->second);
-    }
+  // Those of one triangle come first: factorise() begins with them.
+  for (const bool is_inner : {true, false})
+    for (unsigned int i = 0; i <= m; ++i)
+      for (unsigned int j = i < 2 ? 2 - i : 0; i + j <= m; ++j) {
+        if ((i > 1 && j > 1) != is_inner)
+          continue;
+        pairs_.push_back({{i, j}});
+        // Triangle k lies between half-axes k and k + 1: on the negative one of X for k = 1, 2.
+        for (unsigned int k = 0; k < 4; ++k)
+          numbers_[k].push_back(
+            known
+              .emplace(
+                std::array<unsigned int, 4>{{i, i < 2 ? 0 : (k + 1) % 4 / 2, j, j < 2 ? 0 : k / 2}},
+                known.size())
+              .first->second);
+      }
   n_functions_ = known.size();
   for (unsigned int k = 0; k < 4; ++k)
     for (unsigned int i = 0; i < 2 * (degree_ + 1) && lifts_[k]; ++i)
@@ -170,7 +182,7 @@ void AiryCell::tabulate(const unsigned int k) {
     const std::vector<Components> at_point = stresses(k, trace_points_[k][i].on_diagonals);
     for (const auto &[row, factors] : trace_points_[k][i].factors)
       for (unsigned int l = 0; l < n_airy; ++l)
-        traces_(row, numbers_[k][l]) += factors * at_point[l];
+        traces_(numbers_[k][l], row) += factors * at_point[l];
     if (!lifts_[k])
       continue;
     const ArcLift::Node &node = lifts_[k]->nodes()[i];
@@ -189,39 +201,34 @@ void AiryCell::tabulate(const unsigned int k) {
   const LAPACKFullMatrix<double> conditions = subtract_lift(k, tractions, values);
   for (unsigned int l = 0; l < n_local; ++l)
     for (unsigned int r = 0; r < ArcLift::n_conditions; ++r)
-      traces_(first_condition(k) + r, numbers_[k][l]) = -conditions(r, l);
+      traces_(numbers_[k][l], first_condition(k) + r) = -conditions(r, l);
   for (unsigned int i = 0; i < 2 * (degree_ + 1); ++i)
-    traces_(2 * k * (degree_ + 1) + i, numbers_[k][n_airy + i]) = 1.;
+    traces_(numbers_[k][n_airy + i], 2 * k * (degree_ + 1) + i) = 1.;
 }
 
 void AiryCell::factorise() {
   const unsigned int n = n_functions_, n_traces = first_condition(4);
-  gram_.reinit(n);
-  traces_.reinit(n_traces, n);
+  traces_.reinit(n, n_traces);
+  factor_.reinit(n);
+  // Functions of one triangle are eliminated there, the others from what that leaves.
+  const unsigned int n_inner = degree_ * (degree_ - 1) / 2;
+  unsigned int n_rows = 0, row = 0;
+  for (const auto &numbers : numbers_)
+    n_rows += numbers.size() - n_inner;
+  LAPACKFullMatrix<double> shared(n_rows, n - 4 * n_inner);
   for (unsigned int k = 0; k < 4; ++k) {
     tabulate(k);
-    const unsigned int n_local = numbers_[k].size();
-    LAPACKFullMatrix<double> local(n_local);
-    values_[k].Tmmult(local, values_[k]);
-    for (unsigned int l = 0; l < n_local; ++l)
-      for (unsigned int j = 0; j < n_local; ++j)
-        gram_(numbers_[k][l], numbers_[k][j]) += local(l, j);
+    LAPACKFullMatrix<double> R(numbers_[k].size());
+    write_factor(values_[k], R);
+    for (unsigned int i = 0; i < R.m(); row += i++ >= n_inner)
+      for (unsigned int j = i; j < R.m(); ++j)
+        (i < n_inner ? factor_(numbers_[k][i], numbers_[k][j])
+                     : shared(row, numbers_[k][j] - 4 * n_inner)) = R(i, j);
   }
-  norms_.reinit(n);
-  for (unsigned int i = 0; i < n; ++i)
-    norms_[i] = std::sqrt(gram_(i, i));
-  LAPACKFullMatrix<double> solved(n, n_traces);
-  for (unsigned int i = 0; i < n; ++i) {
-    for (unsigned int j = 0; j < n; ++j)
-      gram_(i, j) /= norms_[i] * norms_[j];
-    for (unsigned int r = 0; r < n_traces; ++r)
-      solved(i, r) = traces_(r, i) /= norms_[i];
-  }
-  factorise_positive(gram_);
-  gram_.solve(solved);
-  FullMatrix<double> plain(n, n_traces), compliance(n_traces, n_traces);
-  plain = solved;
-  traces_.mmult(compliance, plain);
+  write_factor(shared, factor_, 4 * n_inner);
+  factor_.solve(traces_, true);
+  FullMatrix<double> compliance(n_traces, n_traces);
+  traces_.Tmmult(compliance, traces_);
   // S = (N G⁻¹ Nᵀ + weight⁻¹ BᵀB)⁻¹ - weight BᵀB: the rows of B span the kernel.
   const double share = compliance.trace() / n_traces;
   FullMatrix<double> regular(compliance), unbalanced(3, n_traces);
@@ -252,19 +259,20 @@ AiryCell::Vector AiryCell::project(Vector &values) const {
     Vector local(numbers_[k].size());
     values_[k].Tvmult(local, parts[k]);
     for (unsigned int l = 0; l < local.size(); ++l)
-      a[numbers_[k][l]] += local[l] / norms_[numbers_[k][l]];
+      a[numbers_[k][l]] += local[l];
   }
-  gram_.solve(a);
+  factor_.solve(a, true);
+  Vector traces(n_traces());
+  traces_.Tvmult(traces, a);
+  factor_.solve(a);
   begin = 0;
   for (unsigned int k = 0; k < 4; begin += 3 * points_[k++].size()) {
     Vector local(numbers_[k].size());
     for (unsigned int l = 0; l < local.size(); ++l)
-      local[l] = -a[numbers_[k][l]] / norms_[numbers_[k][l]];
+      local[l] = -a[numbers_[k][l]];
     values_[k].vmult(parts[k], local, true);
     std::copy(parts[k].begin(), parts[k].end(), values.begin() + begin);
   }
-  Vector traces(traces_.m());
-  traces_.vmult(traces, a);
   return traces;
 }
 
@@ -275,7 +283,7 @@ void AiryCell::forget_points() {
     values_[k].reinit(0);
     lifts_[k].reset();
   }
-  gram_.reinit(0);
+  factor_.reinit(0);
 }
 
 AiryCell::Vector AiryCell::multiply(const Vector &y) const {
@@ -314,8 +322,8 @@ PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
                                  double &rest_square) const {
   const unsigned int q = degree_, n = q * (q + 1) / 2;
   // Rows of weighted values: for each point those of the polynomials, and of f' = F⁻¹ f.
-  LAPACKFullMatrix<double> rows(weights.size(), n), values(weights.size(), 2), gram(n),
-    coefficients(n, 2);
+  LAPACKFullMatrix<double> rows(weights.size(), n), values(weights.size(), 2), coefficients(n, 2),
+    R(n);
   for (std::size_t p = 0; p < weights.size(); ++p) {
     const double root = std::sqrt(weights[p]);
     const auto X = load_values(0, on_diagonals[p][0]), Y = load_values(1, on_diagonals[p][1]);
@@ -327,10 +335,10 @@ PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
     for (unsigned int c = 0; c < 2; ++c)
       values(p, c) = f[c];
   }
-  rows.Tmmult(gram, rows);
   rows.Tmmult(coefficients, values);
-  factorise_positive(gram);
-  gram.solve(coefficients);
+  write_factor(rows, R);
+  R.solve(coefficients, true);
+  R.solve(coefficients);
   LAPACKFullMatrix<double> projected(weights.size(), 2);
   rows.mmult(projected, coefficients);
   rest_square = 0.;
@@ -375,7 +383,7 @@ AiryCell::Vector AiryCell::subtract_load(const PolynomialLoad &load, Vector &val
       for (unsigned int c = 0; c < 3; ++c)
         values[at++] -= weighted[c];
     }
-  Vector traces(traces_.m());
+  Vector traces(n_traces());
   for (unsigned int k = 0; k < 4; ++k) {
     std::vector<Tensor<1, 2>> minus_traction;
     for (const TracePoint &point : trace_points_[k]) {
@@ -399,7 +407,7 @@ AiryCell::Vector AiryCell::subtract_traction(const unsigned int k,
   for (std::size_t i = 0; i < column.m(); ++i)
     column(i, 0) = r[i / 2][i % 2];
   const LAPACKFullMatrix<double> conditions = subtract_lift(k, column, of_triangle);
-  Vector traces(traces_.m());
+  Vector traces(n_traces());
   for (unsigned int i = 0; i < ArcLift::n_conditions; ++i)
     traces[first_condition(k) + i] = conditions(i, 0);
   std::size_t begin = 0;
