@@ -43,7 +43,7 @@ void check_resultant(Checks &checks, const std::string &name, const System &body
                      const Point<2> &force, const double moment) {
   const DualVector loads = body.system.loads;
   const auto work = [&](const Field &field) { return loads * nodal_values(body.space, field); };
-  const auto &applied = body.system.applied;
+  const auto &applied = body.system.applied[0];
   checks.near(name,
               {applied.force[0], applied.force[1], applied.moment[0],
                work([](const Point<2> &) { return Point<2>(1., 0.); }),

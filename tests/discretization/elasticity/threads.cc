@@ -39,12 +39,12 @@ void assembly(Checks &checks) {
     several.matrix.add(-1., one.matrix);
     several.f -= one.f;
     several.loads -= one.loads;
-    several.applied.force -= one.applied.force;
-    several.applied.moment -= one.applied.moment;
+    several.applied[0].force -= one.applied[0].force;
+    several.applied[0].moment -= one.applied[0].moment;
     checks.near("the same on " + n + " threads",
                 {several.matrix.frobenius_norm(), several.f.linfty_norm(),
-                 several.loads.linfty_norm(), several.applied.force.norm(),
-                 several.applied.moment.norm()},
+                 several.loads.linfty_norm(), several.applied[0].force.norm(),
+                 several.applied[0].moment.norm()},
                 std::vector<double>(5, 0.), 0.);
   }
 }

@@ -120,15 +120,15 @@ void wrong_pressures(Checks &checks, const Solved &solved) {
 
 void wrong_loads(Checks &checks, const Solved &solved) {
   LinearSystem<2> system = assemble_linear_system(solved.space(), solved.scene, 3);
-  system.applied.force[0] += 1e-4;
+  system.applied[0].force[0] += 1e-4;
   Certificate c = solved.judge(solved.U, solved.P, system);
   checks.that("wrong resultant: force balance", c.force_balance > 1e-5);
-  system.applied.force[0] -= 1e-4;
-  system.applied.moment[0] += 1e-4;
+  system.applied[0].force[0] -= 1e-4;
+  system.applied[0].moment[0] += 1e-4;
   c = solved.judge(solved.U, solved.P, system);
   checks.near("wrong moment: force balance", c.force_balance, 0., 1e-12);
   checks.that("wrong moment: moment balance", c.moment_balance > 1e-5);
-  system.applied.moment[0] -= 1e-4;
+  system.applied[0].moment[0] -= 1e-4;
   system.loads *= 1.001;
   c = solved.judge(solved.U, solved.P, system);
   checks.that("wrong load vector: stationarity", c.stationarity > 1e-6);
