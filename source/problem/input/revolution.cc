@@ -69,7 +69,7 @@ void hold_on_axis(const std::vector<const Entry *> &entries, Scene<2> &scene) {
     if (scene.geometry.axisymmetric &&
         (plate.turns || plate.drifts || std::abs(plate.direction[0]) > 0.))
       throw error_at(*entries[plate.side], "the plate '", scene.geometry.sides[plate.side].name(),
-                     "' turns, drifts or leaves the axis of the body of revolution, allowed: the "
+                     "' turns or leaves the axis of the body of revolution, allowed: the "
                      "direction 0, 1 or 0, -1.");
 }
 } // namespace Signorini
