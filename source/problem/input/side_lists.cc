@@ -105,7 +105,7 @@ Plate read_plate(const std::string &name, const std::string &text, const Entry &
                    "', allowed: a direction dx, dy, perhaps followed by the word turning.");
   plate.side = geometry.find_side(name);
   const Side<2> &side = geometry.sides[plate.side];
-  plate.centre = side.point(0.5 * side.length());
+  plate.centre = side.is_closed() ? side.box().center() : side.centre();
   plate.direction = Tensor<1, 2>({d[0], d[1]}) / std::hypot(d[0], d[1]);
   return plate;
 }

@@ -110,10 +110,10 @@ void Declarations::declare_boundary(BoundaryParameters &boundary) {
   add("Boundary/Traction", boundary.traction,
       "Surface traction (force/area) by side: left: tx; ty | right: tx; ty; in 3-D tx; ty; tz. "
       "Sides without a role are free.");
-  add(
-    "Boundary/Plates", boundary.plates,
-    "Sides to which rigid plates are bonded, with the direction in which each travels: "
-    "top: 0, -1 | right: 1, 0 turning. A plate that is turning may also rotate about its middle.");
+  add("Boundary/Plates", boundary.plates,
+      "Sides to which rigid plates are bonded, with the direction in which each travels: "
+      "top: 0, -1 | right: 1, 0 turning. A plate that is turning may also rotate about its middle, "
+      "on a hole about the centre.");
 }
 
 void Declarations::declare_data(Parameters &parameters) {
@@ -126,8 +126,8 @@ void Declarations::declare_data(Parameters &parameters) {
     "Force on a plate across its direction (force per thickness) by side, in the direction turned "
     "counter-clockwise by a right angle; the plate may then move across, too.");
   add("Load/Plate moment", parameters.load.plate_moment,
-      "Moment on a turning plate about its middle, counter-clockwise (force x length per "
-      "thickness) by side; zero where nothing is given.");
+      "Moment on a turning plate about its middle, on a hole about the centre, counter-clockwise "
+      "(force x length per thickness) by side; zero where nothing is given.");
   add("Load/Plate travel", parameters.load.plate_travel,
       "Travel of a plate along its direction (length) by side, in the place of a force.");
   add("Contact/Gap", parameters.contact.gap,

@@ -175,6 +175,27 @@ void test_moment(Checks &checks) {
                             [&]() { with_moment("-1.1"); });
 }
 
+/** A lever turns about the centre of its bore and presses on a stop: the moments balance there. */
+void test_bore(Checks &checks) {
+  for (const std::string hole : {"circle 0,0,4", "-3,-4; 3,-4; 3,4; -3,4"}) {
+    const StudyResult<2> lever =
+      solve("subsection Geometry\nset Shape = polygon\nset Vertices = -12,-6; 70,-6; 70,6; -12,6\n"
+            "set Holes = " +
+              hole +
+              "\nend\nBoundary/Contact = side0\nBoundary/Plates = hole0: 0, -1 turning\n"
+              "subsection Load\nset Plate travel = hole0: 0\nset Plate moment = hole0: -0.2\nend\n"
+              "Contact/Foundation = circle 60,-16 radius 10\n",
+            levels(1, 2));
+    const LevelRecord &record = lever.levels.back();
+    const SideForce::Total &contact = record.answer.contact_force.resultant;
+    checks.about("a bore, " + hole);
+    checks.near("its centre", record.motions.plates.at(0).plate.centre.norm(), 0., 1e-14);
+    // The edges of a round hole bend: there nodes turn rigidly, and not what lies between them.
+    checks.near("moment of the contact", contact.moment[0], 0.2, 1e-3);
+  }
+  checks.about("");
+}
+
 void test_escapes(Checks &checks) {
   checks.throws<InputError>("upwards", "along (0, 1), and no pressure", [&]() {
     solve(pressed("0, -1", "Load/Plate force = top: -1\n", "0"));
@@ -344,7 +365,7 @@ void test_loads_in_balance(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_column, test_force_and_travel, test_turning, test_elastic_resistance,
-                    test_two_components, test_fretting_by_force, test_moment, test_escapes,
-                    test_units, test_bounds, test_roller, test_interference,
+                    test_two_components, test_fretting_by_force, test_moment, test_bore,
+                    test_escapes, test_units, test_bounds, test_roller, test_interference,
                     test_rotation_of_a_ring, test_loads_in_balance});
 }

@@ -72,7 +72,8 @@ struct Plate {
   unsigned int side = 0;
   /** The direction d, a unit vector. */
   Tensor<1, 2> direction;
-  /** The centre c, the middle of the side. */
+  /** The centre c: the middle of the side, of a closed one that of the box around it (of a circle
+   * its centre). */
   Point<2> centre;
   /** Whether a force drives the travel; otherwise it is given. */
   bool is_pushed = false;
