@@ -132,9 +132,11 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
   const RigidMotion motion = rigid_part(modes, v);
   if (sliding) {
     const RigidMotion along = rigid_part(modes, sliding->v);
+    // Forces of the whole body for a motion of unit size.
     double unit = 0.;
     for (const BodyMotion &body : along.bodies)
       unit = std::max({unit, body.translation.norm(), std::abs(body.rotation) / body.size});
+    unit /= discretization.surface.scene().geometry.thickness;
     throw InputError(
       parameters.boundary.where + ": the body slides " + along.direction() +
       ": friction carries at most " + number_text(sliding->friction / unit) +

@@ -198,6 +198,12 @@ void test_free_bodies(Checks &checks) {
     "the body slides along (1, 0): friction carries at most 0.00278543, the loads pull with "
     "0.00371391",
     [&]() { block(shallow, coulomb("0.3")); });
+  checks.throws<InputError>(
+    "half as thick", "friction carries at most 0.00139272, the loads pull with 0.00185695", [&]() {
+      Entries thin = coulomb("0.3");
+      thin.emplace_back("Geometry/Thickness=0.5");
+      block(shallow, thin);
+    });
   checks.throws<InputError>("Tresca: it slides",
                             "friction carries at most 0.003, the loads pull with",
                             [&]() { block(shallow, tresca("0.003")); });
