@@ -41,7 +41,8 @@ std::vector<std::string> split_list(const std::string &text, const char separato
     depth += text[i] == '(' ? 1 : (text[i] == ')' ? -1 : 0);
     part += text[i];
   }
-  parts.push_back(trim(part));
+  if (!trim(part).empty() || parts.empty())
+    parts.push_back(trim(part));
   return parts;
 }
 

@@ -14,7 +14,8 @@ std::vector<std::string> split_words(const std::string &text);
 
 /**
  * Splits at every @p separator outside of parentheses and trims the parts. A separator '|' is not
- * found in the operator `||`. An empty text has no parts.
+ * found in the operator `||`. An empty text has no parts; behind a separator at the end there is
+ * none.
  */
 std::vector<std::string> split_list(const std::string &text, char separator);
 

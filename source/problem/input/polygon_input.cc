@@ -188,10 +188,7 @@ PolygonVertex read_vertex(const std::string &text, const std::size_t number, con
 
 PolygonLoop read_loop(const std::string &text, const Entry &entry) {
   PolygonLoop loop;
-  std::vector<std::string> parts = split_list(text, ';');
-  // The list may end with a separator, and with its first vertex again.
-  if (parts.size() > 1 && parts.back().empty())
-    parts.pop_back();
+  const std::vector<std::string> parts = split_list(text, ';');
   check_number(parts.size(), entry.where());
   for (const std::string &part : parts)
     if (part.compare(0, 3, "arc") == 0) {
@@ -202,6 +199,7 @@ PolygonLoop read_loop(const std::string &text, const Entry &entry) {
       loop.back().arc = read_arc(part, entry);
     } else
       loop.push_back(read_vertex(part, loop.size(), entry));
+  // The list may end with its first vertex again.
   if (loop.size() > 3 && !loop.back().arc && loop.back().fillet == 0. &&
       loop.back().x == loop.front().x)
     loop.pop_back();

@@ -51,12 +51,14 @@ std::string with_constant(const std::string &list, const std::string &name,
   const std::vector<std::string> names = names_of(list);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw input_error(assignment.place + ": found the constant " + quote(name) + ", allowed: " +
-                      (names.empty() ? constants_path + ", which is empty" : join(names)) + ".");
-  if (split_list(assignment.value, ',').size() != 1)
+    throw input_error(
+      assignment.place + ": found the constant " + quote(name) + hint_for(name, names) +
+      ", allowed: " + (names.empty() ? constants_path + ", which is empty" : join(names)) + ".");
+  const std::vector<std::string> values = split_list(assignment.value, ',');
+  if (values.size() != 1)
     throw input_error(assignment.place, ": ", assignment.path, ": found ", quote(assignment.value),
                       ", allowed: one value.");
-  parts[found - names.begin()] = name + "=" + assignment.value;
+  parts[found - names.begin()] = name + "=" + values[0];
   return join(parts);
 }
 

@@ -46,6 +46,29 @@ void check_scene(Checks &checks) {
   checks.near("load case", scene.load_cases.front().gap, 0.25, 0.);
 }
 
+/** One separator may stand behind the last entry of a list. */
+void check_ends_of_lists(Checks &checks) {
+  const Parameters given = parse_parameters(
+    parameter_file(
+      "Constants/Values = w=2, h=1,\nGeometry/Shape = polygon\nGeometry/Vertices = 0,0; w,0; w,h; "
+      "0,h;\n"
+      "Geometry/Holes = circle w/2,h/2,h/4 |\nBoundary/Plates = side2: 0, -h |\n"
+      "Boundary/Contact = side0\nBoundary/Traction = side1: 0; 0; |\nLoad/Plate force = side2: h "
+      "|\n"
+      "Contact/Foundation = plane 0,0 normal 0,1 |\nDiscretization/Kinks at x = h, h/2,\n"
+      "Discretization/Kinks at y = 0.25,\nOutput/Report = side0 | hole0 |\n"
+      "Load cases/Cases = force 1, gap 0 | force 2, |\n"),
+    "test", {"w=3,"});
+  const Scene<2> scene = make_scene<2>(given);
+  checks.near("kinks", given.discretization.kinks_at_x.value, std::vector<double>{1., 0.5}, 0.);
+  checks.near("kinks", given.discretization.kinks_at_y.value, std::vector<double>{0.25}, 0.);
+  checks.near("width", scene.geometry.upper[0], 3., 1e-15);
+  checks.near("sides, reports, cases",
+              std::vector<double>{1. * scene.geometry.sides.size(), 1. * scene.report_places.size(),
+                                  1. * scene.load_cases.size()},
+              std::vector<double>{5., 2., 2.}, 0.);
+}
+
 /** Fillets of half the width make a slot with round ends; of the sides between nothing is left. */
 void check_round_ends(Checks &checks) {
   const Scene<2> scene = make_scene<2>(parameters_of(
@@ -61,5 +84,6 @@ void check_round_ends(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {check_plain_numbers, check_scene, check_round_ends});
+  return run_tests(argc, argv,
+                   {check_plain_numbers, check_scene, check_ends_of_lists, check_round_ends});
 }

@@ -19,9 +19,9 @@ namespace {
 using Words = std::vector<std::string>;
 
 void test_lists(Checks &checks) {
-  checks.that("split_list keeps empty parts",
-              split_list("a;; b ;", ';') == Words({"a", "", "b", ""}) &&
-                split_list("  ", ',').empty());
+  checks.that("split_list keeps empty parts, but for the last",
+              split_list("a;; b ;", ';') == Words({"a", "", "b"}) &&
+                split_list("a;;", ';') == Words({"a", ""}) && split_list("  ", ',').empty());
   checks.that("split_list keeps parentheses and ||",
               split_list("max(x,0), (1,(2,3)),4", ',') == Words({"max(x,0)", "(1,(2,3))", "4"}) &&
                 split_list("a: x>0||y>0 | b: 0", '|') == Words({"a: x>0||y>0", "b: 0"}));
@@ -29,10 +29,10 @@ void test_lists(Checks &checks) {
   std::vector<double> numbers;
   checks.that("read_number", read_number(" -1.5e3 ", number) && number == -1500.);
   checks.that("read_numbers",
-              read_numbers("1, -2,.5", numbers) && numbers == std::vector<double>({1., -2., 0.5}));
+              read_numbers("1, -2,.5,", numbers) && numbers == std::vector<double>({1., -2., 0.5}));
   checks.that("read_numbers of nothing", read_numbers("", numbers) && numbers.empty());
   for (const std::string text :
-       {"1x", "1 2", "nan", "inf", "-inf", "1e400", "x", "1,", "1,,2", "1; 2"})
+       {"1x", "1 2", "nan", "inf", "-inf", "1e400", "x", "1,,", "1,,2", "1; 2"})
     checks.that("refused: " + text, !read_number(text, number) && !read_numbers(text, numbers));
   checks.that("no number", !read_number(" ", number));
 }
