@@ -95,6 +95,13 @@ std::string quote(const std::string &text) {
   return "'" + shorten(text) + "'";
 }
 
+std::string hint_for(const std::string &found, const std::vector<std::string> &names) {
+  for (const std::string &name : names)
+    if (name != found && boost::iequals(name, found))
+      return " (did you mean " + quote(name) + "?)";
+  return "";
+}
+
 std::string number_text(const double number) {
   if (std::isnan(number))
     return "nan";

@@ -34,6 +34,9 @@ std::string shorten_path(const std::string &path);
 /** Returns 'text', shortened, for messages. */
 std::string quote(const std::string &text);
 
+/** Returns " (did you mean 'top'?)" if a name differs from @p found in capital letters only. */
+std::string hint_for(const std::string &found, const std::vector<std::string> &names);
+
 /** Returns a number as text, for messages: 0.5, 1e+300, nan. */
 std::string number_text(double number);
 

@@ -124,7 +124,7 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load,
                           const Entry &entry) -> BoundaryCondition<dim> & {
     const std::size_t side = scene.geometry.find_side(name);
     if (side == sides.size())
-      throw error_at(entry, "found the side ", quote(name),
+      throw error_at(entry, "found the side ", quote(name), hint_for(name, sides),
                      ", allowed: ", join(scene.geometry.described_sides()), ".");
     if (entries[side] != nullptr)
       throw error_at(entry, "the side '", name, "' is listed in ", entries[side]->name,

@@ -23,7 +23,8 @@ ReportPlace<dim> named_place(const std::string &name, const Geometry<dim> &geome
   if (region != geometry.regions.end())
     place.region = region - geometry.regions.begin();
   if (place.sides.empty() && !place.region)
-    throw error_at(entry, "found ", quote(name), ", allowed, separated by '|': a side (",
+    throw error_at(entry, "found ", quote(name), hint_for(name, geometry.side_names()),
+                   hint_for(name, geometry.regions), ", allowed, separated by '|': a side (",
                    join(geometry.described_sides()), ")",
                    geometry.regions.empty() ? "" : ", a region (" + join(geometry.regions) + ")",
                    dim == 2 ? ", x,y, x,y radius r, x,y to x,y."

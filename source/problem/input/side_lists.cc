@@ -62,8 +62,9 @@ SideTexts read_side_list(const std::string &text, const std::string &where,
     const auto colon = part.find(':');
     const std::vector<std::string> called = sides_called(trim(part.substr(0, colon)), sides);
     if (colon == std::string::npos || called.empty())
-      throw input_error(where, ": found ", quote(part), ", allowed: one of ", join(sides),
-                        ", ':' and its value.");
+      throw input_error(where, ": found ", quote(part),
+                        hint_for(trim(part.substr(0, colon)), sides), ", allowed: one of ",
+                        join(sides), ", ':' and its value.");
     for (const std::string &side : called)
       entries.emplace_back(side, trim(part.substr(colon + 1)));
   }

@@ -28,6 +28,9 @@
 
 namespace Signorini {
 namespace {
+/** The place of an override. */
+const std::string override_place = "--set";
+
 /** The largest size of a parameter file in bytes. */
 constexpr std::size_t max_file_size = 1000000;
 
@@ -154,9 +157,9 @@ Assignment scan_override(const std::string &argument) {
   std::replace_if(line.begin(), line.end(), is_control, ' ');
   const auto equals = line.find('=');
   if (equals == std::string::npos || trim(line.substr(0, equals)).empty())
-    throw input_error("--set: found ", quote(line),
+    throw input_error(override_place, ": found ", quote(line),
                       ", but 'Subsection/Parameter=value' is expected.");
-  return {trim(line.substr(0, equals)), trim(line.substr(equals + 1)), "--set"};
+  return {trim(line.substr(0, equals)), trim(line.substr(equals + 1)), override_place};
 }
 
 std::string read_whole_file(const std::string &file_name, const std::string &where,
@@ -274,6 +277,15 @@ const Declarations::Declared &Declarations::find(const Assignment &assignment) {
       std::min_element(declared_.begin(), declared_.end(), [&](const auto &a, const auto &b) {
         return distance_of_paths(a.first, path) < distance_of_paths(b.first, path);
       });
+    std::vector<std::string> constants;
+    for (const auto &constant : *nearest->second.entry->constants)
+      constants.push_back(constant.first);
+    const std::string hint = hint_for(path, constants);
+    const bool is_far = 2 * distance_of_paths(nearest->first, path) > path.size();
+    if (assignment.place == override_place && path.find('/') == std::string::npos &&
+        (!hint.empty() || (is_far && !constants.empty())))
+      throw input_error(assignment.place, ": found ", quote(path), hint, ", allowed: a constant (",
+                        join(constants), ") or Subsection/Parameter.");
     throw input_error(assignment.place, ": ", shorten(path), ": unknown parameter; did you mean '",
                       nearest->first, "'? (--print-parameters lists all)");
   }

@@ -117,6 +117,18 @@ void test_overrides(Checks &checks) {
     checks.throws<InputError>("override '" + argument + "'", "--set: found '",
                               [&] { scan_override(argument); });
 
+  const auto refuses = [&](const std::string &setting, const std::string &rest) {
+    checks.refuses("--set: " + rest, [&] {
+      parse_parameters("subsection Constants\n set Values = alpha=1, w=2\nend", "a.prm", {setting});
+    });
+  };
+  const std::string allowed = ", allowed: a constant (alpha, w) or Subsection/Parameter.";
+  refuses("zz=3", "found 'zz'" + allowed);
+  refuses("W=3", "found 'W' (did you mean 'w'?)" + allowed);
+  refuses("Constants/W=3", "found the constant 'W' (did you mean 'w'?), allowed: alpha, w.");
+  refuses("Tolerance=3", "Tolerance: unknown parameter; did you mean 'Solver/Tolerance'? "
+                         "(--print-parameters lists all)");
+
   // Back at the default, written differently or empty, a parameter is not changed.
   const Parameters same = parse_parameters(
     "subsection Geometry\n set Cells = 4, 4\n set Distortion = 0.1\nend\n"
