@@ -227,7 +227,7 @@ private:
     for (std::size_t i = 0; i < zones.size(); ++i) {
       const auto &[start, end, length] = zones[i];
       const std::string side = start.place.side;
-      const bool all_around = start.place.point.distance(end.place.point) <= 1e-10 * size_;
+      const bool all_around = start.place.point.distance(end.place.point) < 1e-10 * length;
       add(label, (all_around ? "all around " + side
                              : side + " from " + end_text(json[i]["start"]) + " to " +
                                  end_text(json[i]["end"])) +

@@ -2,6 +2,7 @@
 // Matrices, contact line and VTU read back, and how files appear on disk.
 
 #include <signorini/base/errors.h>
+#include <signorini/results/files/answer_output.h>
 #include <signorini/results/files/contact_files.h>
 #include <signorini/results/files/files.h>
 #include <signorini/results/files/matrix_market.h>
@@ -17,6 +18,7 @@
 
 #include "csv.h"
 #include "one_level.h"
+#include "study_helpers.h"
 #include "tests.h"
 
 using namespace Signorini;
@@ -113,6 +115,22 @@ void contact_line(Checks &checks) {
 }
 
 /** Runs that are killed, full disks and two runs at once: tests/driver/faults. */
+/** A zone that is shorter than rounding of the body goes around nothing. */
+void short_zone(Checks &checks) {
+  std::vector<LevelRecord> records =
+    solve("Boundary/Clamped = top\nBoundary/Contact = bottom\n", levels(1, 1)).levels;
+  const auto end_at = [](const double s) {
+    return ZoneEnd{{"bottom", s, AnswerVector(dealii::Point<2>(s, 0.))}, 0.};
+  };
+  records.back().answer.zones = {{end_at(0.), end_at(5e-11), 5e-11}};
+  std::ostringstream stream;
+  print_answer(stream, records, "");
+  const std::string text = stream.str();
+  checks.that("a short zone has two ends",
+              text.find("all around") == std::string::npos &&
+                text.find("Contact zone      bottom from (0, 0)") != std::string::npos);
+}
+
 void directories(Checks &checks) {
   const fs::path directory = "files_test_results", path = directory / "a" / "b";
   fs::remove_all(directory);
@@ -159,5 +177,5 @@ void pvd(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {matrix_market, contact_line, directories, pvd});
+  return run_tests(argc, argv, {matrix_market, contact_line, short_zone, directories, pvd});
 }
