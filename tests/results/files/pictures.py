@@ -64,6 +64,28 @@ check("the factor: a tenth of the body", plot.choose_factor(x, 1e-3 * u) == 200.
 cube = np.array([[[i, j, k] for k in (0., 1.) for i, j in ((0., 0.), (1., 0.), (1., 1.), (0., 1.))]])
 check("a folded cube", plot.least_jacobian(cube, cube * [-2., 0., 0.], 1.) < 0. < plot.least_jacobian(cube, 0. * cube, 1.))
 
+# A fifth of an edge and a longer edge of the neighbour have the same middle.
+fine = [[[a / 5, 0.], [(a + 1) / 5, 0.], [(a + 1) / 5, -1.], [a / 5, -1.]] for a in range(5)]
+coarse = [[[a, 0.], [a, 1.], [b, 1.], [b, 0.]] for a, b in ((-0.2, 0.27), (0.27, 0.73), (0.73, 1.2))]
+inner = [edge for edge in plot.outlines(np.array([*fine, *coarse])).tolist() if edge[0][1] == edge[1][1] == 0.]
+check("cells that are divided in different ways leave no edge between them",
+      not any(0.25 < (a[0] + b[0]) / 2 < 0.75 for a, b in inner))
+
+# The normals of a graded arc, and what they meet of a plane and of a disc that they pass by.
+angles = np.cumsum(np.concatenate([[-1.5], np.tile([0.02, 0.02, 0.05, 0.1, 0.05], 6)]))
+circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+faces = np.stack([circle[:-1], circle[1:]], axis=1)
+middles = faces.sum(1) / np.linalg.norm(faces.sum(1), axis=1)[:, None]
+normals = plot.normals_at_ends(faces, middles)
+check("normals of an arc", np.allclose(normals, faces.reshape(-1, 2), atol=1e-9))
+x = np.stack([np.linspace(-3., 3., 601), np.zeros(601)], axis=1)
+height = np.hypot(x[:, 0], 2.)
+disc = np.where(abs(x[:, 0]) < 1., 2. - np.sqrt(np.maximum(1. - x[:, 0]**2, 0.)), np.sqrt(height**2 - 1.))
+normals = np.tile([0., -1.], (601, 1))
+check("a disc is drawn where normals meet it", (plot.is_passed(x + disc[:, None] * normals, normals, disc) == (abs(x[:, 0]) > 0.995)).mean() > 0.99)
+for name, gap in (("plane", 0.5 + 0.3 * x[:, 0]), ("steep plane", 1000. * abs(x[:, 0]))):
+    check(f"  a {name} everywhere", not plot.is_passed(x + gap[:, None] * normals, normals, gap).any())
+
 os.chdir(tempfile.mkdtemp())
 # A steep foundation is touched along 1/1000 of the side.
 done = run(f"{scenes}/b1.prm", "b1", "Discretization/Finest level=5", "Output/Pictures=true")
