@@ -6,6 +6,11 @@ usage: solve_dual.py RESULTS LEVEL"""
 import os
 import sys
 
+if len(sys.argv) != 3 or not sys.argv[2].isdigit():
+    asks = sys.argv[1:] in (["-h"], ["--help"])
+    print(__doc__, file=sys.stdout if asks else sys.stderr)
+    sys.exit(0 if asks else 2)
+
 import numpy
 from scipy.io import mmread
 from scipy.linalg import cholesky, solve_triangular
@@ -49,6 +54,8 @@ def with_friction(s, c):
     sys.exit("solve_dual.py: the sweeps do not end")
 
 
+if not exists("A"):
+    sys.exit(f"solve_dual.py: {results} has no matrices of level {level}; a run with --set Output/Compliance=true writes them.")
 A, C, D, F, G, P, f = map(read, "ACDFGPf")
 # Bodies that move freely are where they were found: W = C P + B q - F.
 opening = F - read("B") @ read("q") if exists("q") else F

@@ -16,6 +16,12 @@ if [ -z "$python" ]; then
 fi
 . "$(dirname "$0")/../../checks.bash"
 
+check "--help" "$python" "$script" --help
+for arguments in "" nowhere "nowhere one" "nowhere 3"; do
+  "$python" "$script" $arguments >stdout 2>stderr
+  check "'$arguments': a message" eval "[ $? -ne 0 ] && ! grep -q Traceback stderr"
+done
+
 for scene in block_on_parabola two_contact_sides patch_test_distorted pressed_by_force o1; do
   "$program" "$scenes/$scene.prm" --set 'Discretization/Finest level=3' --set Output/Compliance=true \
     --set 'Solver/Tolerated error=1' --output "$scene" >stdout 2>stderr
