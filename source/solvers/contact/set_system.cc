@@ -279,7 +279,11 @@ std::optional<Regularity> examine_regularity(const BoundConstrainedQP &qp, const
     return regularity;
   LAPACKFullMatrix<double> part(slipping.size());
   try {
-    part = slipping_part(qp, set, slipping);
+    const FullMatrix<double> found = slipping_part(qp, set, slipping);
+    // Where the slipping set leaves a motion free, H_0 is singular, and LAPACK would print.
+    if (!std::isfinite(found.frobenius_norm()))
+      return {};
+    part = found;
   } catch (const ExceptionBase &) {
     return {};
   }
