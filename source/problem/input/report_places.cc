@@ -5,6 +5,10 @@
 #include <signorini/base/text.h>
 #include <signorini/problem/parameters/entry_error.h>
 
+#include <deal.II/base/bounding_box.h>
+
+#include <algorithm>
+
 #include "input.h"
 
 namespace Signorini {
@@ -37,6 +41,7 @@ template <int dim>
 std::vector<ReportPlace<dim>> read_report_places(const Given<std::string> &given,
                                                  const Geometry<dim> &geometry) {
   std::vector<ReportPlace<dim>> places;
+  const BoundingBox<dim> box({geometry.lower, geometry.upper});
   for (const std::string &text : split_list(given.value, '|')) {
     const Phrase phrase(text, "radius|to");
     const std::string &first = phrase.parts[0].text;
@@ -55,6 +60,11 @@ std::vector<ReportPlace<dim>> read_report_places(const Given<std::string> &given
       place.points = {read_point<dim>(first, given)};
     else
       place = named_place(text, geometry, given);
+    if (!place.points.empty() &&
+        std::none_of(place.points.begin(), place.points.end(),
+                     [&](const Point<dim> &x) { return box.point_inside(x, 1e-10); }))
+      throw error_at(given, "found ", quote(text),
+                     ", which is outside of the body, allowed: points of the body.");
     place.name = text;
     place.where = given.where();
     places.push_back(place);
