@@ -93,6 +93,7 @@ std::vector<double> ends_of_patches(const SideFaces &faces, const Curve &curve,
     return ends;
   }
   const double own = longest_of(faces.own), other = longest_of(faces.opposite);
+  // The side's own faces are those sought if they are both finer and fine enough, or neither.
   const bool own_is_finer = own <= other;
   const bool fine_suffices =
     3. * ratio * std::min(own, other) >= 4. * (1. - 1e-10) * std::max(own, other);

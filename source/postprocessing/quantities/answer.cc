@@ -105,16 +105,13 @@ Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &sce
       answer.contact_by_side.push_back(reaction);
     }
   }
-  std::vector<unsigned int> sides = scene.contact_sides();
+  std::vector<unsigned int> sides;
+  for (const unsigned int side : scene.contact_sides())
+    if (!scene.boundary[side].opposite)
+      sides.push_back(side);
   // Between bodies there is no force on all of them: that of the first pair stands for it.
-  if (scene.has_pairs()) {
-    const auto touches_body = [&](const unsigned int side) {
-      return scene.boundary[side].opposite.has_value();
-    };
-    std::stable_partition(sides.begin(), sides.end(), std::not_fn(touches_body));
-    sides.resize(std::max<std::size_t>(
-      1, std::count_if(sides.begin(), sides.end(), std::not_fn(touches_body))));
-  }
+  if (sides.empty())
+    sides.push_back(scene.contact_sides().front());
   answer.contact_force = contact_force(multipliers, sides, multiplier);
   answer.contact_force.side.clear();
   answer.reactions = reactions(space, scene, forces);

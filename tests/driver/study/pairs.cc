@@ -149,6 +149,32 @@ void test_patch(Checks &checks) {
     }
 }
 
+/** The first scene turned by a right angle, and a body whose slit closes: the same numbers, and
+ * balance with a load that the slit alone carries further. */
+void test_other_pairs(Checks &checks) {
+  const LevelSolution<2> turned =
+    OneLevel("Geometry/Bodies = a b\nGeometry/Lower left = a: 0, -1 | b: -1.5, -1\n"
+             "Geometry/Upper right = a: 1, 1 | b: 0, 1\nGeometry/Cells = a: 2, 4 | b: 2, 3\n"
+             "Material/Young's modulus = a: 1 | b: 7\nBoundary/Contact = a.left with b.right\n"
+             "Boundary/Clamped = b.left\nBoundary/Displacement = a.right: -0.05; 0\n"
+             "Contact/Gap = y^2/4\nDiscretization/Patches = 13\n",
+             3)
+      .solve();
+  for (unsigned int k = 0; k < 5; ++k)
+    checks.near("turned", turned.contact.P.normal()[4 + k], references[0].P[k], 1e-11);
+  const StudyResult<2> slit =
+    solve("Geometry/Shape = polygon\nGeometry/Mesh size = 0.2\n"
+          "Geometry/Vertices = 0,0; 2,0; 2,0.45; 0.6,0.45; 0.6,0.5; 2,0.5; 2,1; 0,1\n"
+          "Boundary/Contact = side2 with side4\nBoundary/Clamped = side0\n"
+          "Boundary/Traction = side6: 0; -0.02\n",
+          levels(1, 2));
+  const LevelRecord &finest = slit.levels.back();
+  checks.near("slit: force and moment balance",
+              finest.certificate.force_balance + finest.certificate.moment_balance, 0., 1e-10);
+  checks.that("slit: it closes, and has no bound",
+              finest.contact.active > 0 && !finest.bound->absolute);
+}
+
 std::vector<double> pressures(const std::string &text, const unsigned int level) {
   const Pressure P = OneLevel(text, level).solve().contact.P.normal();
   return {P.begin(), P.end()};
@@ -236,7 +262,7 @@ void test_refusals(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(
-    argc, argv,
-    {test_references, test_friction, test_patch, test_limits, test_press_fit, test_refusals});
+  return run_tests(argc, argv,
+                   {test_references, test_friction, test_patch, test_other_pairs, test_limits,
+                    test_press_fit, test_refusals});
 }

@@ -34,7 +34,7 @@ struct LinearSystem {
   DualVector f;
   /** The loads f_j = ∫ f.φ_j + ∫ t.φ_j for all j, nothing eliminated (force). */
   DualVector loads;
-  /** The resultant of the loads, by quadrature of f and t. */
+  /** The resultants of the loads on each body, by quadrature of f and t. */
   std::vector<Resultant<dim>> applied;
 };
 
