@@ -118,9 +118,7 @@ void add_bound(const Discretization<2> &discretization, LevelSolution<2> &soluti
   const StageTimer timer(record.times.postprocess), bound_timer(record.times.bound);
   LocatedBound located;
   const ContactSolution<2> &contact = solution.contact;
-  if (solution.scene.has_pairs() || solution.scene.geometry.n_bodies() > 1)
-    located.bound.missing = "it is not computed for several bodies and pairs of sides";
-  else if (contact.U.size() > max_bounded_unknowns)
+  if (contact.U.size() > max_bounded_unknowns)
     located.bound.missing =
       "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
   else {

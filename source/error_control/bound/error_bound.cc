@@ -84,6 +84,9 @@ void add_consequences(const BoundData &data, const Consequences &known, const Co
                       const double change, ErrorBound &result) {
   result.energy_lower = known.energy.lower;
   result.energy_upper = known.energy.upper;
+  // The contact force is that of one pair.
+  if (data.scene.has_pairs() && data.scene.contact_sides().size() > 1)
+    return;
   if (const auto unit_lift = norm_of_unit_lift(data, lift.trace))
     result.force_error = contact_force_bound(known.stress_error, *unit_lift) + std::abs(change);
 }

@@ -81,9 +81,11 @@ EdgeFunction difference(const EdgeFunction &lacking, const EdgeFunction &r) {
 /** What w_h lacks on a face along n and along t, and what r_F does of it. */
 struct FaceLift {
   FaceLift(const BoundData &data, const ContactTrace &trace, const PenetrationFace &face,
-           const Displacement &w_h)
-    : n_components(data.has_friction() ? 2 : 1) {
-    w = face.trace(w_h);
+           const std::vector<FaceVector> &w)
+    : n_components(!face.is_contact() ? 0 : data.has_friction() ? 2 : 1)
+    , w(w) {
+    if (n_components == 0)
+      return;
     for (unsigned int c = 0; c < n_components; ++c)
       lacking[c] = trace.lacking(face, contact_components[c], w);
     r[0] = remainder(face, lacking[0], trace.rounding(face));
@@ -104,18 +106,18 @@ struct FaceLift {
                           const double missing = follows
                                                    ? lacking[c].value(t)
                                                    : trace.misfit(face, contact_components[c], t) -
-                                                       face.value(w, contact_components[c], t),
+                                                       trace.closing(face, contact_components[c], t, w),
                                        v = missing - r[c].value(t);
                           if (std::abs(v) > rounding)
                             term += ((c == 1 ? trace.friction_bound(face, t) * std::abs(v) : 0.) +
-                                     face.traction[c].value(t) * v) *
+                                     face.traction_at(c, t) * v) *
                                     weight;
                         });
     return term;
   }
 
   unsigned int n_components;
-  FaceVector w;
+  const std::vector<FaceVector> &w;
   std::array<EdgeFunction, 2> lacking;
   Remainders r;
 };
@@ -162,10 +164,11 @@ ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fi
     no_bound = "contact sides meet in a corner that is too sharp";
     return;
   }
+  const std::vector<FaceVector> w = trace.traces(*w_h);
   std::vector<FaceLift> on_faces;
   std::vector<Remainders> remainders;
   for (const PenetrationFace &face : trace.faces()) {
-    on_faces.emplace_back(data, trace, face, *w_h);
+    on_faces.emplace_back(data, trace, face, w);
     remainders.push_back(on_faces.back().r);
   }
   bound =

@@ -30,8 +30,30 @@ bool PenetrationFace::presses() const {
 }
 
 bool PenetrationFace::presses_everywhere() const {
-  return std::all_of(pressures.begin(), pressures.end(),
+  constexpr double rounding = 1e-9;
+  return may_touch(rounding) && may_touch(1. - rounding) &&
+         std::all_of(pressures.begin(), pressures.end(),
                      [](const Pressed &part) { return part.presses; });
+}
+
+const PenetrationFace::Pressed &PenetrationFace::part_at(const double t) const {
+  return *std::find_if(pressures.begin(), pressures.end() - 1,
+                       [t](const Pressed &part) { return t <= part.to; });
+}
+
+double PenetrationFace::Pressed::on_other(const double t) const {
+  return other->lower + std::clamp((t - from) / (to - from), 0., 1.) * (other->upper - other->lower);
+}
+
+std::vector<double> PenetrationFace::weights(const double t) const {
+  std::vector<double> weights = {1. - t, t};
+  for (std::size_t i = 2; i < nodes.size(); ++i) {
+    const double bubble = basis[i - 2].value(t) * t * (1. - t) / (nodes[i] * (1. - nodes[i]));
+    weights.push_back(bubble);
+    weights[0] -= (1. - nodes[i]) * bubble;
+    weights[1] -= nodes[i] * bubble;
+  }
+  return weights;
 }
 
 Tensor<1, 2> PenetrationFace::direction(const Component component, const double t) const {
@@ -85,14 +107,14 @@ void PenetrationFace::for_each_point(const EdgeFunction &function,
 ContactTrace::ContactTrace(const BoundData &data, const std::vector<FaceField> &fields)
   : data_(data)
   , size_of_U_(data.U.linfty_norm()) {
-  find_faces(fields);
+  find_faces();
+  set_fields(fields);
   find_conditions();
   sample();
   require();
 }
 
-PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact,
-                                        const FaceField &field) const {
+PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact) const {
   const auto cell = data_.space.dof_cell(contact.cell);
   const auto line = cell->face(contact.face_no);
   const Side<2> &side = data_.scene.geometry.sides[contact.side];
@@ -115,28 +137,61 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact,
     face.dofs.push_back({{dofs[element.component_to_system_index(0, node)],
                           dofs[element.component_to_system_index(1, node)]}});
   }
-  // Where π^{2h} u_h = u_h but for rounding, the contact term would be rounding, and the root of
-  // rounding is not.
-  const bool has_bubble = field.bubble.norm() > 1e-14 * size_of_U_;
-  face.u = face.trace(data_.U);
-  for (unsigned int d = 0; d < 2 && has_bubble; ++d)
-    face.u[d].inner += PenetrationFace::Polynomial(std::vector<double>{4. * field.bubble[d]});
-  face.traction = field.traction;
   return face;
 }
 
-void ContactTrace::find_faces(const std::vector<FaceField> &fields) {
-  const ContactSurface<2> &surface = data_.multipliers.surface();
-  for (std::size_t i = 0; i < surface.faces().size(); ++i)
-    faces_.push_back(make_face(surface.faces()[i], fields[i]));
-  const std::vector<NodeState> states = patch_states(data_.multipliers, data_.P);
-  for (const Piece<2> &piece : surface.pieces()) {
-    const auto [from, to] = std::minmax(piece.lower_on_face[0], piece.upper_on_face[0]);
-    faces_[piece.face].pressures.push_back(
-      {from, to, states[piece.patch].presses, states[piece.patch].slip == State::inside});
+void ContactTrace::set_fields(const std::vector<FaceField> &fields) {
+  u_ = traces(data_.U);
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    // Where π^{2h} u_h = u_h but for rounding, the contact term would be rounding, and the root of
+    // rounding is not.
+    const Tensor<1, 2> &bubble = fields[i].bubble;
+    for (unsigned int d = 0; d < 2 && bubble.norm() > 1e-14 * size_of_U_; ++d)
+      u_[i][d].inner += PenetrationFace::Polynomial(std::vector<double>{4. * bubble[d]});
+    faces_[i].traction = fields[i].traction;
   }
   for (PenetrationFace &face : faces_)
-    face.lifts_slip = data_.has_friction() && wants_lift_of_slip(face);
+    face.lifts_slip = data_.has_friction() && face.is_contact() && wants_lift_of_slip(face);
+}
+
+void ContactTrace::find_faces() {
+  for (const ContactFace<2> &face : surface().faces())
+    faces_.push_back(make_face(face));
+  const std::vector<NodeState> states = patch_states(data_.multipliers, data_.P);
+  for (const Piece<2> &piece : surface().pieces()) {
+    PieceOnFace here = on_carrier(surface(), piece);
+    std::optional<PieceOnFace> other = on_other(surface(), piece);
+    if (here.lower > here.upper) {
+      std::swap(here.lower, here.upper);
+      if (other)
+        std::swap(other->lower, other->upper);
+    }
+    faces_[here.face].pressures.push_back({here.lower, here.upper, states[piece.patch].presses,
+                                           states[piece.patch].slip == State::inside, other});
+  }
+  for (PenetrationFace &face : faces_)
+    std::sort(face.pressures.begin(), face.pressures.end(),
+              [](const auto &a, const auto &b) { return a.from < b.from; });
+}
+
+std::vector<FaceVector> ContactTrace::traces(const Displacement &V) const {
+  std::vector<FaceVector> traces;
+  traces.reserve(faces_.size());
+  for (const PenetrationFace &face : faces_)
+    traces.push_back(face.trace(V));
+  return traces;
+}
+
+double ContactTrace::closing(const PenetrationFace &face, const Component component, const double t,
+                             const std::vector<FaceVector> &v) const {
+  const PenetrationFace::Pressed &part = face.part_at(t);
+  const double own = face.value(v[&face - faces_.data()], component, t);
+  if (!part.other)
+    return own;
+  const FaceVector &of_other = v[part.other->face];
+  const double on_other = part.on_other(t);
+  return own - face.direction(component, t) * Tensor<1, 2>({of_other[0].value(on_other),
+                                                            of_other[1].value(on_other)});
 }
 
 bool ContactTrace::wants_lift_of_slip(const PenetrationFace &face) const {
@@ -169,10 +224,22 @@ unsigned int ContactTrace::condition_at(const PenetrationFace &face, const std::
   const double s = data_.scene.geometry.sides[face.side].arc_length(x),
                least =
                  component == Component::normal ? -std::numeric_limits<double>::infinity() : 0.;
-  conditions_.push_back({direction, component, x, {face.side, s}, least, false, {}});
-  for (unsigned int d = 0; d < 2; ++d)
-    if (std::abs(direction[d]) > 1e-15)
-      conditions_.back().column.emplace(face.dofs[node][d], direction[d]);
+  conditions_.push_back({direction, component, x, {face.side, s}, least, false, {}, {}});
+  NodeCondition &condition = conditions_.back();
+  const auto add = [&](Coupling::Column &column, const PenetrationFace::Dofs &dofs,
+                       const double weight) {
+    for (unsigned int d = 0; d < 2; ++d)
+      if (std::abs(weight * direction[d]) > 1e-15)
+        column[dofs[d]] += weight * direction[d];
+  };
+  add(condition.own, face.dofs[node], 1.);
+  condition.column = condition.own;
+  if (const PenetrationFace::Pressed &part = face.part_at(face.nodes[node]); part.other) {
+    const PenetrationFace &other = faces_[part.other->face];
+    const std::vector<double> weights = other.weights(part.on_other(face.nodes[node]));
+    for (std::size_t i = 0; i < weights.size(); ++i)
+      add(condition.column, other.dofs[i], -weights[i]);
+  }
   return known.back();
 }
 
@@ -193,13 +260,13 @@ bool are_parallel(const Coupling::Column &a, const Coupling::Column &b) {
 void ContactTrace::find_conditions() {
   std::map<types::global_dof_index, std::vector<unsigned int>> normals, tangents;
   for (PenetrationFace &face : faces_)
-    for (std::size_t i = 0; i < face.dofs.size(); ++i) {
+    for (std::size_t i = 0; i < face.dofs.size() && face.is_contact(); ++i) {
       const unsigned int k = condition_at(face, i, Component::normal, normals[face.dofs[i][0]]);
       face.conditions.push_back(k);
       conditions_[k].presses = conditions_[k].presses || face.presses();
     }
   for (const PenetrationFace &face : faces_)
-    for (std::size_t i = 0; i < face.dofs.size() && data_.has_friction(); ++i) {
+    for (std::size_t i = 0; i < face.dofs.size() && data_.has_friction() && face.is_contact(); ++i) {
       // Two normals say all about w.
       if (normals[face.dofs[i][0]].size() > 1) {
         prescribes_all_ = false;
@@ -220,36 +287,48 @@ void ContactTrace::find_conditions() {
     if (!tangent.held() && are_parallel(tangent.column, normal)) {
       prescribes_all_ = false;
       tangent.column.clear();
+      tangent.own.clear();
     }
   }
 }
 
 void ContactTrace::condense_columns() {
-  std::vector<Coupling::Column> columns;
-  for (NodeCondition &condition : conditions_)
-    columns.push_back(std::exchange(condition.column, {}));
-  const Coupling condensed =
-    condense(Coupling(std::move(columns)), data_.space.constraints_without_pins());
-  for (std::size_t k = 0; k < conditions_.size(); ++k) {
-    double square = 0.;
-    for (const auto &entry : condensed.column(k))
-      square += entry.second * entry.second;
-    if (square > 1e-20)
-      conditions_[k].column = condensed.column(k);
+  for (Coupling::Column NodeCondition::*const part : {&NodeCondition::own, &NodeCondition::column}) {
+    std::vector<Coupling::Column> columns;
+    for (NodeCondition &condition : conditions_)
+      columns.push_back(std::exchange(condition.*part, {}));
+    const Coupling condensed =
+      condense(Coupling(std::move(columns)), data_.space.constraints_without_pins());
+    for (std::size_t k = 0; k < conditions_.size(); ++k) {
+      double square = 0.;
+      for (const auto &entry : condensed.column(k))
+        square += entry.second * entry.second;
+      // Where the carrier is held, the other body alone does not lift.
+      if (square > 1e-20 && (part == &NodeCondition::own || !conditions_[k].own.empty()))
+        conditions_[k].*part = condensed.column(k);
+    }
   }
 }
 
 double ContactTrace::misfit(const PenetrationFace &face, const Component component,
-                            const double t) const {
-  const BoundaryCondition<2> &condition = data_.scene.boundary[face.side];
-  const double u = face.value(face.u, component, t);
+                            double t) const {
+  const BoundaryCondition<2> &condition =
+    data_.scene.boundary[contact_side_of(data_.scene, face.side)];
+  t = std::clamp(t, face.pressures.front().from, face.pressures.back().to);
+  const double u = closing(face, component, t, u_);
+  const auto at = [&](const double s) {
+    return point_of_data(data_.scene, face.side, face.point(s));
+  };
   if (component == Component::normal)
-    return u - condition.data->value(face.point(std::clamp(t, face.inside[0], face.inside[1])));
-  return condition.shift == nullptr ? u : u - condition.shift->value(face.point(t));
+    return u - condition.data->value(at(std::clamp(t, face.inside[0], face.inside[1])));
+  return condition.shift == nullptr ? u : u - condition.shift->value(at(t));
 }
 
 double ContactTrace::friction_bound(const PenetrationFace &face, const double t) const {
-  const double given = data_.scene.boundary[face.side].friction->value(face.point(t));
+  if (!face.may_touch(t))
+    return 0.;
+  const double given = data_.scene.boundary[contact_side_of(data_.scene, face.side)].friction->value(
+    point_of_data(data_.scene, face.side, face.point(t)));
   return data_.P.is_coupled() ? given * std::abs(face.traction[0].value(t)) : given;
 }
 
@@ -262,14 +341,14 @@ double ContactTrace::work_of_penetration() const {
   for (const PenetrationFace &face : faces_)
     face.for_each_point(face.d, [&](const double t, const double weight) {
       for (unsigned int c = 0; c < 2; ++c)
-        if (const double traction = face.traction[c].value(t); traction != 0.)
+        if (const double traction = face.traction_at(c, t); traction != 0.)
           work += traction * misfit(face, contact_components[c], t) * weight;
     });
   return work;
 }
 
 UpperInterpolant ContactTrace::sample(const PenetrationFace &face, const Component component,
-                                      const FaceVector &w) const {
+                                      const std::vector<FaceVector> &w) const {
   // About 20000 points on all faces: a power of two per quarter of a face.
   unsigned int n_scanned = 4;
   while (n_scanned < 256 && 2 * n_scanned * 4 * faces_.size() <= 20000)
@@ -282,13 +361,24 @@ UpperInterpolant ContactTrace::sample(const PenetrationFace &face, const Compone
     return component != Component::normal || condition.held() || condition.presses;
   };
   return interpolate_from_above(
-    [&](const double t) { return misfit(face, component, t) - face.value(w, component, t); },
+    [&](const double t) {
+      return misfit(face, component, t) - (w.empty() ? 0. : closing(face, component, t, w));
+    },
     face.breaks, rounding(face), {is_pinned(0), is_pinned(1)}, n_scanned, resolution);
+}
+
+Curve ContactTrace::line_of_data(const PenetrationFace &face) const {
+  if (contact_side_of(data_.scene, face.side) == face.side)
+    return face.line;
+  return Curve(point_of_data(data_.scene, face.side, face.line.start()),
+               point_of_data(data_.scene, face.side, face.line.end()));
 }
 
 void ContactTrace::sample() {
   for (PenetrationFace &face : faces_) {
-    face.breaks = data_.scene.kinks.cut(Side<2>("", face.line), 0., face.length());
+    if (!face.is_contact())
+      continue;
+    face.breaks = data_.scene.kinks.cut(Side<2>("", line_of_data(face)), 0., face.length());
     for (double &s : face.breaks)
       s /= face.length();
     for (const auto &pressed : face.pressures)

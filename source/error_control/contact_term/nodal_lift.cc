@@ -20,50 +20,60 @@ namespace Signorini {
 namespace {
 using Vector = dealii::Vector<double>;
 
-/** The columns E of those conditions at contact nodes that A⁻¹ lets move. @param all whether w_t is
- * given at all nodes, not only next to faces that stick. */
+/** The columns E of those conditions at contact nodes that A⁻¹ lets move, and their parts on the
+ * carriers of pairs. @param all whether w_t is given at all nodes, not only next to faces that
+ * stick. */
 struct MovingNodes {
   MovingNodes(const DisplacementSpace<2> &space, const ContactTrace &trace, const bool all)
-    : E(select(space, trace, all)) {}
+    : numbers(select(space, trace, all))
+    , E(columns(trace, &NodeCondition::column))
+    , own(columns(trace, &NodeCondition::own)) {}
 
   /** The numbers of the columns among ContactTrace::conditions(). */
   std::vector<unsigned int> numbers;
-  Coupling E;
+  Coupling E, own;
 
 private:
-  Coupling select(const DisplacementSpace<2> &space, const ContactTrace &trace, const bool all) {
+  Coupling columns(const ContactTrace &trace, Coupling::Column NodeCondition::*const part) const {
+    std::vector<Coupling::Column> columns;
+    for (const unsigned int k : numbers)
+      columns.push_back(trace.conditions()[k].*part);
+    return Coupling(std::move(columns));
+  }
+  static std::vector<unsigned int> select(const DisplacementSpace<2> &space,
+                                          const ContactTrace &trace, const bool all) {
     // Pins hold the body while A is solved: what is left of two normals of a pinned node is
     // dependent.
     const auto is_pinned = [&](const Coupling::Column::value_type &entry) {
       return space.constraints().is_constrained(entry.first);
     };
-    std::vector<Coupling::Column> columns;
+    std::vector<unsigned int> numbers;
     for (unsigned int k = 0; k < trace.conditions().size(); ++k) {
       const NodeCondition &condition = trace.conditions()[k];
       const Coupling::Column &column = condition.column;
       if ((all || condition.is_normal() || condition.presses) && !condition.held() &&
-          std::none_of(column.begin(), column.end(), is_pinned)) {
+          std::none_of(column.begin(), column.end(), is_pinned))
         numbers.push_back(k);
-        columns.push_back(column);
-      }
     }
-    return Coupling(std::move(columns));
+    return numbers;
   }
 };
 
-/** Moves w along a column a of E until a.w has the value, or with @p only_raise not less.
- * @return by how much a.w was too small. */
+/** Moves w along a part of a column a of E, that on the carrier, until a.w has the value, or with
+ * @p only_raise not less. @return by how much a.w was too small. */
 template <typename VectorType>
-double adjust(const Coupling::Column &a, const double value, const bool only_raise, VectorType &w) {
-  double lacking = value, square = 0.;
-  for (const auto &[row, factor] : a) {
-    lacking -= factor * w[row];
-    square += factor * factor;
-  }
-  if (square == 0. || (only_raise && lacking <= 0.))
-    return 0.;
+double adjust(const Coupling::Column &a, const Coupling::Column &own, const double value,
+              const bool only_raise, VectorType &w) {
+  double lacking = value, slope = 0.;
   for (const auto &[row, factor] : a)
-    w[row] += lacking / square * factor;
+    lacking -= factor * w[row];
+  for (const auto &[row, factor] : own)
+    if (const auto in_a = a.find(row); in_a != a.end())
+      slope += factor * in_a->second;
+  if (!(slope > 0.) || (only_raise && lacking <= 0.))
+    return 0.;
+  for (const auto &[row, factor] : own)
+    w[row] += lacking / slope * factor;
   return lacking;
 }
 
@@ -79,7 +89,7 @@ bool impose(const ContactTrace &trace, const Vector &targets, const bool only_ra
     for (unsigned int k = 0; k < targets.size(); ++k) {
       const NodeCondition &condition = trace.conditions()[k];
       if (condition.is_normal() || condition.presses || !only_raise)
-        largest = std::max(largest, std::abs(adjust(condition.column, targets[k],
+        largest = std::max(largest, std::abs(adjust(condition.column, condition.own, targets[k],
                                                     only_raise && condition.is_normal(), w)));
     }
     if (largest <= tolerance)
@@ -95,9 +105,10 @@ bool impose(const ContactTrace &trace, const Vector &targets, const bool only_ra
  * set to set.
  * @param held the nodes to begin with.
  */
-Displacement relaxed_displacement(const BoundData &data, const Coupling &E, const Vector &required,
-                                  const Vector &f, std::vector<bool> held,
+Displacement relaxed_displacement(const BoundData &data, const MovingNodes &nodes,
+                                  const Vector &required, const Vector &f, std::vector<bool> held,
                                   const unsigned int max_sets) {
+  const Coupling &E = nodes.E;
   constexpr unsigned int max_steps = 80;
   constexpr double tolerance = 0.03;
   unsigned int n_steps = 5;
@@ -109,7 +120,7 @@ Displacement relaxed_displacement(const BoundData &data, const Coupling &E, cons
     std::vector<types::global_dof_index> rows;
     for (unsigned int k = 0; k < held.size(); ++k)
       if (held[k]) {
-        adjust(E.column(k), required[k], false, w);
+        adjust(E.column(k), nodes.own.column(k), required[k], false, w);
         for (const auto &entry : E.column(k))
           rows.push_back(entry.first);
       }
@@ -178,7 +189,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
     held.push_back(condition.presses || required[i] > 0.);
   }
   if (!data.inverse.has_factors())
-    return relaxed_displacement(data, nodes.E, required, Vector(forces.begin(), forces.end()), held,
+    return relaxed_displacement(data, nodes, required, Vector(forces.begin(), forces.end()), held,
                                 10);
   if (!held.empty()) {
     Vector F = nodes.E.transpose_product(solve_homogeneous(data.inverse, data.space, forces));
@@ -197,10 +208,12 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
 
 /** Returns A⁻¹ E Q with Eᵀ A⁻¹ E Q = targets. Where columns of C cost solves, its products cost
  * fewer. */
-Displacement pushed_displacement(const BoundData &data, const Coupling &E, const Vector &targets) {
+Displacement pushed_displacement(const BoundData &data, const MovingNodes &nodes,
+                                 const Vector &targets) {
+  const Coupling &E = nodes.own;
   Vector Q(E.n_columns());
   if (!data.inverse.has_factors())
-    return relaxed_displacement(data, E, targets, Vector(data.space.dofs().n_dofs()),
+    return relaxed_displacement(data, nodes, targets, Vector(data.space.dofs().n_dofs()),
                                 std::vector<bool>(targets.size(), true), 1);
   const auto pushed_by = [&](const Vector &Q_E) {
     DualVector forces = data.space.make_vector();
@@ -228,7 +241,7 @@ std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace
   // This corrects the remainder of the solver's tolerance, and pins.
   for (unsigned int k = 0; k < required.size(); ++k)
     if (touches[k])
-      adjust(trace.conditions()[k].column, required[k], false, w);
+      adjust(trace.conditions()[k].column, trace.conditions()[k].own, required[k], false, w);
   if (!impose(trace, required, true, w))
     return {};
   data.space.distribute_without_pins(w);
@@ -247,10 +260,17 @@ std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrac
     targets[k] = conditions[k].is_normal() ? 1. : 0.;
   for (unsigned int i = 0; i < moving.size(); ++i)
     moving[i] = targets[nodes.numbers[i]];
-  Displacement z = pushed_displacement(data, nodes.E, moving);
+  Displacement z = pushed_displacement(data, nodes, moving);
   if (!impose(trace, targets, false, z))
     return {};
   data.space.distribute_without_pins(z);
+  // On the carriers alone z_n is 1 between nodes, too.
+  for (const PenetrationFace &face : trace.faces())
+    for (const PenetrationFace::Pressed &part : face.pressures)
+      for (unsigned int i = 0; part.other && i < trace.faces()[part.other->face].dofs.size(); ++i)
+        for (const auto dof : trace.faces()[part.other->face].dofs[i])
+          if (z[dof] != 0.)
+            return {};
   const double local = LiftField(data, trace, std::move(z)).cell_energies().l1_norm();
   return std::sqrt(Utilities::MPI::sum(local, data.space.mesh().communicator()));
 }

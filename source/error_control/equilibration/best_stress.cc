@@ -23,8 +23,9 @@ StressCells cells_at(const std::set<unsigned int> &edges, const EquilibrationMes
   StressCells cells;
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
     for (const TractionSide &side : space.cells()[cell->active_cell_index()].sides)
-      if (edges.count(side.edge) > 0)
-        cells.push_back(cell);
+      for (const unsigned int edge : space.sources(side.edge))
+        if (edges.count(edge) > 0)
+          cells.push_back(cell);
   return cells;
 }
 
@@ -83,6 +84,13 @@ std::string objection_to_stress(const BoundData &data) {
   if (data.space.strain_operator() != StrainOperator::symmetric_gradient &&
       data.space.max_element_degree() > 1)
     return "the strain is that of B-bar, with elements of a degree above one";
+  for (const unsigned int first : data.scene.contact_sides())
+    if (const auto second = data.scene.boundary[first].opposite) {
+      const Side<2> &a = data.scene.geometry.sides[first], &b = data.scene.geometry.sides[*second];
+      if (!(a.is_flat() && b.is_flat() && (a.normal(0.) + b.normal(0.)).norm() < 1e-10))
+        return "the sides '" + a.name() + "' and '" + b.name() +
+               "' of a pair are not straight and parallel";
+    }
   return find_contradiction(data.scene);
 }
 

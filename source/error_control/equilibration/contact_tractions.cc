@@ -4,6 +4,7 @@
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/contact_tractions.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
+#include <signorini/error_control/loads/carrier.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -16,7 +17,9 @@ ContactTractions::ContactTractions(const BoundData &data, Tractions &tractions)
   : data_(data)
   , tractions_(tractions) {
   for (const ContactFace<2> &face : data_.multipliers.surface().faces())
-    edges_.push_back(tractions_.space.edge_at(face.cell, face.face_no));
+    edges_.push_back(tractions_.space.contact_edge_at(face.cell, face.face_no));
+  for (const Piece<2> &piece : data_.multipliers.surface().pieces())
+    pieces_.push_back({piece, edges_[on_carrier(data_.multipliers.surface(), piece).face]});
   const std::vector<NodeState> states = patch_states(data_.multipliers, data_.P);
   std::vector<bool> pressing;
   pressing.reserve(states.size());
@@ -29,18 +32,21 @@ ContactTractions::ContactTractions(const BoundData &data, Tractions &tractions)
   }
   if (data_.has_friction())
     give_friction(states);
+  tractions_.project_shared();
 }
+
 
 std::map<unsigned int, bool>
 ContactTractions::edges_inside(const std::vector<bool> &patches) const {
   std::map<unsigned int, bool> inside;
-  for (const Piece<2> &piece : data_.multipliers.surface().pieces()) {
-    bool &on_edge = inside.emplace(edges_[piece.face], true).first->second;
+  for (const auto &[piece, edge] : pieces_) {
+    bool &on_edge = inside.emplace(edge, true).first->second;
     on_edge = on_edge && patches[piece.patch];
   }
   const std::map<unsigned int, bool> whole = inside;
   for (std::size_t i = 0; i + 1 < edges_.size(); ++i)
     if (const unsigned int here = edges_[i], next = edges_[i + 1];
+        whole.count(here) > 0 && whole.count(next) > 0 &&
         tractions_.space.edges()[here].side == tractions_.space.edges()[next].side &&
         !(whole.at(here) && whole.at(next)))
       inside[here] = inside[next] = false;
@@ -50,11 +56,13 @@ ContactTractions::edges_inside(const std::vector<bool> &patches) const {
 std::vector<double> ContactTractions::projection_of(const unsigned int number,
                                                     const unsigned int component) const {
   const TractionEdge &edge = tractions_.space.edges()[number];
-  const Side<2> &side = data_.scene.geometry.sides[edge.side];
   std::vector<double> sum(edge.degree + 1, 0.);
-  for (const Piece<2> &piece : data_.multipliers.surface().pieces()) {
-    if (edges_[piece.face] != number)
+  for (const PieceOfEdge &here : pieces_) {
+    if (here.edge != number)
       continue;
+    const Piece<2> &piece = here.piece;
+    const ContactSurface<2> &surface = data_.multipliers.surface();
+    const Side<2> &side = surface.side(surface.patches()[piece.patch]);
     const double from = edge.position_of(side.point(piece.lower[0])),
                  to = edge.position_of(side.point(piece.upper[0]));
     const std::vector<double> part = legendre_projection(
@@ -88,7 +96,8 @@ void ContactTractions::press_by_multipliers(const unsigned int number) {
 
 double ContactTractions::friction_bound(const unsigned int number, const double s) const {
   const TractionEdge &edge = tractions_.space.edges()[number];
-  const double given = data_.scene.boundary[edge.side].friction->value(edge.point(s));
+  const double given = data_.scene.boundary[contact_side_of(data_.scene, edge.side)].friction->value(
+    point_of_data(data_.scene, edge.side, edge.point(s)));
   if (!data_.P.is_coupled())
     return given;
   return given *
@@ -97,7 +106,9 @@ double ContactTractions::friction_bound(const unsigned int number, const double 
 
 std::vector<double> ContactTractions::lower_friction_bound(const unsigned int number) {
   const TractionEdge &edge = tractions_.space.edges()[number];
-  const std::vector<double> cuts = data_.scene.kinks.cut(edge.line.start(), edge.line.end());
+  const std::vector<double> cuts =
+    data_.scene.kinks.cut(point_of_data(data_.scene, edge.side, edge.line.start()),
+                          point_of_data(data_.scene, edge.side, edge.line.end()));
   // About 20000 points on all edges; at a jump, on both sides of it.
   const unsigned int degree = edge.degree,
                      n = std::clamp<std::size_t>(20000 / edges_.size() / cuts.size(), 16, 256);
@@ -139,9 +150,9 @@ void ContactTractions::give_friction(const std::vector<NodeState> &of_patches) {
   sticks.reserve(of_patches.size());
   for (const NodeState &state : of_patches)
     sticks.push_back(state.slip == State::inside);
-  for (const Piece<2> &piece : data_.multipliers.surface().pieces()) {
+  for (const auto &[piece, edge] : pieces_) {
     const State state = of_patches[piece.patch].slip;
-    State &on_edge = slips_.emplace(edges_[piece.face], state).first->second;
+    State &on_edge = slips_.emplace(edge, state).first->second;
     on_edge = on_edge == state ? state : State::mixed;
   }
   for (const auto &[edge, is_free] : edges_inside(sticks)) {
@@ -174,7 +185,7 @@ bool ContactTractions::is_admissible(const unsigned int number,
 bool ContactTractions::fix_pulling_edges() {
   bool fixed = false;
   for (const unsigned int number : edges_)
-    for (unsigned int c = 0; c < 2; ++c)
+    for (unsigned int c = 0; c < 2 && number != TractionSpace::none; ++c)
       if (tractions_.space.edges()[number].is_free[c] && !is_admissible(number, c)) {
         if (c == 0)
           press_by_multipliers(number);

@@ -6,6 +6,7 @@
 #include <signorini/discretization/elasticity/cell_values.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/energy_misfit.h>
+#include <signorini/error_control/loads/carrier.h>
 #include <signorini/error_control/loads/law.h>
 #include <signorini/error_control/loads/oscillation.h>
 #include <signorini/error_control/loads/triangle_parts.h>
@@ -269,6 +270,7 @@ EnergyMisfit::Works EnergyMisfit::works(const EquilibrationMesh &mesh,
   if (data_.scene.body_force != nullptr)
     add_load_works(mesh, stress, works);
   add_moments(stress.tractions.space, works);
+  add_pair_moments(stress.tractions.space, works);
   return works;
 }
 
@@ -343,6 +345,37 @@ void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
     }
 }
 
+void EnergyMisfit::add_pair_moments(const TractionSpace &space, Works &works) const {
+  constexpr unsigned int n_points = 8;
+  const ContactSurface<2> &surface = data_.multipliers.surface();
+  for (const Piece<2> &piece : surface.pieces()) {
+    if (!piece.opposite)
+      continue;
+    const ContactFace<2> &carrier = surface.faces()[on_carrier(surface, piece).face];
+    const TractionEdge &edge =
+      space.edges()[space.contact_edge_at(carrier.cell, carrier.face_no)];
+    const SurfaceRule<2> rule = surface.rule(piece, n_points);
+    for (const auto &[face, points, sign] : surface.faces_at(piece, rule)) {
+      const CellField u(data_.space.dof_cell(face.cell), data_.U);
+      const unsigned int line = face.cell->face(face.face_no)->index();
+      for (std::size_t q = 0; q < rule.size(); ++q) {
+        const auto L = legendre_values(edge.degree, edge.position_of(rule.points[q]));
+        const double s = points[q][0];
+        for (std::size_t k = 0; k < works.size(); ++k) {
+          Tensor<1, 2> v = u.on_face(face.face_no, s) - translation_;
+          if (k == 1)
+            v += 4. * s * (1. - s) * bubbles_.at(line);
+          for (unsigned int c = 0; c < 2; ++c)
+            for (unsigned int i = 0; i <= edge.degree; ++i)
+              works[k].moments[edge.position(c, i)] +=
+                sign * rule.weights[q] * L[i] *
+                (direction_of(contact_components[c], rule.normals[q]) * v);
+        }
+      }
+    }
+  }
+}
+
 double EnergyMisfit::expected(const EquilibratedStress & /*stress*/) const {
   if (!data_.space.mesh().has_parents())
     return std::numeric_limits<double>::infinity();
@@ -356,11 +389,13 @@ double EnergyMisfit::distance(const std::size_t k, const EquilibratedStress &str
   const double of_stress = stress.distance_square(), strain = fields_[k].strain,
                load = works[k].load;
   double square = strain - 2. * load, size = strain + 2. * std::abs(load);
-  for (std::size_t i = 0; i < stress.tractions.x.size(); ++i) {
-    const double work = 2. * works[k].moments[i] * stress.tractions.x[i];
-    square -= work;
-    size += std::abs(work);
-  }
+  for (const TractionEdge &edge : stress.tractions.space.edges())
+    for (unsigned int i = edge.first; i < edge.first + edge.n_coefficients() && !edge.is_shared;
+         ++i) {
+      const double work = 2. * works[k].moments[i] * stress.tractions.x[i];
+      square -= work;
+      size += std::abs(work);
+    }
   // The terms cancel, up to rounding and what cells lack of balance.
   constexpr double rounding = 1e-14;
   square = std::max(0., square + of_stress) + (rounding + stress.defect) * (size + of_stress);
@@ -377,12 +412,17 @@ Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
   // 1/2 ‖τ‖² less the work of the tractions that are not given.
   const auto &x = stress.tractions.x;
   double work = 0.;
-  for (const TractionEdge &edge : stress.tractions.space.edges()) {
+  for (std::size_t e = 0; e < stress.tractions.space.edges().size(); ++e) {
+    const TractionEdge &edge = stress.tractions.space.edges()[e];
     if (edge.side == TractionEdge::no_side ||
-        data_.scene.boundary[edge.side].role == Role::traction)
+        data_.scene.boundary[edge.side].role == Role::traction ||
+        !stress.tractions.space.shared_parts(e).empty())
       continue;
     for (unsigned int i = edge.first; i < edge.first + edge.n_coefficients(); ++i)
       work += x[i] * works[0].moments[i];
+    // Shared tractions push both bodies: the translation of both does no work.
+    if (edge.is_shared)
+      continue;
     const auto forces = edge.resultants(data_.scene.geometry, {});
     for (std::size_t i = 0; i < forces.size(); ++i)
       work += x[edge.first + i] * (forces[i][0] * translation_[0] + forces[i][1] * translation_[1]);

@@ -58,7 +58,7 @@ double EquilibratedStress::oscillation_square() const {
 double EquilibratedStress::contact_force(const Scene<2> &scene) const {
   double force = 0.;
   for (const TractionEdge &edge : tractions.space.edges())
-    if (edge.side != TractionEdge::no_side && scene.boundary[edge.side].role == Role::contact)
+    if (edge.side != TractionEdge::no_side && !edge.is_shared && scene.boundary[edge.side].role == Role::contact)
       force += edge.length() * tractions.x[edge.position(0, 0)];
   return force;
 }
@@ -67,13 +67,13 @@ std::vector<FaceField> EquilibratedStress::face_fields(
   const ContactSurface<2> &surface, const std::map<unsigned int, Tensor<1, 2>> &bubbles) const {
   std::vector<FaceField> fields;
   for (const ContactFace<2> &face : surface.faces()) {
-    const TractionEdge &edge =
-      tractions.space.edges()[tractions.space.edge_at(face.cell, face.face_no)];
+    const unsigned int number = tractions.space.contact_edge_at(face.cell, face.face_no);
     const auto line = face.cell->face(face.face_no);
-    const double from = edge.position_of(line->vertex(0)),
-                 share = edge.position_of(line->vertex(1)) - from;
     FaceField &field = fields.emplace_back();
-    for (unsigned int c = 0; c < 2; ++c) {
+    for (unsigned int c = 0; c < 2 && number != TractionSpace::none; ++c) {
+      const TractionEdge &edge = tractions.space.edges()[number];
+      const double from = edge.position_of(line->vertex(0)),
+                   share = edge.position_of(line->vertex(1)) - from;
       Polynomials::Polynomial<double> &sum = field.traction[c] = Polynomials::Polynomial<double>(0);
       for (unsigned int k = 0; k <= edge.degree; ++k) {
         Polynomials::Polynomial<double> term = Polynomials::Legendre(k);

@@ -27,9 +27,21 @@ std::vector<Point<2>> singular_points(const BoundData &data) {
   }
   const std::vector<NodeState> states = patch_states(data.multipliers, data.P);
   const auto &patches = data.multipliers.surface().patches();
-  for (std::size_t i = 0; i + 1 < patches.size(); ++i)
-    if (patches[i].side == patches[i + 1].side && states[i] != states[i + 1])
-      points.push_back(data.scene.geometry.sides[patches[i].side].point(patches[i].upper[0]));
+  const auto add = [&](const unsigned int number, const double s) {
+    const std::vector<Side<2>> &sides = data.scene.geometry.sides;
+    const Point<2> &x = points.emplace_back(sides[number].point(s));
+    if (const auto other = data.scene.boundary[number].opposite)
+      points.push_back(sides[*other].point(sides[*other].arc_length(Point<2>(x))));
+  };
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const unsigned int side = patches[i].side;
+    const bool is_last = i + 1 == patches.size() || patches[i + 1].side != side,
+               is_first = i == 0 || patches[i - 1].side != side;
+    if (is_first && data.scene.boundary[side].opposite)
+      add(side, patches[i].lower[0]);
+    if (is_last ? data.scene.boundary[side].opposite.has_value() : states[i] != states[i + 1])
+      add(side, patches[i].upper[0]);
+  }
   return points;
 }
 

@@ -36,12 +36,14 @@ Vector weights_of(const Tractions &tractions, const std::vector<CellFit> &fits) 
   std::vector<double> on_edge(tractions.space.edges().size(), 0.);
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (const TractionSide &side : cells[c].sides)
-      on_edge[side.edge] = std::max(on_edge[side.edge], energy(c));
+      for (const unsigned int edge : tractions.space.sources(side.edge))
+        on_edge[edge] = std::max(on_edge[edge], energy(c));
   Vector weights(3 * cells.size() + tractions.conditions.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
     for (const TractionSide &side : cells[c].sides)
-      for (unsigned int i = 0; i < 3; ++i)
-        weights[3 * c + i] = std::max(weights[3 * c + i], penalty * on_edge[side.edge]);
+      for (const unsigned int edge : tractions.space.sources(side.edge))
+        for (unsigned int i = 0; i < 3; ++i)
+          weights[3 * c + i] = std::max(weights[3 * c + i], penalty * on_edge[edge]);
   for (std::size_t k = 0; k < tractions.conditions.size(); ++k)
     weights[3 * cells.size() + k] = penalty * energy(0) * tractions.conditions[k].row.size();
   return weights;
@@ -195,13 +197,14 @@ private:
 
 double minimise(const std::vector<CellFit> &fits, const Vector &work, Tractions &tractions) {
   const TractionProblem problem(tractions, fits);
+  const Vector given = tractions.space.gathered(work);
   Vector &x = tractions.x;
   constexpr unsigned int max_steps = 100;
   double scale = 0., last_square = 0., relative = 0.;
   Vector lacking = problem.lacking(x, scale), multipliers(lacking.size()), direction(multipliers);
   for (unsigned int step = 0; step < max_steps; ++step) {
     // The tractions of the next multipliers, and what rounding left of the last ones.
-    Vector next = problem.weighted(lacking), forces(work), change(x.size());
+    Vector next = problem.weighted(lacking), forces(given), change(x.size());
     next += multipliers;
     next += direction;
     problem.subtract_forces(next, x, forces);
@@ -228,6 +231,7 @@ double minimise(const std::vector<CellFit> &fits, const Vector &work, Tractions 
                    weighted);
     last_square = weighted * lacking;
   }
+  tractions.project_shared();
   return relative;
 }
 } // namespace Signorini

@@ -5,11 +5,15 @@
 #include <signorini/error_control/equilibration/arc_lift.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/traction_space.h>
+#include <signorini/error_control/loads/carrier.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace Signorini {
 namespace {
@@ -31,15 +35,62 @@ FullMatrix<double> make_restriction(const unsigned int degree, const double from
   }
   return R;
 }
+
+/** Returns the part of an edge that a shared one gives; none where they do not face each other. */
+std::optional<SharedPart> part_of(const TractionEdge &edge, const unsigned int number,
+                                  const TractionEdge &shared) {
+  constexpr double sliver = 1e-10;
+  double start = edge.position_of(shared.point(0.)), end = edge.position_of(shared.point(1.));
+  double shared_from = 0., shared_to = 1.;
+  if (start > end) {
+    std::swap(start, end);
+    std::swap(shared_from, shared_to);
+  }
+  const double from = std::max(0., start), to = std::min(1., end);
+  if (to - from < sliver)
+    return {};
+  const auto on_shared = [&](const double s) {
+    return shared_from + (s - start) / (end - start) * (shared_to - shared_from);
+  };
+  SharedPart part = {number,
+                     from,
+                     to,
+                     on_shared(from),
+                     on_shared(to),
+                     FullMatrix<double>(edge.degree + 1, shared.degree + 1)};
+  const QGauss<1> gauss(std::max(edge.degree, shared.degree) + 1);
+  for (unsigned int q = 0; q < gauss.size(); ++q) {
+    const double r = gauss.point(q)[0];
+    const std::vector<double> L = legendre_values(edge.degree, from + r * (to - from)),
+                              M =
+                                legendre_values(shared.degree, on_shared(from + r * (to - from)));
+    for (unsigned int i = 0; i < L.size(); ++i)
+      for (unsigned int j = 0; j < M.size(); ++j)
+        part.R(i, j) += gauss.weight(q) * (to - from) * L[i] * M[j];
+  }
+  return part;
+}
 } // namespace
+
+double SharedPart::square(const std::vector<double> &q) const {
+  const QGauss<1> gauss(q.size());
+  double sum = 0.;
+  for (unsigned int k = 0; k < gauss.size(); ++k) {
+    const std::vector<double> L =
+      legendre_values(q.size() - 1, shared_from + gauss.point(k)[0] * (shared_to - shared_from));
+    sum += gauss.weight(k) * (to - from) *
+           std::pow(std::inner_product(L.begin(), L.end(), q.begin(), 0.), 2);
+  }
+  return sum;
+}
 
 TractionSpace::TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scene)
   : on_side_(scene.geometry.sides.size())
-  , sides_(scene.geometry.sides) {
+  , sides_(scene.geometry.sides)
+  , is_paired_(sides_.size(), false) {
   constexpr std::array<unsigned int, 4> face_in_circle = {{2, 1, 3, 0}};
   const Triangulation<2> &triangulation = mesh.triangulation();
   edge_of_line_.assign(triangulation.n_raw_lines(), none);
-  unsigned int highest = 2;
   for (const auto &cell : triangulation.active_cell_iterators()) {
     cells_.push_back({shape_of(cell, sides_), {}});
     TractionCell &here = cells_.back();
@@ -51,6 +102,18 @@ TractionSpace::TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scen
       on_edge = std::max(on_edge, degree);
     }
   }
+  parts_.resize(edges_.size());
+  for (const unsigned int side : scene.contact_sides())
+    if (const auto opposite = scene.boundary[side].opposite) {
+      is_paired_[side] = is_paired_[*opposite] = true;
+      is_carrier(scene, side) ? add_shared_edges(side, *opposite)
+                              : add_shared_edges(*opposite, side);
+    }
+  number_coefficients();
+}
+
+void TractionSpace::number_coefficients() {
+  unsigned int highest = 2;
   for (TractionEdge &edge : edges_) {
     edge.first = n_coefficients_;
     n_coefficients_ += edge.n_coefficients();
@@ -61,6 +124,28 @@ TractionSpace::TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scen
       cell.degree = std::max(cell.degree, edges_[side.edge].degree);
   halves_ = {{make_restriction(highest, 0., 0.5), make_restriction(highest, 0.5, 0.),
               make_restriction(highest, 0.5, 1.), make_restriction(highest, 1., 0.5)}};
+}
+
+void TractionSpace::add_shared_edges(const unsigned int carrier, const unsigned int other) {
+  const Side<2> &side = sides_[carrier];
+  const double a = side.arc_length(sides_[other].start()),
+               b = side.arc_length(sides_[other].end()), lower = std::max(0., std::min(a, b)),
+               upper = std::min(side.length(), std::max(a, b));
+  for (const auto &[start, number] : on_side_[carrier]) {
+    const double length = edges_[number].length(), from = std::max(lower, start),
+                 to = std::min(upper, start + length);
+    if (to - from < 1e-10 * length)
+      continue;
+    TractionEdge shared = edges_[number];
+    shared.line = side.between(side.point(from), side.point(to));
+    shared.is_shared = true;
+    for (const unsigned int of_side : {carrier, other})
+      for (const auto &entry : on_side_[of_side])
+        if (auto part = part_of(edges_[entry.second], edges_.size(), shared))
+          parts_[entry.second].push_back(std::move(*part));
+    edges_.push_back(shared);
+    parts_.emplace_back();
+  }
 }
 
 unsigned int TractionSpace::find_edge(const LineIterator &line, const Scene<2> &scene) {
@@ -88,6 +173,38 @@ unsigned int TractionSpace::edge_at(const Triangulation<2>::cell_iterator &cell,
   return std::prev(on_side_[side].upper_bound(sides_[side].arc_length(face->center())))->second;
 }
 
+unsigned int TractionSpace::contact_edge_at(const Triangulation<2>::cell_iterator &cell,
+                                            const unsigned int face_no) const {
+  const unsigned int edge = edge_at(cell, face_no);
+  for (const SharedPart &part : parts_[edge])
+    if (edges_[part.shared].side == edges_[edge].side)
+      return part.shared;
+  return is_paired_[edges_[edge].side] ? none : edge;
+}
+
+std::vector<unsigned int> TractionSpace::sources(const unsigned int edge) const {
+  std::vector<unsigned int> numbers;
+  for (const SharedPart &part : parts_[edge])
+    numbers.push_back(part.shared);
+  if (numbers.empty())
+    numbers.push_back(edge);
+  return numbers;
+}
+
+TractionSpace::Vector TractionSpace::gathered(Vector functional) const {
+  for (const TractionEdge &edge : edges_)
+    if (edge.is_shared)
+      std::fill_n(functional.begin() + edge.first, edge.n_coefficients(), 0.);
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+    for (const SharedPart &part : parts_[e])
+      for (unsigned int c = 0; c < 2; ++c)
+        for (unsigned int j = 0; j < part.R.n(); ++j)
+          for (unsigned int i = 0; i < part.R.m(); ++i)
+            functional[edges_[part.shared].position(c, j)] +=
+              part.R(i, j) * functional[edges_[e].position(c, i)];
+  return functional;
+}
+
 TractionSide TractionSpace::find_side(const Triangulation<2>::active_cell_iterator &cell,
                                       const unsigned int face_no, const Point<2> &from,
                                       const Scene<2> &scene) {
@@ -113,10 +230,19 @@ std::vector<TractionSpace::Entry> TractionSpace::entries(const TractionCell &cel
       const TractionEdge &edge = edges_[side.edge];
       const FullMatrix<double> &R =
         halves_[(side.from + side.to < 1. ? 0 : 2) + (side.is_reversed() ? 1 : 0)];
+      const auto sign = [&side](const unsigned int i) {
+        return side.is_reversed() && i % 2 == 1 ? -1. : 1.;
+      };
+      for (const SharedPart &part : parts_[side.edge])
+        for (unsigned int i = 0; i < part.R.m(); ++i)
+          for (unsigned int j = 0; j < part.R.n(); ++j)
+            entries.push_back(
+              {row + i, edges_[part.shared].position(c, j), sign(i) * part.R(i, j)});
+      if (!parts_[side.edge].empty())
+        continue;
       for (unsigned int j = 0; j <= edge.degree; ++j)
         if (!side.is_half())
-          entries.push_back(
-            {row + j, edge.position(c, j), side.is_reversed() && j % 2 == 1 ? -1. : 1.});
+          entries.push_back({row + j, edge.position(c, j), sign(j)});
         else
           for (unsigned int i = 0; i <= j; ++i)
             entries.push_back({row + i, edge.position(c, j), R(i, j)});

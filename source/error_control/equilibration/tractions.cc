@@ -13,6 +13,16 @@
 #include <cmath>
 
 namespace Signorini {
+namespace {
+/** Returns the norm of what a projection leaves, from the squares of the norms of a traction and of
+ * its projection. */
+double norm_of_rest(const double square, const double of_projection) {
+  // The root of rounding is not rounding.
+  const double rest = square - of_projection;
+  return rest > 1e-14 * square ? std::sqrt(rest) : 0.;
+}
+} // namespace
+
 Tractions::Tractions(const BoundData &data, const EquilibrationMesh &mesh)
   : space(mesh, data.scene)
   , x(space.n_coefficients()) {
@@ -73,12 +83,30 @@ void Tractions::project_given(const BoundData &data) {
   for (unsigned int c = 0; c < 2; ++c)
     for (std::size_t number = 0; number < space.edges().size(); ++number)
       if (double &rest = rests[c][number]; rest > 0.) {
-        const double square = rest;
+        double of_projection = 0.;
         for (const double coefficient : on_edge(number, c))
-          rest -= space.edges()[number].length() * coefficient * coefficient;
-        // The root of rounding is not rounding.
-        rest = rest > 1e-14 * square ? std::sqrt(rest) : 0.;
+          of_projection += space.edges()[number].length() * coefficient * coefficient;
+        rest = norm_of_rest(rest, of_projection);
       }
+}
+
+void Tractions::project_shared() {
+  for (std::size_t number = 0; number < space.edges().size(); ++number)
+    for (unsigned int c = 0; c < 2; ++c) {
+      const std::vector<SharedPart> &parts = space.shared_parts(number);
+      if (parts.empty())
+        continue;
+      const TractionEdge &edge = space.edges()[number];
+      Vector own(edge.degree + 1);
+      double square = 0.;
+      for (const SharedPart &part : parts) {
+        const std::vector<double> q = on_edge(part.shared, c);
+        part.R.vmult_add(own, Vector(q.begin(), q.end()));
+        square += part.square(q);
+      }
+      std::copy(own.begin(), own.end(), x.begin() + edge.position(c, 0));
+      rests[c][number] = norm_of_rest(edge.length() * square, edge.length() * own.norm_sqr());
+    }
 }
 
 void Tractions::add_plates(const Scene<2> &scene) {

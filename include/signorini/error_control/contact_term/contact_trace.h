@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/loads/bound_data.h>
+#include <signorini/error_control/loads/carrier.h>
 #include <signorini/error_control/loads/edge_function.h>
 
 #include <deal.II/base/polynomial.h>
@@ -26,10 +27,6 @@ struct SidePlace {
 /** Returns the name of a place, such as "bottom at (0.25, 0)". */
 std::string name_of(const SidePlace &place, const Scene<2> &scene);
 
-/** The components of displacements and tractions on contact sides, in the order of arrays. */
-constexpr std::array<Component, 2> contact_components = {
-  {Component::normal, Component::tangential}};
-
 /** A polynomial of t in [0,1]: the chord between the values at the ends, and t (1 - t) times
  * another one. Monomials lose digits, a hundred times rounding at degree six; the ends are exact,
  * where a face that presses passes w on to the next one. */
@@ -46,7 +43,8 @@ struct FacePolynomial {
 using FaceVector = std::array<FacePolynomial, 2>;
 
 /** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from vertex 0 to vertex 1 of
- * the face. */
+ * the face. In a pair ũ_n is that of both bodies, and d belongs to faces of the carrier; beyond the
+ * other side d goes on as a constant. */
 struct PenetrationFace {
   using Dofs = std::array<types::global_dof_index, 2>;
   using Polynomial = Polynomials::Polynomial<double>;
@@ -70,13 +68,19 @@ struct PenetrationFace {
   std::vector<Polynomial> basis;
   /** The numbers of the conditions at the nodes, see ContactTrace::conditions(). */
   std::vector<unsigned int> conditions;
-  /** The part of a patch on the face, and whether p_H presses and friction holds it there. */
+  /** The part of a patch on the face, and whether p_H presses and friction holds it there. In a
+   * pair also the place on the other face. */
   struct Pressed {
     double from, to;
     bool presses, sticks;
+    std::optional<PieceOnFace> other;
+
+    /** Returns the parameter of the other face at t. */
+    double on_other(double t) const;
   };
+  /** The parts, sorted; none where the face belongs to the other side of a pair, or nothing faces
+   * it. */
   std::vector<Pressed> pressures;
-  FaceVector u;
   /** τ_n and τ_t. */
   std::array<Polynomial, 2> traction;
   /** The places where p_H jumps or data has a kink, with 0 and 1. */
@@ -96,7 +100,23 @@ struct PenetrationFace {
   Tensor<1, 2> direction(Component component, double t) const;
   /** Returns d/dt of direction(), zero on segments. */
   Tensor<1, 2> turning(Component component, double t) const;
-  /** Returns whether p_H presses on a part of the face; presses_everywhere() whether on all parts.
+  /** Returns whether there is a d on the face. */
+  bool is_contact() const {
+    return !pressures.empty();
+  }
+  /** Returns whether contact is possible at t. */
+  bool may_touch(const double t) const {
+    return is_contact() && t >= pressures.front().from && t <= pressures.back().to;
+  }
+  /** Returns τ_n (component 0) or τ_t, zero where contact is not possible. */
+  double traction_at(const unsigned int c, const double t) const {
+    return may_touch(t) ? traction[c].value(t) : 0.;
+  }
+  /** Returns the part with t, or the nearest one. */
+  const Pressed &part_at(double t) const;
+  /** Returns the weights of v at the nodes in v(t). */
+  std::vector<double> weights(double t) const;
+  /** Returns whether p_H presses on a part of the face; presses_everywhere() whether on all of it.
    */
   bool presses() const;
   bool presses_everywhere() const;
@@ -125,8 +145,9 @@ struct NodeCondition {
   /** Whether a neighbouring face presses, or for w_t takes the slip. */
   bool presses = false;
   /** The column of w -> w.direction, condensed. It is empty where that vanishes for all such w,
-   * because another side holds the node. */
-  Coupling::Column column;
+   * because another side holds the node. In a pair it is that of w_n of both bodies, and its part
+   * on the carrier is own. */
+  Coupling::Column column, own;
 
   bool held() const {
     return column.empty();
@@ -163,15 +184,21 @@ public:
   bool prescribes_all() const {
     return prescribes_all_;
   }
+  /** Returns the traces of a function of V^h on all faces. */
+  std::vector<FaceVector> traces(const Displacement &V) const;
+  /** Returns v_n or v_t at t, in a pair that of both bodies, from the traces of v. */
+  double closing(const PenetrationFace &face, Component component, double t,
+                 const std::vector<FaceVector> &v) const;
   /** Returns d itself at t, up to the evaluation of g, or ũ_t - g_t. */
   double misfit(const PenetrationFace &face, Component component, double t) const;
   /** Returns the bound of friction: s, or with Coulomb's law f |τ_n|. */
   double friction_bound(const PenetrationFace &face, double t) const;
   /** Returns what rounding makes of d = 0 on a face. */
   double rounding(const PenetrationFace &face) const;
-  /** Returns an EdgeFunction that is not below d - w_n, or close to ũ_t - g_t - w_t. */
+  /** Returns an EdgeFunction that is not below d - w_n, or close to ũ_t - g_t - w_t. @param w the
+   * traces of w. */
   EdgeFunction lacking(const PenetrationFace &face, Component component,
-                       const FaceVector &w) const {
+                       const std::vector<FaceVector> &w) const {
     return sample(face, component, w).function;
   }
   /** Returns ∫ τ_n d + τ_t (ũ_t - g_t) over Γ_c, by the same points. */
@@ -190,8 +217,9 @@ public:
   }
 
 private:
-  void find_faces(const std::vector<FaceField> &fields);
-  PenetrationFace make_face(const ContactFace<2> &contact, const FaceField &field) const;
+  void find_faces();
+  PenetrationFace make_face(const ContactFace<2> &contact) const;
+  void set_fields(const std::vector<FaceField> &fields);
   /** Returns whether friction holds the whole face, and a w with w_t = ũ_t - g_t costs less than
    * the work of friction: an energy of about μ A², A = max |ũ_t - g_t|, less than s A length. It
    * does not where g_t jumps. */
@@ -202,14 +230,18 @@ private:
   unsigned int condition_at(const PenetrationFace &face, std::size_t node, Component component,
                             std::vector<unsigned int> &known);
   void condense_columns();
+  /** Returns the line along which data of contact on the face is given. */
+  Curve line_of_data(const PenetrationFace &face) const;
   UpperInterpolant sample(const PenetrationFace &face, Component component,
-                          const FaceVector &w) const;
+                          const std::vector<FaceVector> &w) const;
   void sample();
   void require();
 
   const BoundData &data_;
   const double size_of_U_;
   std::vector<PenetrationFace> faces_;
+  /** The traces of ũ. */
+  std::vector<FaceVector> u_;
   std::vector<NodeCondition> conditions_;
   bool prescribes_all_ = true;
   double max_ = 0.;

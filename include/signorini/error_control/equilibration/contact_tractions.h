@@ -24,7 +24,8 @@ public:
   /** Sets the tractions of contact edges. The arguments must outlive the object. */
   ContactTractions(const BoundData &data, Tractions &tractions);
 
-  /** Returns the numbers of the edges by face of the contact surface. */
+  /** Returns the numbers of the edges by face of the contact surface; none on sides that do not
+   * carry the traction. */
   const std::vector<unsigned int> &edges() const {
     return edges_;
   }
@@ -57,6 +58,12 @@ private:
   const BoundData &data_;
   Tractions &tractions_;
   std::vector<unsigned int> edges_;
+  /** The pieces of Γ_c with the numbers of their edges. */
+  struct PieceOfEdge {
+    const Piece<2> &piece;
+    unsigned int edge;
+  };
+  std::vector<PieceOfEdge> pieces_;
   /** With friction, by edge: how its patches slip, and the coefficients of Bernstein of s_E. */
   std::map<unsigned int, State> slips_;
   std::map<unsigned int, std::vector<double>> bounds_;

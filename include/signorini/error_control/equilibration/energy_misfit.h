@@ -30,7 +30,7 @@ public:
     /** ∫ f_K.(v - c), and that of tractions given on arcs (force x length per thickness). */
     double load = 0.;
     /** The integrals of (v - c)_n and (v - c)_t times Legendre's polynomials, by coefficients of
-     * edges on Γ. */
+     * edges on Γ; on shared edges those of Bv, with u_n and u_t of both bodies. */
     dealii::Vector<double> moments;
   };
   using Works = std::vector<Work>;
@@ -71,6 +71,7 @@ private:
   void add_load_works(const EquilibrationMesh &mesh, const EquilibratedStress &stress,
                       Works &works) const;
   void add_moments(const TractionSpace &space, Works &works) const;
+  void add_pair_moments(const TractionSpace &space, Works &works) const;
   /** Returns bounds of J*(τ) + ∫ τ_n d, d = u_{h,n} - g. */
   Bracket complementary_energy(const EquilibratedStress &stress, const Works &works) const;
 

@@ -37,6 +37,8 @@ struct TractionEdge {
   unsigned int first = 0;
   /** Whether τ_nn and τ_nt are unknown. */
   std::array<bool, 2> is_free = {{true, true}};
+  /** Whether it carries the traction of a pair of sides, see SharedPart. */
+  bool is_shared = false;
 
   double length() const {
     return line.length();
@@ -46,7 +48,7 @@ struct TractionEdge {
     return line.point(position * length());
   }
   double position_of(const Point<2> &x) const {
-    return line.is_flat() ? line.start().distance(x) / length() : line.arc_length(x) / length();
+    return line.arc_length(x) / length();
   }
   /** Returns the forces and moments of the coefficients of a boundary edge. */
   std::vector<Tensor<1, 3>> resultants(const Geometry<2> &geometry, const Point<2> &about) const {
@@ -62,6 +64,25 @@ struct TractionEdge {
   unsigned int position(const unsigned int component, const unsigned int i) const {
     return first + component * (degree + 1) + i;
   }
+};
+
+/**
+ * A part of an edge on a side of a pair, and the shared edge that gives the traction q there. Edges
+ * of both sides have polynomials of their own: the projection of q, which has its forces and
+ * moments. Shared edges are the edges of the carrier, as far as the sides face each other.
+ */
+struct SharedPart {
+  /** The number of the shared edge. */
+  unsigned int shared;
+  /** The ends of the part by their positions on the edge (from < to), and on the shared edge. */
+  double from, to;
+  double shared_from, shared_to;
+  /** The coefficients R_ij = ∫ L_i L_j over the part, by those of the edge and of the shared one;
+   * the edge is of length one. */
+  FullMatrix<double> R;
+
+  /** Returns ∫ q² over the part of an edge of length one. */
+  double square(const std::vector<double> &q) const;
 };
 
 /** A side of a cell, a whole edge or half of it: the positions of corner k and k + 1 on the edge.
@@ -114,6 +135,18 @@ public:
   }
   /** Returns the number of the edge that contains a boundary face of a mesh of the same body. */
   unsigned int edge_at(const Triangulation<2>::cell_iterator &cell, unsigned int face_no) const;
+  /** Returns the number of the edge with the unknown traction of contact on a face of a carrier, or
+   * of a side that touches a rigid foundation; none for others. */
+  unsigned int contact_edge_at(const Triangulation<2>::cell_iterator &cell,
+                               unsigned int face_no) const;
+  /** Returns the parts of an edge that shared edges give; mostly none. */
+  const std::vector<SharedPart> &shared_parts(const unsigned int edge) const {
+    return parts_[edge];
+  }
+  /** Returns the edges whose coefficients an edge takes: itself, or shared ones. */
+  std::vector<unsigned int> sources(unsigned int edge) const;
+  /** Returns a linear functional of the tractions on edges as one of unknown tractions. */
+  Vector gathered(Vector functional) const;
   unsigned int n_coefficients() const {
     return n_coefficients_;
   }
@@ -136,13 +169,19 @@ private:
   unsigned int find_edge(const LineIterator &line, const Scene<2> &scene);
   TractionSide find_side(const Triangulation<2>::active_cell_iterator &cell, unsigned int face_no,
                          const Point<2> &from, const Scene<2> &scene);
+  /** Makes the shared edges of a pair, by its carrier and the other side. */
+  void add_shared_edges(unsigned int carrier, unsigned int other);
+  void number_coefficients();
 
   std::vector<TractionCell> cells_;
   std::vector<TractionEdge> edges_;
+  std::vector<std::vector<SharedPart>> parts_;
   std::vector<unsigned int> edge_of_line_;
   /** The boundary edges of each side by the arc length at which they start. */
   std::vector<std::map<double, unsigned int>> on_side_;
   const std::vector<Side<2>> &sides_;
+  /** Whether a side belongs to a pair. */
+  std::vector<bool> is_paired_;
   unsigned int n_coefficients_ = 0;
   /** The coefficients R_ij of L_j(from + s (to - from)) in L_i(s): restrictions to the first and
    * second half, and both reversed. */

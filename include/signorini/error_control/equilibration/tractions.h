@@ -30,10 +30,12 @@ struct Tractions {
   std::vector<double> on_edge(unsigned int edge, unsigned int component) const;
   /** Sets them, and fixes them. */
   void fix(unsigned int edge, unsigned int component, const std::vector<double> &legendre);
+  /** Projects the tractions of shared edges to those of both sides of pairs. */
+  void project_shared();
 
   TractionSpace space;
   Vector x;
-  /** The norms of t - t_h by component and edge. */
+  /** The norms of t - t_h by component and edge; on the sides of pairs, those of q - t_h. */
   std::array<std::vector<double>, 2> rests;
   /** The forces and moments on plates. */
   std::vector<TractionCondition> conditions;
