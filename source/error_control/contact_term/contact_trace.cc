@@ -174,6 +174,16 @@ void ContactTrace::find_faces() {
               [](const auto &a, const auto &b) { return a.from < b.from; });
 }
 
+std::set<types::global_dof_index> ContactTrace::dofs_across() const {
+  std::set<types::global_dof_index> dofs;
+  for (const PenetrationFace &face : faces_)
+    for (const PenetrationFace::Pressed &part : face.pressures)
+      if (part.other)
+        for (const PenetrationFace::Dofs &of_node : faces_[part.other->face].dofs)
+          dofs.insert(of_node.begin(), of_node.end());
+  return dofs;
+}
+
 std::vector<FaceVector> ContactTrace::traces(const Displacement &V) const {
   std::vector<FaceVector> traces;
   traces.reserve(faces_.size());

@@ -20,42 +20,35 @@ namespace Signorini {
 namespace {
 using Vector = dealii::Vector<double>;
 
-/** The columns E of those conditions at contact nodes that A⁻¹ lets move, and their parts on the
- * carriers of pairs. @param all whether w_t is given at all nodes, not only next to faces that
- * stick. */
+/** The columns E of those conditions at contact nodes that A⁻¹ lets move. In pairs they are those
+ * on the carrier: forces at its nodes would bend the other body between these. @param all whether
+ * w_t is given at all nodes, not only next to faces that stick. */
 struct MovingNodes {
   MovingNodes(const DisplacementSpace<2> &space, const ContactTrace &trace, const bool all)
-    : numbers(select(space, trace, all))
-    , E(columns(trace, &NodeCondition::column))
-    , own(columns(trace, &NodeCondition::own)) {}
+    : E(select(space, trace, all)) {}
 
   /** The numbers of the columns among ContactTrace::conditions(). */
   std::vector<unsigned int> numbers;
-  Coupling E, own;
+  Coupling E;
 
 private:
-  Coupling columns(const ContactTrace &trace, Coupling::Column NodeCondition::*const part) const {
-    std::vector<Coupling::Column> columns;
-    for (const unsigned int k : numbers)
-      columns.push_back(trace.conditions()[k].*part);
-    return Coupling(std::move(columns));
-  }
-  static std::vector<unsigned int> select(const DisplacementSpace<2> &space,
-                                          const ContactTrace &trace, const bool all) {
+  Coupling select(const DisplacementSpace<2> &space, const ContactTrace &trace, const bool all) {
     // Pins hold the body while A is solved: what is left of two normals of a pinned node is
     // dependent.
     const auto is_pinned = [&](const Coupling::Column::value_type &entry) {
       return space.constraints().is_constrained(entry.first);
     };
-    std::vector<unsigned int> numbers;
+    std::vector<Coupling::Column> columns;
     for (unsigned int k = 0; k < trace.conditions().size(); ++k) {
       const NodeCondition &condition = trace.conditions()[k];
-      const Coupling::Column &column = condition.column;
+      const Coupling::Column &column = condition.own;
       if ((all || condition.is_normal() || condition.presses) && !condition.held() &&
-          std::none_of(column.begin(), column.end(), is_pinned))
+          std::none_of(column.begin(), column.end(), is_pinned)) {
         numbers.push_back(k);
+        columns.push_back(column);
+      }
     }
-    return numbers;
+    return Coupling(std::move(columns));
   }
 };
 
@@ -105,10 +98,9 @@ bool impose(const ContactTrace &trace, const Vector &targets, const bool only_ra
  * set to set.
  * @param held the nodes to begin with.
  */
-Displacement relaxed_displacement(const BoundData &data, const MovingNodes &nodes,
-                                  const Vector &required, const Vector &f, std::vector<bool> held,
+Displacement relaxed_displacement(const BoundData &data, const Coupling &E, const Vector &required,
+                                  const Vector &f, std::vector<bool> held,
                                   const unsigned int max_sets) {
-  const Coupling &E = nodes.E;
   constexpr unsigned int max_steps = 80;
   constexpr double tolerance = 0.03;
   unsigned int n_steps = 5;
@@ -120,7 +112,7 @@ Displacement relaxed_displacement(const BoundData &data, const MovingNodes &node
     std::vector<types::global_dof_index> rows;
     for (unsigned int k = 0; k < held.size(); ++k)
       if (held[k]) {
-        adjust(E.column(k), nodes.own.column(k), required[k], false, w);
+        adjust(E.column(k), E.column(k), required[k], false, w);
         for (const auto &entry : E.column(k))
           rows.push_back(entry.first);
       }
@@ -175,6 +167,8 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
   if (data.has_friction())
     P = join(P_n, Vector(P_n.size()));
   data.condensed_D.add_product(P, forces);
+  for (const types::global_dof_index dof : trace.dofs_across())
+    forces[dof] = 0.;
   const MovingNodes nodes(data.space, trace, false);
   Vector required(nodes.numbers.size()), start(required.size());
   std::vector<bool> held;
@@ -189,7 +183,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
     held.push_back(condition.presses || required[i] > 0.);
   }
   if (!data.inverse.has_factors())
-    return relaxed_displacement(data, nodes, required, Vector(forces.begin(), forces.end()), held,
+    return relaxed_displacement(data, nodes.E, required, Vector(forces.begin(), forces.end()), held,
                                 10);
   if (!held.empty()) {
     Vector F = nodes.E.transpose_product(solve_homogeneous(data.inverse, data.space, forces));
@@ -208,12 +202,10 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
 
 /** Returns A⁻¹ E Q with Eᵀ A⁻¹ E Q = targets. Where columns of C cost solves, its products cost
  * fewer. */
-Displacement pushed_displacement(const BoundData &data, const MovingNodes &nodes,
-                                 const Vector &targets) {
-  const Coupling &E = nodes.own;
+Displacement pushed_displacement(const BoundData &data, const Coupling &E, const Vector &targets) {
   Vector Q(E.n_columns());
   if (!data.inverse.has_factors())
-    return relaxed_displacement(data, nodes, targets, Vector(data.space.dofs().n_dofs()),
+    return relaxed_displacement(data, E, targets, Vector(data.space.dofs().n_dofs()),
                                 std::vector<bool>(targets.size(), true), 1);
   const auto pushed_by = [&](const Vector &Q_E) {
     DualVector forces = data.space.make_vector();
@@ -260,17 +252,14 @@ std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrac
     targets[k] = conditions[k].is_normal() ? 1. : 0.;
   for (unsigned int i = 0; i < moving.size(); ++i)
     moving[i] = targets[nodes.numbers[i]];
-  Displacement z = pushed_displacement(data, nodes, moving);
+  Displacement z = pushed_displacement(data, nodes.E, moving);
   if (!impose(trace, targets, false, z))
     return {};
   data.space.distribute_without_pins(z);
   // On the carriers alone z_n is 1 between nodes, too.
-  for (const PenetrationFace &face : trace.faces())
-    for (const PenetrationFace::Pressed &part : face.pressures)
-      for (unsigned int i = 0; part.other && i < trace.faces()[part.other->face].dofs.size(); ++i)
-        for (const auto dof : trace.faces()[part.other->face].dofs[i])
-          if (z[dof] != 0.)
-            return {};
+  for (const types::global_dof_index dof : trace.dofs_across())
+    if (z[dof] != 0.)
+      return {};
   const double local = LiftField(data, trace, std::move(z)).cell_energies().l1_norm();
   return std::sqrt(Utilities::MPI::sum(local, data.space.mesh().communicator()));
 }

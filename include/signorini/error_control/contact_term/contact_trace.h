@@ -11,6 +11,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -184,6 +185,8 @@ public:
   bool prescribes_all() const {
     return prescribes_all_;
   }
+  /** Returns the degrees of freedom on the faces across from carriers. */
+  std::set<types::global_dof_index> dofs_across() const;
   /** Returns the traces of a function of V^h on all faces. */
   std::vector<FaceVector> traces(const Displacement &V) const;
   /** Returns v_n or v_t at t, in a pair that of both bodies, from the traces of v. */
