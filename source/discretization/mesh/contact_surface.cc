@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 
 namespace Signorini {
 namespace {
@@ -224,10 +225,16 @@ double ContactSurface<dim>::longest_patch() const {
 
 template <int dim>
 bool ContactSurface<dim>::has_unstable_patch() const {
-  std::vector<unsigned int> n_pieces(patches_.size(), 0);
-  for (const Piece<dim> &piece : pieces_)
-    ++n_pieces[piece.patch];
-  return std::any_of(n_pieces.begin(), n_pieces.end(), [](const unsigned int n) { return n < 2; });
+  std::vector<std::set<unsigned int>> own(patches_.size()), opposite(own);
+  for (const Piece<dim> &piece : pieces_) {
+    own[piece.patch].insert(piece.face);
+    if (piece.opposite)
+      opposite[piece.patch].insert(piece.opposite->first);
+  }
+  for (std::size_t t = 0; t < patches_.size(); ++t)
+    if (own[t].size() < 2 || opposite[t].size() == 1)
+      return true;
+  return false;
 }
 
 template class ContactSurface<2>;

@@ -82,7 +82,9 @@ EdgeFunction difference(const EdgeFunction &lacking, const EdgeFunction &r) {
 struct FaceLift {
   FaceLift(const BoundData &data, const ContactTrace &trace, const PenetrationFace &face,
            const std::vector<FaceVector> &w)
-    : n_components(!face.is_contact() ? 0 : data.has_friction() ? 2 : 1)
+    : n_components(!face.is_contact()    ? 0
+                   : data.has_friction() ? 2
+                                         : 1)
     , w(w) {
     if (n_components == 0)
       return;
@@ -103,10 +105,11 @@ struct FaceLift {
     // The parts are those of d and p_H, and those of w_n; those of v between its roots.
     face.for_each_point(c == 0 ? r[0] : difference(lacking[1], r[1]).split_at_roots(),
                         [&](const double t, const double weight) {
-                          const double missing = follows
-                                                   ? lacking[c].value(t)
-                                                   : trace.misfit(face, contact_components[c], t) -
-                                                       trace.closing(face, contact_components[c], t, w),
+                          const double missing =
+                                         follows
+                                           ? lacking[c].value(t)
+                                           : trace.misfit(face, contact_components[c], t) -
+                                               trace.closing(face, contact_components[c], t, w),
                                        v = missing - r[c].value(t);
                           if (std::abs(v) > rounding)
                             term += ((c == 1 ? trace.friction_bound(face, t) * std::abs(v) : 0.) +

@@ -42,7 +42,8 @@ const PenetrationFace::Pressed &PenetrationFace::part_at(const double t) const {
 }
 
 double PenetrationFace::Pressed::on_other(const double t) const {
-  return other->lower + std::clamp((t - from) / (to - from), 0., 1.) * (other->upper - other->lower);
+  return other->lower +
+         std::clamp((t - from) / (to - from), 0., 1.) * (other->upper - other->lower);
 }
 
 std::vector<double> PenetrationFace::weights(const double t) const {
@@ -200,8 +201,8 @@ double ContactTrace::closing(const PenetrationFace &face, const Component compon
     return own;
   const FaceVector &of_other = v[part.other->face];
   const double on_other = part.on_other(t);
-  return own - face.direction(component, t) * Tensor<1, 2>({of_other[0].value(on_other),
-                                                            of_other[1].value(on_other)});
+  return own - face.direction(component, t) *
+                 Tensor<1, 2>({of_other[0].value(on_other), of_other[1].value(on_other)});
 }
 
 bool ContactTrace::wants_lift_of_slip(const PenetrationFace &face) const {
@@ -276,7 +277,8 @@ void ContactTrace::find_conditions() {
       conditions_[k].presses = conditions_[k].presses || face.presses();
     }
   for (const PenetrationFace &face : faces_)
-    for (std::size_t i = 0; i < face.dofs.size() && data_.has_friction() && face.is_contact(); ++i) {
+    for (std::size_t i = 0; i < face.dofs.size() && data_.has_friction() && face.is_contact();
+         ++i) {
       // Two normals say all about w.
       if (normals[face.dofs[i][0]].size() > 1) {
         prescribes_all_ = false;
@@ -303,7 +305,8 @@ void ContactTrace::find_conditions() {
 }
 
 void ContactTrace::condense_columns() {
-  for (Coupling::Column NodeCondition::*const part : {&NodeCondition::own, &NodeCondition::column}) {
+  for (Coupling::Column NodeCondition::*const part :
+       {&NodeCondition::own, &NodeCondition::column}) {
     std::vector<Coupling::Column> columns;
     for (NodeCondition &condition : conditions_)
       columns.push_back(std::exchange(condition.*part, {}));
@@ -313,18 +316,32 @@ void ContactTrace::condense_columns() {
       double square = 0.;
       for (const auto &entry : condensed.column(k))
         square += entry.second * entry.second;
-      // Where the carrier is held, the other body alone does not lift.
-      if (square > 1e-20 && (part == &NodeCondition::own || !conditions_[k].own.empty()))
+      if (square > 1e-20)
         conditions_[k].*part = condensed.column(k);
     }
   }
+  for (NodeCondition &condition : conditions_)
+    if (condition.own.empty() && !condition.held()) {
+      condition.own = condition.column;
+      condition.yields_across = true;
+    }
 }
 
 double ContactTrace::misfit(const PenetrationFace &face, const Component component,
-                            double t) const {
+                            const double t) const {
+  const double from = face.pressures.front().from, to = face.pressures.back().to,
+               there = misfit_at(face, component, std::clamp(t, from, to));
+  // Beyond the other side nothing is asked of w, and supports may hold the next node.
+  if (face.may_touch(t) || there <= 0. || face.conditions.empty() ||
+      !conditions_[face.conditions[t < from ? 0 : 1]].held())
+    return there;
+  return there * (t < from ? t / from : (1. - t) / (1. - to));
+}
+
+double ContactTrace::misfit_at(const PenetrationFace &face, const Component component,
+                               const double t) const {
   const BoundaryCondition<2> &condition =
     data_.scene.boundary[contact_side_of(data_.scene, face.side)];
-  t = std::clamp(t, face.pressures.front().from, face.pressures.back().to);
   const double u = closing(face, component, t, u_);
   const auto at = [&](const double s) {
     return point_of_data(data_.scene, face.side, face.point(s));
@@ -337,8 +354,9 @@ double ContactTrace::misfit(const PenetrationFace &face, const Component compone
 double ContactTrace::friction_bound(const PenetrationFace &face, const double t) const {
   if (!face.may_touch(t))
     return 0.;
-  const double given = data_.scene.boundary[contact_side_of(data_.scene, face.side)].friction->value(
-    point_of_data(data_.scene, face.side, face.point(t)));
+  const double given =
+    data_.scene.boundary[contact_side_of(data_.scene, face.side)].friction->value(
+      point_of_data(data_.scene, face.side, face.point(t)));
   return data_.P.is_coupled() ? given * std::abs(face.traction[0].value(t)) : given;
 }
 

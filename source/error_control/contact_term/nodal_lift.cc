@@ -43,7 +43,7 @@ private:
       const NodeCondition &condition = trace.conditions()[k];
       const Coupling::Column &column = condition.own;
       if ((all || condition.is_normal() || condition.presses) && !condition.held() &&
-          std::none_of(column.begin(), column.end(), is_pinned)) {
+          !condition.yields_across && std::none_of(column.begin(), column.end(), is_pinned)) {
         numbers.push_back(k);
         columns.push_back(column);
       }

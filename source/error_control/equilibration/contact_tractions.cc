@@ -35,7 +35,6 @@ ContactTractions::ContactTractions(const BoundData &data, Tractions &tractions)
   tractions_.project_shared();
 }
 
-
 std::map<unsigned int, bool>
 ContactTractions::edges_inside(const std::vector<bool> &patches) const {
   std::map<unsigned int, bool> inside;
@@ -96,8 +95,9 @@ void ContactTractions::press_by_multipliers(const unsigned int number) {
 
 double ContactTractions::friction_bound(const unsigned int number, const double s) const {
   const TractionEdge &edge = tractions_.space.edges()[number];
-  const double given = data_.scene.boundary[contact_side_of(data_.scene, edge.side)].friction->value(
-    point_of_data(data_.scene, edge.side, edge.point(s)));
+  const double given =
+    data_.scene.boundary[contact_side_of(data_.scene, edge.side)].friction->value(
+      point_of_data(data_.scene, edge.side, edge.point(s)));
   if (!data_.P.is_coupled())
     return given;
   return given *

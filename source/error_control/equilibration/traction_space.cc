@@ -52,18 +52,14 @@ std::optional<SharedPart> part_of(const TractionEdge &edge, const unsigned int n
   const auto on_shared = [&](const double s) {
     return shared_from + (s - start) / (end - start) * (shared_to - shared_from);
   };
-  SharedPart part = {number,
-                     from,
-                     to,
-                     on_shared(from),
-                     on_shared(to),
-                     FullMatrix<double>(edge.degree + 1, shared.degree + 1)};
+  SharedPart part = {
+    number,          from,          to,
+    on_shared(from), on_shared(to), FullMatrix<double>(edge.degree + 1, shared.degree + 1)};
   const QGauss<1> gauss(std::max(edge.degree, shared.degree) + 1);
   for (unsigned int q = 0; q < gauss.size(); ++q) {
     const double r = gauss.point(q)[0];
     const std::vector<double> L = legendre_values(edge.degree, from + r * (to - from)),
-                              M =
-                                legendre_values(shared.degree, on_shared(from + r * (to - from)));
+                              M = legendre_values(shared.degree, on_shared(from + r * (to - from)));
     for (unsigned int i = 0; i < L.size(); ++i)
       for (unsigned int j = 0; j < M.size(); ++j)
         part.R(i, j) += gauss.weight(q) * (to - from) * L[i] * M[j];
@@ -128,8 +124,8 @@ void TractionSpace::number_coefficients() {
 
 void TractionSpace::add_shared_edges(const unsigned int carrier, const unsigned int other) {
   const Side<2> &side = sides_[carrier];
-  const double a = side.arc_length(sides_[other].start()),
-               b = side.arc_length(sides_[other].end()), lower = std::max(0., std::min(a, b)),
+  const double a = side.arc_length(sides_[other].start()), b = side.arc_length(sides_[other].end()),
+               lower = std::max(0., std::min(a, b)),
                upper = std::min(side.length(), std::max(a, b));
   for (const auto &[start, number] : on_side_[carrier]) {
     const double length = edges_[number].length(), from = std::max(lower, start),

@@ -41,9 +41,8 @@ bool is_carrier(const Scene<2> &scene, const unsigned int side) {
   if (!opposite)
     return scene.boundary[side].role == Role::contact;
   constexpr double rounding = 1e-10;
-  const bool first_is_softer =
-    stiffness(scene, first) <= (1. + rounding) * stiffness(scene, *opposite);
-  return (side == first) == first_is_softer;
+  const bool takes_first = stiffness(scene, first) <= (1. + rounding) * stiffness(scene, *opposite);
+  return (side == first) == takes_first;
 }
 
 Point<2> point_of_data(const Scene<2> &scene, const unsigned int side, const Point<2> &x) {

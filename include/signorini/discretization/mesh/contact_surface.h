@@ -232,8 +232,8 @@ public:
 
   /** Returns H: the largest diameter of a patch (length). */
   double longest_patch() const;
-  /** Returns whether a patch lies in a single face (H = h): it contains no interior node of the
-   * trace mesh, and such partitions are not inf-sup stable. */
+  /** Returns whether a patch lies in a single face (H = h), in a pair of either body: it contains
+   * no interior node of the trace mesh, and such partitions are not inf-sup stable. */
   bool has_unstable_patch() const;
 
 private:

@@ -45,7 +45,7 @@ using FaceVector = std::array<FacePolynomial, 2>;
 
 /** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from vertex 0 to vertex 1 of
  * the face. In a pair ũ_n is that of both bodies, and d belongs to faces of the carrier; beyond the
- * other side d goes on as a constant. */
+ * other side d falls to zero. */
 struct PenetrationFace {
   using Dofs = std::array<types::global_dof_index, 2>;
   using Polynomial = Polynomials::Polynomial<double>;
@@ -146,9 +146,11 @@ struct NodeCondition {
   /** Whether a neighbouring face presses, or for w_t takes the slip. */
   bool presses = false;
   /** The column of w -> w.direction, condensed. It is empty where that vanishes for all such w,
-   * because another side holds the node. In a pair it is that of w_n of both bodies, and its part
-   * on the carrier is own. */
+   * because another side holds the node. In a pair it is that of w_n of both bodies; own is its
+   * part on the carrier, or that on the other body where the carrier is held. */
   Coupling::Column column, own;
+  /** Whether own is the part on the other body: its node alone gives way. */
+  bool yields_across = false;
 
   bool held() const {
     return column.empty();
@@ -233,6 +235,8 @@ private:
   unsigned int condition_at(const PenetrationFace &face, std::size_t node, Component component,
                             std::vector<unsigned int> &known);
   void condense_columns();
+  /** Returns misfit() where contact is possible. */
+  double misfit_at(const PenetrationFace &face, Component component, double t) const;
   /** Returns the line along which data of contact on the face is given. */
   Curve line_of_data(const PenetrationFace &face) const;
   UpperInterpolant sample(const PenetrationFace &face, Component component,
