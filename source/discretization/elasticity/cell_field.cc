@@ -4,6 +4,7 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/cell_field.h>
 
+#include <deal.II/base/aligned_vector.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
 
@@ -11,19 +12,28 @@
 
 namespace Signorini {
 namespace {
-/** Returns Σ_k A_qk v_k along one direction of an array, in which @p stride entries of the
- * directions before follow one another. */
+/** The components of a vector, filled up to a size that registers have. */
 template <int dim>
-std::vector<Tensor<1, dim>> along(const FullMatrix<double> &A, const std::vector<Tensor<1, dim>> &v,
-                                  const std::size_t stride) {
-  const std::size_t n_blocks = v.size() / (A.n() * stride);
-  std::vector<Tensor<1, dim>> sums(n_blocks * A.m() * stride);
-  for (std::size_t block = 0; block < n_blocks; ++block)
-    for (std::size_t q = 0; q < A.m(); ++q)
-      for (std::size_t k = 0; k < A.n(); ++k)
-        for (std::size_t i = 0; i < stride; ++i)
-          sums[(block * A.m() + q) * stride + i] += A(q, k) * v[(block * A.n() + k) * stride + i];
-  return sums;
+struct Padded {
+  typedef double Vector __attribute__((vector_size(dim == 2 ? 16 : 32)));
+};
+
+/** Computes Σ_k A_qk v_k along one direction of an array, in which @p stride entries of the
+ * directions before follow one another. */
+template <typename Vector>
+void along(const FullMatrix<double> &A, const Vector *v, const std::size_t stride,
+           const std::size_t n_blocks, Vector *sums) {
+  const std::size_t n = A.n();
+  for (std::size_t block = 0; block < n_blocks; ++block, v += n * stride)
+    for (std::size_t q = 0; q < A.m(); ++q) {
+      const double *const a = &A(q, 0);
+      for (std::size_t i = 0; i < stride; ++i) {
+        Vector sum = a[0] * v[i];
+        for (std::size_t k = 1; k < n; ++k)
+          sum += a[k] * v[k * stride + i];
+        *sums++ = sum;
+      }
+    }
 }
 } // namespace
 
@@ -41,24 +51,35 @@ LineTable make_line_table(const std::vector<Polynomials::Polynomial<double>> &ba
 }
 
 template <int dim>
-FieldValues<dim> evaluate_products(std::vector<Tensor<1, dim>> nodal_values,
-                                   const std::array<const LineTable *, dim> &lines) {
-  // The field, and its derivatives along the directions so far.
-  std::vector<std::vector<Tensor<1, dim>>> fields = {std::move(nodal_values)};
-  std::size_t stride = 1;
-  for (const LineTable *const line : lines) {
-    std::vector<Tensor<1, dim>> derivative = along(line->derivatives, fields[0], stride);
-    for (std::vector<Tensor<1, dim>> &field : fields)
-      field = along(line->values, field, stride);
-    fields.push_back(std::move(derivative));
-    stride *= line->values.m();
-  }
-  FieldValues<dim> result = {fields[0], std::vector<Tensor<2, dim>>(stride)};
-  for (std::size_t q = 0; q < stride; ++q)
+void evaluate_products(const std::vector<Tensor<1, dim>> &nodal_values,
+                       const std::array<const LineTable *, dim> &lines, FieldValues<dim> &result) {
+  // The field, and its derivatives along the directions so far, one after the other.
+  std::size_t size = nodal_values.size(), stride = 1;
+  thread_local AlignedVector<typename Padded<dim>::Vector> fields, sums;
+  fields.resize_fast(size);
+  for (std::size_t i = 0; i < size; ++i)
     for (unsigned int c = 0; c < dim; ++c)
+      fields[i][c] = nodal_values[i][c];
+  for (unsigned int d = 0; d < dim; ++d) {
+    const FullMatrix<double> &values = lines[d]->values;
+    const std::size_t n_blocks = size / (values.n() * stride);
+    const std::size_t new_size = n_blocks * values.m() * stride;
+    sums.resize_fast((d + 2) * new_size);
+    // Those along this direction first: it is that of the field.
+    along(lines[d]->derivatives, fields.data(), stride, n_blocks, sums.data() + (d + 1) * new_size);
+    along(values, fields.data(), stride, (d + 1) * n_blocks, sums.data());
+    fields.swap(sums);
+    stride *= values.m();
+    size = new_size;
+  }
+  result.values.resize(size);
+  result.gradients.resize(size);
+  for (std::size_t q = 0; q < size; ++q)
+    for (unsigned int c = 0; c < dim; ++c) {
+      result.values[q][c] = fields[q][c];
       for (unsigned int d = 0; d < dim; ++d)
-        result.gradients[q][c][d] = fields[d + 1][q][c];
-  return result;
+        result.gradients[q][c][d] = fields[(d + 1) * size + q][c];
+    }
 }
 
 LineTable make_line_table(const unsigned int degree, const std::vector<double> &points) {

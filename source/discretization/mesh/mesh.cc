@@ -11,6 +11,8 @@
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -255,21 +257,17 @@ void Mesh<dim>::make_mappings(const unsigned int degree) {
 }
 
 template <int dim>
-double Mesh<dim>::shortest_edge() const {
-  double shortest = size_;
+std::pair<double, double> Mesh<dim>::range_of_edges() const {
+  std::pair<double, double> squares(size_ * size_, 0.);
   for (const auto &cell : triangulation_.active_cell_iterators())
-    for (const unsigned int line : cell->line_indices())
-      shortest = std::min(shortest, cell->line(line)->diameter());
-  return shortest;
-}
-
-template <int dim>
-double Mesh<dim>::longest_edge() const {
-  double longest = 0.;
-  for (const auto &cell : triangulation_.active_cell_iterators())
-    for (const unsigned int line : cell->line_indices())
-      longest = std::max(longest, cell->line(line)->diameter());
-  return longest;
+    for (const unsigned int line : cell->line_indices()) {
+      const auto end = [&](const unsigned int v) {
+        return cell->vertex(GeometryInfo<dim>::line_to_cell_vertices(line, v));
+      };
+      const double square = end(0).distance_square(end(1));
+      squares = {std::min(squares.first, square), std::max(squares.second, square)};
+    }
+  return {std::sqrt(squares.first), std::sqrt(squares.second)};
 }
 
 template class Mesh<2>;

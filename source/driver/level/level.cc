@@ -56,15 +56,16 @@ constexpr unsigned long long max_bounded_unknowns = 10000000;
 
 template <int dim>
 LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy strategy) {
+  const auto [shortest_edge, longest_edge] = discretization.mesh.range_of_edges();
   return {discretization.mesh.level(),
           discretization.mesh.triangulation().n_global_active_cells(),
           discretization.space.dofs().n_dofs(),
           discretization.multipliers.n_multipliers(),
-          discretization.mesh.longest_edge(),
+          longest_edge,
           discretization.surface.longest_patch(),
           is_unstable(discretization),
           discretization.space.max_element_degree(),
-          discretization.mesh.shortest_edge(),
+          shortest_edge,
           strategy};
 }
 

@@ -268,8 +268,8 @@ double LiftField::energy(const CellIterator &cell, const Rule &rule, FEValues<2>
   std::vector<Tensor<1, 2>> from_first;
   for (const Point<2> &x : nodes.get_quadrature_points())
     from_first.push_back(x - nodes.quadrature_point(0));
-  const FieldValues<2> map =
-    evaluate_products<2>(from_first, {&rule.map_lines[0], &rule.map_lines[1]});
+  FieldValues<2> map;
+  evaluate_products<2>(from_first, {&rule.map_lines[0], &rule.map_lines[1]}, map);
   std::vector<Tensor<2, 2>> gradients =
                               CellField(cell, w_h_).gradients(rule.lines[0], rule.lines[1]),
                             inverse;

@@ -33,7 +33,7 @@ public:
     , kinks_(kinks)
     , maps_(maps) {
     for (unsigned int k = 0; k < n_fields(data) && !data.space.mesh().is_graded(); ++k)
-      fields_.emplace_back(data.space, QGauss<2>(n_points(data.space.element().degree)), k);
+      fields_.emplace_back(data.space, data.U, QGauss<2>(n_points(data.space.element().degree)), k);
   }
   static unsigned int n_fields(const BoundData &data) {
     return data.space.mesh().has_parents() ? 2 : 1;
@@ -116,7 +116,7 @@ private:
       return {&graded_};
     }
     for (auto &field : fields_)
-      fields.push_back(&field.evaluate(data_.U, cell, values));
+      fields.push_back(&field.evaluate(cell, values));
     return fields;
   }
 
@@ -178,7 +178,7 @@ EnergyMisfit::EnergyMisfit(const BoundData &data)
 void EnergyMisfit::find_bubbles() {
   std::optional<PatchInterpolation<2>> post;
   if (data_.space.mesh().has_parents())
-    post.emplace(data_.space, Quadrature<2>({{0., 0.5}, {1., 0.5}, {0.5, 0.}, {0.5, 1.}}));
+    post.emplace(data_.space, data_.U, Quadrature<2>({{0., 0.5}, {1., 0.5}, {0.5, 0.}, {0.5, 1.}}));
   const double rounding = 1e-13 * data_.U.linfty_norm();
   for (const auto &cell : data_.space.dofs().active_cell_iterators())
     for (const unsigned int f : cell->face_indices()) {
@@ -186,7 +186,7 @@ void EnergyMisfit::find_bubbles() {
         continue;
       Tensor<1, 2> &bubble = bubbles_[cell->face(f)->index()];
       if (post)
-        bubble = post->values(data_.U, cell)[f] - CellField(cell, data_.U).on_face(f, 0.5);
+        bubble = post->on_reference_cell(cell).values[f] - CellField(cell, data_.U).on_face(f, 0.5);
       if (bubble.norm() <= rounding)
         bubble = 0.;
     }
@@ -235,8 +235,8 @@ void EnergyMisfit::add_lifts() {
       // On graded meshes there is no bound if z is not zero (gap_of_proof()).
       if (data_.space.mesh().is_graded())
         return;
-      const auto gradients = PatchInterpolation<2>(data_.space, Quadrature<2>(), k)
-                               .evaluate(data_.U, lifted.cell, lifted.values)
+      const auto gradients = PatchInterpolation<2>(data_.space, data_.U, Quadrature<2>(), k)
+                               .evaluate(lifted.cell, lifted.values)
                                .gradients;
       for (std::size_t q = 0; q < gradients.size(); ++q)
         fields_[k].strain +=

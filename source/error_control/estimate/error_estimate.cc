@@ -10,16 +10,18 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace Signorini {
 namespace {
 /** The squares of norms of v - w, of a cell or of the body: of the values, the gradients, and the
- * energy. */
-using Squares = Tensor<1, 3>;
+ * energies of all displacements. */
+using Squares = Tensor<1, 4>;
 
 /** Integrates v - w, where v is the patch interpolation over @p fine generations and w that over
  * one less. Every chunk of cells has its own object. */
@@ -31,62 +33,73 @@ public:
   // Products of functions of degree two or four per direction: three or five points are exact on
   // parallelograms.
   Distance(const DisplacementSpace<dim> &space, const Scene<dim> *const scene,
-           const Displacement &U, const unsigned int fine)
+           const std::vector<const Displacement *> &displacements, const unsigned int fine)
     : scene_(scene)
-    , U_(U)
-    , values_(space.mesh().mapping(), space.element(),
-              QGauss<dim>((space.element().degree << fine) + 1),
-              update_values | update_gradients | update_inverse_jacobians | update_JxW_values |
-                update_quadrature_points)
-    , v_(space, values_.get_quadrature(), fine)
-    , w_(space, values_.get_quadrature(), fine - 1) {
+    , map_(space.mesh().mapping(), no_element_, QGauss<dim>((space.element().degree << fine) + 1),
+           update_inverse_jacobians | update_JxW_values | update_quadrature_points) {
     if (scene != nullptr)
       energy_.emplace(*scene);
+    for (const Displacement *const U : displacements)
+      for (const unsigned int generations : {fine, fine - 1})
+        fields_.emplace_back(space, *U, map_.get_quadrature(), generations);
   }
   Squares integrate(const CellIterator &cell) {
-    values_.reinit(cell);
-    const FieldValues<dim> &v = v_.evaluate(U_, cell, values_);
-    const FieldValues<dim> &w = w_.evaluate(U_, cell, values_);
+    map_.reinit(typename Triangulation<dim>::cell_iterator(cell));
     Squares sum;
-    for (const unsigned int q : values_.quadrature_point_indices()) {
-      const Tensor<2, dim> gradient = v.gradients[q] - w.gradients[q];
-      const Tensor<1, dim> value = v.values[q] - w.values[q];
-      const Point<dim> &x = values_.quadrature_point(q);
-      Squares squares({value.norm_square(), gradient.norm_square(), 0.});
-      if (scene_ != nullptr) {
-        squares[1] = gradient_square(scene_->geometry, x, value, gradient);
-        squares[2] = energy_->at(x).density(value, gradient);
-      }
-      sum += measure_at(values_, q) * squares;
+    for (std::size_t k = 0; 2 * k < fields_.size(); ++k) {
+      const FieldValues<dim> &v = fields_[2 * k].on_reference_cell(cell),
+                             &w = fields_[2 * k + 1].on_reference_cell(cell);
+      for (const unsigned int q : map_.quadrature_point_indices())
+        add(k, q, v.values[q] - w.values[q],
+            (v.gradients[q] - w.gradients[q]) * Tensor<2, dim>(map_.inverse_jacobian(q)), sum);
     }
     return sum;
   }
 
 private:
+  /** Adds what a point contributes to the integrals of a displacement. */
+  void add(const unsigned int k, const unsigned int q, const Tensor<1, dim> &value,
+           const Tensor<2, dim> &gradient, Squares &sum) {
+    const Point<dim> &x = map_.quadrature_point(q);
+    const double dx = measure_at(map_, q);
+    if (k == 0) {
+      sum[0] += value.norm_square() * dx;
+      sum[1] += (scene_ == nullptr ? gradient.norm_square()
+                                   : gradient_square(scene_->geometry, x, value, gradient)) *
+                dx;
+    }
+    if (scene_ != nullptr)
+      sum[2 + k] += energy_->at(x).density(value, gradient) * dx;
+  }
+
   /** Null, and empty, if energies are not wanted. */
   const Scene<dim> *const scene_;
   std::optional<EnergyMeasure<dim>> energy_;
-  const Displacement &U_;
-  FEValues<dim> values_;
-  PatchInterpolation<dim> v_, w_;
+  const FE_Nothing<dim> no_element_;
+  FEValues<dim> map_;
+  /** v and w of the first displacement, of the second, ... */
+  std::vector<PatchInterpolation<dim>> fields_;
 };
 
-/** Returns the sums over all ranks; the parts of the threads are added up in the order of cells. */
+/** Returns the sums over all ranks; the parts of the threads are added up in the order of cells.
+ * Values and gradients are those of the first displacement. */
 template <int dim>
 Squares integrate(const DisplacementSpace<dim> &space, const Scene<dim> *const scene,
-                  const Displacement &U, const unsigned int fine) {
+                  const std::vector<const Displacement *> &displacements, const unsigned int fine) {
   Squares sum;
   integrate_by_chunks<Squares, dim>(
     space,
     [&](const Cells<dim> &cells) {
-      Distance<dim> distance(space, scene, U, fine);
+      Distance<dim> distance(space, scene, displacements, fine);
       Squares chunk_result;
       for (const auto &cell : cells)
         chunk_result += distance.integrate(cell);
       return chunk_result;
     },
     [&sum](const Squares &chunk_result) { sum += chunk_result; });
-  return Utilities::MPI::sum(sum, space.mesh().communicator());
+  const ArrayView<double> numbers(sum.begin_raw(), Squares::dimension);
+  Utilities::MPI::sum<double>(numbers, space.mesh().communicator(), numbers);
+  return sum;
 }
 
 /** Returns ‖.‖_1 with lengths in the given unit, up to that unit's own power. */
@@ -99,15 +112,16 @@ template <int dim>
 ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                              const Displacement &U, const EnergyScale &scale,
                              const PressureCorrection &correction, const OtherErrors &others) {
-  const Squares u_h_squares = integrate(space, &scene, U, 1);
-  double mesh_square = u_h_squares[2];
-  if (correction.z.size() > 0) {
-    Displacement corrected(U);
+  const bool is_corrected = correction.z.size() > 0;
+  Displacement corrected(U);
+  if (is_corrected)
     corrected += correction.z;
-    mesh_square = integrate(space, &scene, corrected, 1)[2];
-  }
+  const Squares squares = integrate<dim>(
+    space, &scene,
+    is_corrected ? std::vector<const Displacement *>{&U, &corrected} : std::vector{&U}, 1);
+  const double mesh_square = squares[is_corrected ? 3 : 2];
   ErrorEstimate estimate;
-  estimate.h1 = norm_1(u_h_squares, 1.);
+  estimate.h1 = norm_1(squares, 1.);
   estimate.mesh = std::sqrt(mesh_square);
   estimate.pressure = correction.energy_norm;
   estimate.algebra = others.algebra;
@@ -124,7 +138,7 @@ unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Displ
   if (space.mesh().n_nested_ancestors() < 2)
     return space.mesh().n_nested_ancestors();
   const auto change = [&](const unsigned int fine) {
-    return norm_1(integrate<dim>(space, nullptr, U, fine), space.mesh().size());
+    return norm_1(integrate<dim>(space, nullptr, {&U}, fine), space.mesh().size());
   };
   return change(2) < 2. / 3. * change(1) ? 2 : 1;
 }

@@ -43,15 +43,14 @@ struct Fields {
   unsigned int n_points;
 };
 
-/** Returns a function of V^h at the points of a cell. */
+/** Computes a function of V^h at the points of a cell. */
 template <int dim>
-FieldValues<dim> evaluate(const Displacement &U, const FEValues<dim> &values) {
+void evaluate(const Displacement &U, const FEValues<dim> &values, FieldValues<dim> &u) {
   const FEValuesExtractors::Vector displacement(0);
-  FieldValues<dim> u = {std::vector<Tensor<1, dim>>(values.n_quadrature_points),
-                        std::vector<Tensor<2, dim>>(values.n_quadrature_points)};
+  u.values.resize(values.n_quadrature_points);
+  u.gradients.resize(values.n_quadrature_points);
   values[displacement].get_function_values(U.entries(), u.values);
   values[displacement].get_function_gradients(U.entries(), u.gradients);
-  return u;
 }
 
 /** Integrates over one cell after the other; every chunk of cells has its own object. */
@@ -66,44 +65,43 @@ public:
     , energy_(fields.scene) {
     const unsigned int n_generations = std::min(2U, fields.space.mesh().n_nested_ancestors());
     for (unsigned int g = 1; g <= n_generations; ++g)
-      interpolations_.emplace_back(fields.space, QGauss<dim>(fields.n_points), g);
+      interpolations_.emplace_back(fields.space, fields.U, QGauss<dim>(fields.n_points), g);
   }
   Squares integrate(const typename DoFHandler<dim>::active_cell_iterator &cell) {
     const FEValues<dim> &values = cell_values_.reinit(cell);
-    const auto u = exact(values.get_quadrature_points());
-    const auto u_h = evaluate(fields_.U, values), e = evaluate(fields_.interpolant_minus_U, values);
+    evaluate_exact(values.get_quadrature_points());
+    evaluate(fields_.U, values, u_h_);
+    evaluate(fields_.interpolant_minus_U, values, e_);
     Squares squares;
     for (const unsigned int q : values.quadrature_point_indices()) {
       const Point<dim> &x = values.quadrature_point(q);
-      const Tensor<1, dim> value = u.values[q] - u_h.values[q];
-      const Tensor<2, dim> gradient = u.gradients[q] - u_h.gradients[q];
+      const Tensor<1, dim> value = u_.values[q] - u_h_.values[q];
+      const Tensor<2, dim> gradient = u_.gradients[q] - u_h_.gradients[q];
       const double dx = measure_at(values, q);
       squares[of_value] += value.norm_square() * dx;
       squares[of_gradient] += gradient_square(fields_.scene.geometry, x, value, gradient) * dx;
       squares[of_energy] += energy_.at(x).density(value, gradient) * dx;
-      squares[of_superclose] += norm_1_square(x, e.values[q], e.gradients[q]) * dx;
+      squares[of_superclose] += norm_1_square(x, e_.values[q], e_.gradients[q]) * dx;
     }
     for (unsigned int g = 0; g < interpolations_.size(); ++g)
-      squares[of_post + g] =
-        distance(u, interpolations_[g].evaluate(fields_.U, cell, values), values);
+      squares[of_post + g] = distance(u_, interpolations_[g].evaluate(cell, values), values);
     return squares;
   }
 
 private:
-  /** Returns the exact solution at points. */
-  FieldValues<dim> exact(const std::vector<Point<dim>> &points) {
+  /** Computes the exact solution at points. */
+  void evaluate_exact(const std::vector<Point<dim>> &points) {
     values_.resize(points.size(), dealii::Vector<double>(dim));
     gradients_.resize(points.size(), std::vector<Tensor<1, dim>>(dim));
     fields_.scene.exact_displacement->vector_value_list(points, values_);
     fields_.scene.exact_displacement->vector_gradient_list(points, gradients_);
-    FieldValues<dim> u;
-    for (std::size_t q = 0; q < points.size(); ++q) {
-      u.values.emplace_back(make_array_view(values_[q].begin(), values_[q].end()));
-      u.gradients.emplace_back();
-      for (unsigned int c = 0; c < dim; ++c)
-        u.gradients[q][c] = gradients_[q][c];
-    }
-    return u;
+    u_.values.resize(points.size());
+    u_.gradients.resize(points.size());
+    for (std::size_t q = 0; q < points.size(); ++q)
+      for (unsigned int c = 0; c < dim; ++c) {
+        u_.values[q][c] = values_[q][c];
+        u_.gradients[q][c] = gradients_[q][c];
+      }
   }
   double norm_1_square(const Point<dim> &x, const Tensor<1, dim> &value,
                        const Tensor<2, dim> &gradient) const {
@@ -124,6 +122,8 @@ private:
   CellValues<dim> cell_values_;
   EnergyMeasure<dim> energy_;
   std::vector<PatchInterpolation<dim>> interpolations_;
+  /** The exact solution, u_h and I^h u - u_h at the points of a cell. */
+  FieldValues<dim> u_, u_h_, e_;
   std::vector<dealii::Vector<double>> values_;
   std::vector<std::vector<Tensor<1, dim>>> gradients_;
 };

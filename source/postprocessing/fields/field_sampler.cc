@@ -4,6 +4,7 @@
 #include <signorini/postprocessing/fields/field_sampler.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_q.h>
 
 namespace Signorini {
@@ -59,15 +60,20 @@ template <int dim>
 FieldSampler<dim>::FieldSampler(const SampledField<dim> &field)
   : field_(field)
   , mappings_(field.space.mesh().mapping())
-  , values_by_element_(mappings_, field.space.elements(), all_points(field.space), sample_flags) {
+  , elements_(field.space.has_several_elements() ? field.space.elements()
+                                                 : hp::FECollection<dim>(FE_Nothing<dim>()))
+  , values_by_element_(mappings_, elements_, all_points(field.space), sample_flags) {
   if (!field.space.has_several_elements())
-    interpolation_.emplace(field.space, points_of(field.space, 0),
+    interpolation_.emplace(field.space, field.U, points_of(field.space, 0),
                            field.space.mesh().has_parents() ? 1 : 0);
 }
 
 template <int dim>
 const std::vector<FieldSample<dim>> &FieldSampler<dim>::at_nodes(const Cell &cell) {
-  values_by_element_.reinit(cell);
+  if (interpolation_)
+    values_by_element_.reinit(typename Triangulation<dim>::cell_iterator(cell));
+  else
+    values_by_element_.reinit(cell);
   return evaluate(cell, values_by_element_.get_present_fe_values());
 }
 
@@ -89,8 +95,7 @@ const std::vector<FieldSample<dim>> &FieldSampler<dim>::evaluate(const Cell &cel
     u.get_function_values(field_.U.entries(), at_points_.values);
     u.get_function_gradients(field_.U.entries(), at_points_.gradients);
   }
-  const FieldValues<dim> &u =
-    interpolation_ ? interpolation_->evaluate(field_.U, cell, values) : at_points_;
+  const FieldValues<dim> &u = interpolation_ ? interpolation_->evaluate(cell, values) : at_points_;
   for (unsigned int q = 0; q < samples_.size(); ++q) {
     const Point<dim> &x = values.quadrature_point(q);
     samples_[q] = {x, values.get_quadrature().point(q), u.values[q],

@@ -41,22 +41,28 @@ std::vector<Polynomials::Polynomial<double>> nodal_basis(const unsigned int degr
 
 template <int dim>
 PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
+                                            const Displacement &U,
                                             const Quadrature<dim> &usual_rule,
                                             const unsigned int n_generations)
   : space_(space)
+  , U_(U)
   , n_generations_(n_generations)
   , n_cells_(1U << n_generations)
   , degree_(n_cells_ * space.element().degree)
   , polynomials_(nodal_basis(space.element().degree, n_cells_))
   , usual_points_(usual_rule.get_points())
   , ancestor_(space.dofs().end())
-  , nodal_dofs_(polynomials_.n())
-  , nodal_values_(polynomials_.n()) {
+  , nodal_values_(polynomials_.n())
+  , on_cell_(space.element().dofs_per_cell) {
   Assert(space.mesh().n_nested_ancestors() >= n_generations,
          ExcMessage("patch interpolation needs the levels before"));
   const unsigned int p = space.element().degree;
-  for (const unsigned int i : FETools::hierarchic_to_lexicographic_numbering<dim>(p))
-    nodes_of_cell_.push_back(digits<dim>(i, p + 1));
+  const auto numbers = FETools::hierarchic_to_lexicographic_numbering<dim>(p);
+  for (unsigned int i = 0; i < on_cell_.size(); ++i) {
+    const auto [component, node] = space.element().system_to_component_index(i);
+    nodes_of_cell_.emplace_back(component,
+                                lexicographic<dim>(digits<dim>(numbers[node], p + 1), degree_ + 1));
+  }
   // In 2-D the sums over all nodes are short.
   if (dim == 2 || usual_rule.size() == 0 || !usual_rule.is_tensor_product())
     for (unsigned int i = 0; i < Utilities::pow(n_cells_, dim); ++i)
@@ -86,36 +92,33 @@ typename PatchInterpolation<dim>::ShapeTable PatchInterpolation<dim>::make_table
     for (unsigned int d = 0; d < dim; ++d)
       point_in_ancestor[d] = (point[d] + place[d]) / n_cells_;
     polynomials_.evaluate(point_in_ancestor, values, gradients, second, third, fourth);
-    table.values.insert(table.values.end(), values.begin(), values.end());
-    for (const Tensor<1, dim> &gradient : gradients)
-      table.gradients.push_back(gradient / n_cells_);
+    table.emplace_back();
+    for (unsigned int k = 0; k < values.size(); ++k)
+      if (values[k] != 0. || gradients[k].norm_square() != 0.)
+        table.back().push_back({k, values[k], gradients[k] / n_cells_});
   }
   return table;
 }
 
 template <int dim>
-void PatchInterpolation<dim>::find_nodes(const AncestorIterator &cell, const Place &place) {
+void PatchInterpolation<dim>::read_values(const AncestorIterator &cell, const Place &place) {
   for (unsigned int c = 0; c < cell->n_children(); ++c) {
     Place child = digits<dim>(c, 2);
     for (unsigned int d = 0; d < dim; ++d)
       child[d] += 2 * place[d];
-    find_nodes(cell->child(c), child);
+    read_values(cell->child(c), child);
   }
   if (cell->has_children())
     return;
-  const auto indices = space_.cell_dofs(cell);
-  for (unsigned int i = 0; i < indices.size(); ++i) {
-    const auto [component, number] = space_.element().system_to_component_index(i);
-    Place node = nodes_of_cell_[number];
-    for (unsigned int d = 0; d < dim; ++d)
-      node[d] += space_.element().degree * place[d];
-    nodal_dofs_[lexicographic<dim>(node, degree_ + 1)][component] = indices[i];
-  }
+  cell->get_dof_values(U_.entries(), on_cell_);
+  const unsigned int first = space_.element().degree * lexicographic<dim>(place, degree_ + 1);
+  for (unsigned int i = 0; i < on_cell_.size(); ++i)
+    nodal_values_[first + nodes_of_cell_[i].second][nodes_of_cell_[i].first] = on_cell_[i];
 }
 
 template <int dim>
 typename PatchInterpolation<dim>::Place
-PatchInterpolation<dim>::collect_values(const Displacement &U, const CellIterator &cell) {
+PatchInterpolation<dim>::collect_values(const CellIterator &cell) {
   AncestorIterator ancestor = cell;
   Place place = {};
   for (unsigned int g = 0; g < n_generations_; ++g) {
@@ -128,52 +131,46 @@ PatchInterpolation<dim>::collect_values(const Displacement &U, const CellIterato
     ancestor = parent;
   }
   if (ancestor != ancestor_) {
-    find_nodes(ancestor, Place());
+    read_values(ancestor, Place());
     ancestor_ = ancestor;
   }
-  for (unsigned int k = 0; k < nodal_dofs_.size(); ++k)
-    for (unsigned int d = 0; d < dim; ++d)
-      nodal_values_[k][d] = U[nodal_dofs_[k][d]];
   return place;
 }
 
 template <int dim>
-void PatchInterpolation<dim>::interpolate(const Displacement &U, const CellIterator &cell,
+void PatchInterpolation<dim>::interpolate(const CellIterator &cell,
                                           const std::vector<Point<dim>> &points) {
-  const Place place = collect_values(U, cell);
+  const Place place = collect_values(cell);
   const bool is_usual = points == usual_points_;
   if (is_usual && !lines_.empty()) {
     std::array<const LineTable *, dim> lines;
     for (unsigned int d = 0; d < dim; ++d)
       lines[d] = &lines_[place[d]];
-    result_ = evaluate_products<dim>(nodal_values_, lines);
+    evaluate_products<dim>(nodal_values_, lines, result_);
     return;
   }
-  const unsigned int n_nodes = nodal_values_.size();
   result_.values.assign(points.size(), Tensor<1, dim>());
   result_.gradients.assign(points.size(), Tensor<2, dim>());
   if (!is_usual)
     cut_table_ = make_table(points, place);
   const ShapeTable &shapes = is_usual ? tables_[lexicographic<dim>(place, n_cells_)] : cut_table_;
   for (unsigned int q = 0; q < points.size(); ++q)
-    for (unsigned int k = 0; k < n_nodes; ++k) {
-      result_.values[q] += shapes.values[q * n_nodes + k] * nodal_values_[k];
-      result_.gradients[q] += outer_product(nodal_values_[k], shapes.gradients[q * n_nodes + k]);
+    for (const Shape &shape : shapes[q]) {
+      result_.values[q] += shape.value * nodal_values_[shape.node];
+      result_.gradients[q] += outer_product(nodal_values_[shape.node], shape.gradient);
     }
 }
 
 template <int dim>
-const std::vector<Tensor<1, dim>> &PatchInterpolation<dim>::values(const Displacement &U,
-                                                                   const CellIterator &cell) {
-  interpolate(U, cell, usual_points_);
-  return result_.values;
+const FieldValues<dim> &PatchInterpolation<dim>::on_reference_cell(const CellIterator &cell) {
+  interpolate(cell, usual_points_);
+  return result_;
 }
 
 template <int dim>
-const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const Displacement &U,
-                                                          const CellIterator &cell,
+const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const CellIterator &cell,
                                                           const FEValues<dim> &fe_values) {
-  interpolate(U, cell, fe_values.get_quadrature().get_points());
+  interpolate(cell, fe_values.get_quadrature().get_points());
   // du_i/dx_j = Σ_k du_i/dxi_k dxi_k/dx_j
   for (const unsigned int q : fe_values.quadrature_point_indices())
     result_.gradients[q] = result_.gradients[q] * Tensor<2, dim>(fe_values.inverse_jacobian(q));
@@ -192,7 +189,7 @@ Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement
     return {};
   // The vertices of a cell and the middles between them, lexicographically.
   const QIterated<dim> nodes(QTrapezoid<1>(), 2);
-  PatchInterpolation<dim> interpolation(coarse, nodes, coarse.mesh().has_parents() ? 1 : 0);
+  PatchInterpolation<dim> interpolation(coarse, U, nodes, coarse.mesh().has_parents() ? 1 : 0);
   Displacement carried = fine.zero();
   for (const auto &cell : coarse.dofs().active_cell_iterators()) {
     const typename DoFHandler<dim>::cell_iterator parent(&mesh, cell->level(), cell->index(),
@@ -200,7 +197,7 @@ Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement
     if (parent->is_active() ||
         parent->vertex(0).distance(cell->vertex(0)) > 1e-10 * fine.mesh().size())
       return {};
-    const std::vector<Tensor<1, dim>> &values = interpolation.values(U, cell);
+    const std::vector<Tensor<1, dim>> &values = interpolation.on_reference_cell(cell).values;
     for (unsigned int c = 0; c < parent->n_children(); ++c)
       for (const unsigned int v : parent->vertex_indices()) {
         std::array<unsigned int, dim> place = digits<dim>(c, 2);

@@ -48,20 +48,24 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
 // The stress with three components per direction, and the quantities that follow from it.
 
 template <int dim>
-Stress3D stress_in_3d(const Material<dim> &material, const Point<dim> &x, const Point<dim> &middle,
-                      const Strain<dim> &strain) {
+Stress3D StressIn3D<dim>::operator()(const Point<dim> &x, const Point<dim> &middle,
+                                     const Strain<dim> &strain) {
   // Corners and sides belong to several cells, and to the material of each. A step inside chooses;
   // it is longer than rounding, and shorter than what changes a smooth law.
   constexpr double step = 1e-8;
   const Point<dim> inside = x + step * (middle - x);
-  const HookesLaw<dim> law = {material.hooke(inside), material.across(inside)};
-  const SymmetricTensor<2, dim> stress = law.stress(strain);
+  if (!is_known_)
+    law_.in_body = material_.hooke(inside);
+  is_known_ = material_.is_constant();
+  if (dim == 2)
+    law_.across = material_.across(inside);
+  const SymmetricTensor<2, dim> stress = law_.stress(strain);
   Stress3D in_space;
   for (unsigned int i = 0; i < dim; ++i)
     for (unsigned int j = i; j < dim; ++j)
       in_space[i][j] = stress[i][j];
   if (dim == 2)
-    in_space[2][2] = law.stress_across(strain);
+    in_space[2][2] = law_.stress_across(strain);
   return in_space;
 }
 
@@ -93,5 +97,6 @@ std::array<double, 3> principal_stresses(const Stress3D &given) {
 }
 
 INSTANTIATE_FUNCTION(mean_dilatations);
-INSTANTIATE_FUNCTION(stress_in_3d);
+template class StressIn3D<2>;
+template class StressIn3D<3>;
 } // namespace Signorini

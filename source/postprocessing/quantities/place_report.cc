@@ -129,7 +129,7 @@ private:
   }
 
   Stress3D stress_of(const Cell &cell, const FieldSample<dim> &sample) const {
-    return stress_in_3d(*field_.scene.material, sample.x, cell->center(), sample.strain);
+    return StressIn3D<dim>(*field_.scene.material)(sample.x, cell->center(), sample.strain);
   }
   static Values fields_of(const Stress3D &stress, const FieldSample<dim> &sample) {
     const std::array<double, 3> principal = principal_stresses(stress);

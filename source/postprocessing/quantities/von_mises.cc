@@ -213,6 +213,15 @@ CellResults no_results() {
   return {{0., Point<dim>(), {}}, {0., Point<dim>(), {}}};
 }
 
+/** Returns whether a principal strain is large; none is larger than the norm. */
+template <int dim>
+bool is_large(const SymmetricTensor<2, dim> &strain) {
+  if (strain.norm() <= large_strain)
+    return false;
+  const auto principal = eigenvalues(strain);
+  return std::max(principal[0], -principal[dim - 1]) > large_strain;
+}
+
 /** Returns the results of a chunk of cells. Points where the material's data has no value are
  * skipped. */
 template <int dim>
@@ -220,19 +229,19 @@ CellResults results_of(const Cells<dim> &cells, const SampledField<dim> &field,
                        const std::vector<SingularPlace<dim>> &places) {
   const bool at_nodes = field.space.has_several_elements();
   FieldSampler<dim> sampler(field);
+  StressIn3D<dim> stress(*field.scene.material);
   CellResults results = no_results<dim>();
   for (const auto &cell : cells) {
     const std::vector<FieldSample<dim>> &samples = sampler.at_nodes(cell);
-    const auto principal = eigenvalues(samples[0].strain.in_body);
-    results.measure += cell->measure();
-    if (std::max(principal[0], -principal[dim - 1]) > large_strain)
-      results.strained += cell->measure();
+    const double measure = cell->measure();
+    results.measure += measure;
+    if (is_large(samples[0].strain.in_body))
+      results.strained += measure;
     const MeshAt mesh = mesh_at(field.space, cell);
     for (unsigned int q = at_nodes ? 1 : 0; q < samples.size(); ++q)
       try {
         const Point<dim> &x = samples[q].x;
-        const double value =
-          von_mises(stress_in_3d(*field.scene.material, x, cell->center(), samples[q].strain));
+        const double value = von_mises(stress(x, cell->center(), samples[q].strain));
         // Most stresses are smaller, and nothing is stored for them.
         const auto matters = [&](const FieldMaximum &largest) {
           return value >= (1. - rounding) * largest.value;

@@ -180,9 +180,19 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
     if constexpr (dim == 2)
       if (!multipliers.is_piecewise_constant())
         rows = corners = positions_of_polynomial(piece, multipliers);
-    contact.push_back({surface.side(patch).name(), patch.side, piece.face, piece.patch,
-                       patch.measure, surface.condition(piece).opposite, tracer.trace(piece, rows),
-                       tracer.trace(piece, corners)});
+    // In one call: faces with the same points share a table.
+    std::vector<Point<dim - 1>> positions = rows;
+    positions.insert(positions.end(), corners.begin(), corners.end());
+    const std::vector<ContactPoint<dim>> points = tracer.trace(piece, positions);
+    const auto middle = points.begin() + rows.size();
+    contact.push_back({surface.side(patch).name(),
+                       patch.side,
+                       piece.face,
+                       piece.patch,
+                       patch.measure,
+                       surface.condition(piece).opposite,
+                       {points.begin(), middle},
+                       {middle, points.end()}});
   }
   return contact;
 }

@@ -28,6 +28,7 @@ public:
   BodyFields(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U,
              const BoundFields &bound)
     : field_(space, scene, U)
+    , stress_(*scene.material)
     , space_(space)
     , scene_(scene)
     , U_(U)
@@ -57,7 +58,7 @@ private:
                            update_quadrature_points);
     std::optional<PatchInterpolation<dim>> interpolation;
     if (is_recovered_)
-      interpolation.emplace(space_, points, best_interpolation(space_, U_));
+      interpolation.emplace(space_, U_, points, best_interpolation(space_, U_));
     const FEValuesExtractors::Vector vector(0);
     FieldValues<dim> u;
     u.values.resize(points.size());
@@ -68,7 +69,7 @@ private:
       values.reinit(cell);
       values[vector].get_function_values(U_.entries(), u.values);
       values[vector].get_function_gradients(U_.entries(), u.gradients);
-      add_cell(cell, n, values, u, interpolation ? interpolation->evaluate(U_, cell, values) : u);
+      add_cell(cell, n, values, u, interpolation ? interpolation->evaluate(cell, values) : u);
     }
   }
 
@@ -106,12 +107,12 @@ private:
 
   /** Adds the tensor, its components and its invariants. */
   void add_stress(const Point<dim> &x, const Point<dim> &middle, const Strain<dim> &strain,
-                  VtuFields &fields) const {
+                  VtuFields &fields) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     Stress3D stress = unknown * unit_symmetric_tensor<3>();
     std::array<double, 3> principal = {{unknown, unknown, unknown}};
     try {
-      stress = stress_in_3d(*scene_.material, x, middle, strain);
+      stress = stress_(x, middle, strain);
       principal = principal_stresses(stress);
     } catch (const InputError &) {
       // Mesh nodes may be the only points where the material's data has no value.
@@ -132,6 +133,7 @@ private:
   }
 
   const SampledField<dim> field_;
+  StressIn3D<dim> stress_;
   const DisplacementSpace<dim> &space_;
   const Scene<dim> &scene_;
   const Displacement &U_;

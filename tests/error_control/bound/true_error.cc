@@ -40,7 +40,7 @@ std::array<double, 2> energy_errors(const OneLevel &level, const Displacement &U
   std::vector<std::unique_ptr<PatchInterpolation<2>>> fields;
   for (unsigned int generations = 0; generations <= space.mesh().has_parents(); ++generations)
     fields.push_back(
-      std::make_unique<PatchInterpolation<2>>(space, dealii::QGauss<2>(6), generations));
+      std::make_unique<PatchInterpolation<2>>(space, U, dealii::QGauss<2>(6), generations));
   std::vector<std::vector<dealii::Tensor<1, 2>>> exact;
   std::array<double, 2> squares{};
   for (const auto &cell : space.dofs().active_cell_iterators()) {
@@ -48,7 +48,7 @@ std::array<double, 2> energy_errors(const OneLevel &level, const Displacement &U
     exact.assign(values.n_quadrature_points, std::vector<dealii::Tensor<1, 2>>(2));
     level.scene.exact_displacement->vector_gradient_list(values.get_quadrature_points(), exact);
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      const FieldValues<2> &found = fields[i]->evaluate(U, cell, values);
+      const FieldValues<2> &found = fields[i]->evaluate(cell, values);
       for (const unsigned int q : values.quadrature_point_indices()) {
         dealii::Tensor<2, 2> difference = found.gradients[q];
         for (unsigned int c = 0; c < 2; ++c)

@@ -37,7 +37,8 @@ void layers(Checks &checks) {
   };
   for (unsigned int n = 1; n <= 10; ++n) {
     const GradedLevel level(square, graded(corner({0., 1.}, n)));
-    checks.near("size at a corner", level.mesh().shortest_edge(), 0.25 * std::pow(0.5, n), 1e-15);
+    checks.near("size at a corner", level.mesh().range_of_edges().first, 0.25 * std::pow(0.5, n),
+                1e-15);
     checks.near("cells at a corner", n_cells(level), 16 + 3 * n, 0.);
     checks.near("cells per layer at a vertex of a side", on_side(0.5, n) - on_side(0.5, n - 1), 6,
                 0.);
@@ -101,7 +102,7 @@ void demands(Checks &checks) {
     if (cell->point_inside(x))
       next.demands[cell->id()] = {true, 0};
   const GradedLevel finer(square, next);
-  checks.near("a child is split", finer.mesh().shortest_edge(), 0.0625, 1e-15);
+  checks.near("a child is split", finer.mesh().range_of_edges().first, 0.0625, 1e-15);
   // The fourteen others have the degrees that their neighbours ask for.
   plan.demands[at_x].degree = 12;
   plan.max_element_degree = 6;

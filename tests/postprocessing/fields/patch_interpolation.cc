@@ -60,14 +60,14 @@ using Gradient = std::function<Tensor<2, 2>(const Point<2> &)>;
 double max_distance(const OneLevel &level, const Displacement &U, const Field &value,
                     const Gradient &gradient, const unsigned int n_generations) {
   const DisplacementSpace<2> &space = level.space();
-  PatchInterpolation<2> interpolation(space, dealii::QGauss<2>(2), n_generations);
+  PatchInterpolation<2> interpolation(space, U, dealii::QGauss<2>(2), n_generations);
   double largest = 0.;
   for (const unsigned int n_points : {2U, 4U}) {
     dealii::FEValues<2> values(space.mesh().mapping(), space.element(), dealii::QGauss<2>(n_points),
                                dealii::update_quadrature_points | dealii::update_inverse_jacobians);
     for (const auto &cell : space.dofs().active_cell_iterators()) {
       values.reinit(cell);
-      const FieldValues<2> &result = interpolation.evaluate(U, cell, values);
+      const FieldValues<2> &result = interpolation.evaluate(cell, values);
       for (const unsigned int q : values.quadrature_point_indices()) {
         const Point<2> &x = values.quadrature_point(q);
         largest = std::max({largest, (result.values[q] - value(x)).norm(),
@@ -94,13 +94,13 @@ void polynomials(Checks &checks) {
   // pi^{2h} U takes the values U at the nodes: I^h pi^{2h} = identity, so pi^{2h} is a projection.
   RandomNumbers random(2);
   const Displacement U = random_rows(distorted.space(), random);
-  PatchInterpolation<2> interpolation(distorted.space());
+  PatchInterpolation<2> interpolation(distorted.space(), U);
   dealii::FEValues<2> vertices(distorted.discretization.mesh.mapping(), distorted.space().element(),
                                dealii::QTrapezoid<2>(), dealii::update_inverse_jacobians);
   double largest = 0.;
   for (const auto &cell : distorted.space().dofs().active_cell_iterators()) {
     vertices.reinit(cell);
-    const FieldValues<2> &result = interpolation.evaluate(U, cell, vertices);
+    const FieldValues<2> &result = interpolation.evaluate(cell, vertices);
     for (const unsigned int v : cell->vertex_indices())
       for (unsigned int d = 0; d < 2; ++d)
         largest =

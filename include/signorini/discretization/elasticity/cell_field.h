@@ -39,10 +39,11 @@ LineTable make_line_table(unsigned int degree, const std::vector<double> &points
  * @param nodal_values the coefficients of products of polynomials, the first direction running
  * fastest, like the points of the result.
  * @param lines the polynomials in each direction.
+ * @param result values, and derivatives in these directions.
  */
 template <int dim>
-FieldValues<dim> evaluate_products(std::vector<Tensor<1, dim>> nodal_values,
-                                   const std::array<const LineTable *, dim> &lines);
+void evaluate_products(const std::vector<Tensor<1, dim>> &nodal_values,
+                       const std::array<const LineTable *, dim> &lines, FieldValues<dim> &result);
 
 /** The solution u_h on one cell as products of polynomials in the two reference coordinates. */
 class CellField {
@@ -65,7 +66,9 @@ public:
   }
   /** Returns the values at these points, too. */
   FieldValues<2> evaluate(const LineTable &x, const LineTable &y) const {
-    return evaluate_products<2>(values_, {&x, &y});
+    FieldValues<2> result;
+    evaluate_products<2>(values_, {&x, &y}, result);
+    return result;
   }
   /** Returns the same at the point (x_q, y_q), from displacements relative to a corner: large
    * translations have rounding errors, but no strain. */

@@ -10,6 +10,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace Signorini {
@@ -79,10 +80,12 @@ public:
   unsigned int level() const {
     return triangulation_.n_global_levels() - 1;
   }
+  /** Returns the lengths of the shortest and of the longest edge. */
+  std::pair<double, double> range_of_edges() const;
   /** Returns h: the longest edge (length). */
-  double longest_edge() const;
-  /** Returns the shortest edge (length). */
-  double shortest_edge() const;
+  double longest_edge() const {
+    return range_of_edges().second;
+  }
   /** Returns the number of splits of a cell since the mesh was uniform. */
   unsigned int splits(const typename Triangulation<dim>::cell_iterator &cell) const {
     return cell->level() - uniform_levels_;

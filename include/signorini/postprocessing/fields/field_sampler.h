@@ -60,10 +60,12 @@ private:
   const std::vector<FieldSample<dim>> &evaluate(const Cell &cell, const FEValues<dim> &values);
 
   const SampledField<dim> &field_;
-  hp::MappingCollection<dim> mappings_;
-  hp::FEValues<dim> values_by_element_;
   /** The interpolation; empty on cells of several degrees. */
   std::optional<PatchInterpolation<dim>> interpolation_;
+  hp::MappingCollection<dim> mappings_;
+  /** The elements of cells of several degrees; the interpolation has its own shape functions. */
+  hp::FECollection<dim> elements_;
+  hp::FEValues<dim> values_by_element_;
   FieldValues<dim> at_points_;
   std::vector<FieldSample<dim>> samples_;
 };

@@ -18,7 +18,8 @@ namespace Signorini {
  * degree two per direction on each cell of T^{2h} that takes the 3^dim nodal values of its
  * children. With k generations and elements of degree p it has the degree 2^k p on the cells of the
  * k-th mesh before T^h and takes the (2^k p + 1)^dim nodal values of their descendants. It is
- * evaluated cell by cell of T^h, without unknowns of its own.
+ * evaluated cell by cell of T^h, without unknowns of its own; the nodal values are read once for
+ * all cells of an ancestor that follow one another.
  *
  * Needs Mesh::n_nested_ancestors() ≥ k. Copies share nothing: every thread has its own.
  */
@@ -30,51 +31,55 @@ public:
 
   /**
    * Tabulates the shape functions.
+   * @param U the nodal values; they must outlive the object, and not change.
    * @param usual_rule the rule of most cells; its shape functions are computed once.
    */
-  explicit PatchInterpolation(const DisplacementSpace<dim> &space,
-                              const Quadrature<dim> &usual_rule = Quadrature<dim>(),
-                              unsigned int n_generations = 1);
+  PatchInterpolation(const DisplacementSpace<dim> &space, const Displacement &U,
+                     const Quadrature<dim> &usual_rule = Quadrature<dim>(),
+                     unsigned int n_generations = 1);
 
-  /** Returns the interpolation of the nodal values @p U at the points of @p fe_values, which is at
-   * @p cell and provides its inverse Jacobians. */
-  const FieldValues<dim> &evaluate(const Displacement &U, const CellIterator &cell,
-                                   const FEValues<dim> &fe_values);
-  /** Returns the values alone, at the points of the usual rule. */
-  const std::vector<Tensor<1, dim>> &values(const Displacement &U, const CellIterator &cell);
+  /** Returns the interpolation at the points of @p fe_values, which is at @p cell and provides its
+   * inverse Jacobians. */
+  const FieldValues<dim> &evaluate(const CellIterator &cell, const FEValues<dim> &fe_values);
+  /** Returns values, and gradients in the coordinates of the reference cell, at the points of the
+   * usual rule. */
+  const FieldValues<dim> &on_reference_cell(const CellIterator &cell);
 
 private:
   /** The place of a cell among the descendants of its ancestor: 0..2^k-1 per direction. */
   using Place = std::array<unsigned int, dim>;
 
-  /** The shape functions of the ancestor at the quadrature points of a descendant. */
-  struct ShapeTable {
-    /** The values point by point, n_nodes each. */
-    std::vector<double> values;
-    /** The gradients with respect to the reference coordinates of the descendant. */
-    std::vector<Tensor<1, dim>> gradients;
+  /** A shape function of the ancestor at a quadrature point of a descendant; the gradient is that
+   * in the reference coordinates of the descendant. */
+  struct Shape {
+    unsigned int node;
+    double value;
+    Tensor<1, dim> gradient;
   };
+  /** The shape functions by point, without those that vanish: at a node nearly all do. */
+  using ShapeTable = std::vector<std::vector<Shape>>;
 
   ShapeTable make_table(const std::vector<Point<dim>> &points, const Place &place) const;
   /** Fills result_ with values, and gradients in reference coordinates. */
-  void interpolate(const Displacement &U, const CellIterator &cell,
-                   const std::vector<Point<dim>> &points);
+  void interpolate(const CellIterator &cell, const std::vector<Point<dim>> &points);
   /**
    * Fills nodal_values_ for the ancestor of a cell.
    * @return the place of the cell.
    */
-  Place collect_values(const Displacement &U, const CellIterator &cell);
-  /** Fills nodal_dofs_ from the descendants of an ancestor. */
-  void find_nodes(const AncestorIterator &cell, const Place &place);
+  Place collect_values(const CellIterator &cell);
+  /** Fills nodal_values_ from the descendants of an ancestor. */
+  void read_values(const AncestorIterator &cell, const Place &place);
 
   const DisplacementSpace<dim> &space_;
+  const Displacement &U_;
   unsigned int n_generations_;
   /** The number of cells per direction of the ancestor, 2^k. */
   unsigned int n_cells_;
   /** The degree per direction, 2^k p. */
   unsigned int degree_;
-  /** The place of every node of the element among its (p + 1)^dim nodes, in the element's order. */
-  std::vector<Place> nodes_of_cell_;
+  /** The component of every degree of freedom of an element, and the number that its node has in
+   * the ancestor of the first descendant. */
+  std::vector<std::pair<unsigned int, unsigned int>> nodes_of_cell_;
   TensorProductPolynomials<dim> polynomials_;
   std::vector<Point<dim>> usual_points_;
   /** The tables of all places, lexicographically; empty where lines_ take their place. */
@@ -83,10 +88,10 @@ private:
    */
   std::vector<LineTable> lines_;
   ShapeTable cut_table_;
-  /** The ancestor to which nodal_dofs_ belong. */
+  /** The ancestor to which nodal_values_ belong. */
   AncestorIterator ancestor_;
-  std::vector<std::array<types::global_dof_index, dim>> nodal_dofs_;
   std::vector<Tensor<1, dim>> nodal_values_;
+  dealii::Vector<double> on_cell_;
   FieldValues<dim> result_;
 };
 
