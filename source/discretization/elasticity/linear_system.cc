@@ -95,6 +95,13 @@ void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cel
 namespace {
 const UpdateFlags load_flags = update_values | update_quadrature_points | update_JxW_values;
 
+/** The loads of some cells: f_i of each, and the resultants by body. */
+template <int dim>
+struct ChunkLoads {
+  std::vector<std::pair<std::vector<types::global_dof_index>, dealii::Vector<double>>> cells;
+  std::vector<Resultant<dim>> resultants;
+};
+
 /** Integrates f_i of one cell: body force and tractions. */
 template <int dim>
 class CellLoads {
@@ -130,12 +137,14 @@ private:
       Tensor<1, dim> weighted;
       for (unsigned int d = 0; d < dim; ++d) {
         check_finite(force_[q][d], points[q], name);
-        weighted[d] = force_[q][d] * measure_at(values, q);
+        weighted[d] = force_[q][d] *= measure_at(values, q);
       }
       resultant.add(weighted, points[q]);
-      for (unsigned int i = 0; i < vector.size(); ++i)
-        vector[i] +=
-          weighted[values.get_fe().system_to_component_index(i).first] * values.shape_value(i, q);
+    }
+    for (unsigned int i = 0; i < vector.size(); ++i) {
+      const unsigned int component = values.get_fe().system_to_component_index(i).first;
+      for (const unsigned int q : values.quadrature_point_indices())
+        vector[i] += force_[q][component] * values.shape_value(i, q);
     }
   }
 
@@ -151,27 +160,38 @@ private:
   const Scene<dim> &scene_;
   CellValues<dim> cell_values_;
   FaceValues<dim> face_values_;
-  /** The force at the quadrature points. */
+  /** The force at the quadrature points, then times the weights. */
   std::vector<dealii::Vector<double>> force_;
 };
 
 /**
- * Adds f_i of all owned cells.
+ * Adds f_i of all owned cells; threads integrate them.
  * @return the resultants of this rank by body.
  */
 template <int dim>
 std::vector<Resultant<dim>> add_loads(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                                       const unsigned int n_points, DualVector &loads) {
-  CellLoads<dim> cell_loads(space, scene, n_points);
-  std::vector<Resultant<dim>> resultants(scene.geometry.n_bodies());
-  dealii::Vector<double> cell_data;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-    if (cell->is_locally_owned() && (scene.body_force != nullptr || cell->at_boundary())) {
-      const auto indices = space.cell_dofs(cell);
-      cell_data.reinit(indices.size());
-      cell_loads.add(cell, cell_data, resultants[scene.geometry.body_of(cell)]);
-      loads.add(indices, cell_data);
-    }
+  const unsigned int n_bodies = scene.geometry.n_bodies();
+  std::vector<Resultant<dim>> resultants(n_bodies);
+  integrate_by_chunks<ChunkLoads<dim>, dim>(
+    space,
+    [&](const Cells<dim> &cells) {
+      CellLoads<dim> cell_loads(space, scene, n_points);
+      ChunkLoads<dim> chunk = {{}, std::vector<Resultant<dim>>(n_bodies)};
+      for (const auto &cell : cells)
+        if (scene.body_force != nullptr || cell->at_boundary()) {
+          chunk.cells.emplace_back(space.cell_dofs(cell), cell->get_fe().n_dofs_per_cell());
+          cell_loads.add(cell, chunk.cells.back().second,
+                         chunk.resultants[scene.geometry.body_of(cell)]);
+        }
+      return chunk;
+    },
+    [&](const ChunkLoads<dim> &chunk) {
+      for (const auto &[indices, values] : chunk.cells)
+        loads.add(indices, values);
+      for (unsigned int body = 0; body < n_bodies; ++body)
+        resultants[body] += chunk.resultants[body];
+    });
   return resultants;
 }
 
