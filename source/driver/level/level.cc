@@ -113,13 +113,16 @@ ErrorEstimate estimate_of(const Discretization<dim> &discretization,
                         correct_pressure(discretization, scene, contact), others);
 }
 
-/** Computes the bound of the error of U and P, and its parts by cell. */
-void add_bound(const Discretization<2> &discretization, LevelSolution<2> &solution) {
+/** Computes the bound of the error of U and P, and its parts by cell; or says why there is none. */
+void add_bound(const Given<WantedBound> &wanted, const Discretization<2> &discretization,
+               LevelSolution<2> &solution) {
   LevelRecord &record = solution.record;
   const StageTimer timer(record.times.postprocess), bound_timer(record.times.bound);
   LocatedBound located;
   const ContactSolution<2> &contact = solution.contact;
-  if (contact.U.size() > max_bounded_unknowns)
+  if (wanted == WantedBound::none)
+    located.bound.missing = wanted.name + " is false";
+  else if (contact.U.size() > max_bounded_unknowns)
     located.bound.missing =
       "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
   else {
@@ -222,7 +225,7 @@ void finish_level(const LevelProblem<dim> &problem, const Discretization<dim> &d
       if (solution.record.friction)
         add_regularity(discretization, solution);
       progress("bound of the error");
-      add_bound(discretization, solution);
+      add_bound(problem.parameters.output.bound, discretization, solution);
     }
   }
   release_unused(problem, solution);

@@ -262,6 +262,10 @@ void Declarations::declare_output(OutputParameters &output) {
     "Output/Inf-sup constant", output.inf_sup_constant,
     "Whether the constant beta of Lemma 1 is measured (automatic: where the exact displacement is "
     "known, on nested meshes of up to 1e5 unknowns, in 3-D 5000; it needs its own factorisation).");
+  add(
+    "Output/Bound", output.bound,
+    "Whether the guaranteed bound of the error is computed (automatic: in 2-D, on the finest mesh "
+    "and where a run may end); without it the estimate decides.");
   add("Output/Compliance", output.compliance,
       "Write the dual problem and its solution as Matrix Market files: C, F, P, and A, D, f, G "
       "behind them.");

@@ -18,7 +18,8 @@ const std::vector<std::string> &option_names(const std::type_index &option) {
     {typeid(Friction), {"none", "tresca", "coulomb"}},
     {typeid(CaseSequence), {"independent", "steps"}},
     {typeid(VtuLevels), {"none", "finest", "all"}},
-    {typeid(Choice), {"true", "false", "automatic"}}};
+    {typeid(Choice), {"true", "false", "automatic"}},
+    {typeid(WantedBound), {"automatic", "false"}}};
   return names.at(option);
 }
 } // namespace Signorini

@@ -205,7 +205,9 @@ test_accuracy() {
   run 2 jump.prm --set 'Solver/Tolerated error=0.01'
   check "  a bound is above Tolerated error" grep -q 'guaranteed bound; Tolerated error: 1 %' stderr
   check "  graded meshes are named" grep -q 'Strategy = hp' stderr
-  run 0 jump.prm --set 'Solver/Tolerated error=0.3'
+  run 0 jump.prm --set 'Solver/Tolerated error=0.3' --set Output/Bound=false
+  check "  a bound is not computed unless it is wanted" \
+    says 'there is no bound of the error (Output/Bound is false)'
   run 2 jump.prm --set 'Solver/Tolerated error=0.001' --set Discretization/Strategy=hp \
     --set 'Discretization/Maximum unknowns=400'
   check "  on graded meshes, too" grep -q 'Tolerated error' stderr

@@ -93,6 +93,9 @@ enum class VtuLevels { none, finest, all };
 /** A setting that is on, off, or chosen by the program. */
 enum class Choice { yes, no, automatic };
 
+/** Whether the bound of the error is computed: where it is known how, or never. */
+enum class WantedBound { automatic, none };
+
 /** Returns the names of an enumeration's values in a parameter file, in their order. */
 const std::vector<std::string> &option_names(const std::type_index &option);
 

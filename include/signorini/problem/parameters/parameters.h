@@ -169,6 +169,7 @@ struct OutputParameters {
   Given<std::string> report;
   Given<VtuLevels> vtu{VtuLevels::finest};
   Given<Choice> inf_sup_constant{Choice::automatic};
+  Given<WantedBound> bound{WantedBound::automatic};
   Given<bool> compliance{false};
   Given<bool> errors{true};
   Given<bool> lemmas{false};
