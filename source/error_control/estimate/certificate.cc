@@ -170,9 +170,9 @@ template <int dim>
 Deformation deformation(const DisplacementSpace<dim> &space, const Displacement &U) {
   Deformation result = {U};
   double range = 0.;
+  const std::vector<IndexSet> components = DoFTools::locally_owned_dofs_per_component(space.dofs());
   for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d) {
-    const IndexSet rows = DoFTools::extract_dofs(
-      space.dofs(), space.elements()[0].component_mask(FEValuesExtractors::Scalar(d)));
+    const IndexSet &rows = components[d];
     double low = std::numeric_limits<double>::max(), high = -low;
     for (const auto i : rows) {
       low = std::min(low, U(i));

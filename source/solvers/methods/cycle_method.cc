@@ -87,7 +87,7 @@ private:
     const auto model = make_boundary_model(discretization.multipliers);
     const Vector f = serial(state.system->f);
     Vector gap(discretization.G);
-    gap -= discretization.D.transpose_product(space.prescribed(scene_));
+    gap -= discretization.D.transpose_product(space.complete(space.zero()));
     const ContactIterationOptions options = options_for(start);
     const ContactIterationResult result = solve_contact_by_cycles(
       {A, f, discretization.condensed_D, gap, *model,
