@@ -19,9 +19,9 @@
 
 namespace Signorini {
 namespace {
-/** The squares of norms of v - w, of a cell or of the body: of the values, the gradients, and the
- * energies of all displacements. */
-using Squares = Tensor<1, 4>;
+/** The squares of norms of v - w, of a cell or of the body: of the values and the gradients of the
+ * first displacement, and the energy of the last. */
+using Squares = Tensor<1, 3>;
 
 /** Integrates v - w, where v is the patch interpolation over @p fine generations and w that over
  * one less. Every chunk of cells has its own object. */
@@ -68,8 +68,8 @@ private:
                                    : gradient_square(scene_->geometry, x, value, gradient)) *
                 dx;
     }
-    if (scene_ != nullptr)
-      sum[2 + k] += energy_->at(x).density(value, gradient) * dx;
+    if (scene_ != nullptr && 2 * k + 2 == fields_.size())
+      sum[2] += energy_->at(x).density(value, gradient) * dx;
   }
 
   /** Null, and empty, if energies are not wanted. */
@@ -81,8 +81,7 @@ private:
   std::vector<PatchInterpolation<dim>> fields_;
 };
 
-/** Returns the sums over all ranks; the parts of the threads are added up in the order of cells.
- * Values and gradients are those of the first displacement. */
+/** Returns the sums over all ranks; the parts of the threads are added up in the order of cells. */
 template <int dim>
 Squares integrate(const DisplacementSpace<dim> &space, const Scene<dim> *const scene,
                   const std::vector<const Displacement *> &displacements, const unsigned int fine) {
@@ -119,14 +118,13 @@ ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const Scene<di
   const Squares squares = integrate<dim>(
     space, &scene,
     is_corrected ? std::vector<const Displacement *>{&U, &corrected} : std::vector{&U}, 1);
-  const double mesh_square = squares[is_corrected ? 3 : 2];
   ErrorEstimate estimate;
   estimate.h1 = norm_1(squares, 1.);
-  estimate.mesh = std::sqrt(mesh_square);
+  estimate.mesh = std::sqrt(squares[2]);
   estimate.pressure = correction.energy_norm;
   estimate.algebra = others.algebra;
   estimate.contact = others.contact;
-  estimate.energy = std::hypot(std::sqrt(mesh_square), correction.energy_norm);
+  estimate.energy = std::hypot(std::sqrt(squares[2]), correction.energy_norm);
   estimate.energy = std::hypot(estimate.energy, others.algebra, others.contact);
   if (estimate.energy > 0.)
     estimate.relative = estimate.energy / scale.of(estimate.energy);
