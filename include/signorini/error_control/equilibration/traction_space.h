@@ -48,7 +48,8 @@ struct TractionEdge {
     return line.point(position * length());
   }
   double position_of(const Point<2> &x) const {
-    return line.arc_length(x) / length();
+    return line.is_flat() && !is_shared ? line.start().distance(x) / length()
+                                        : line.arc_length(x) / length();
   }
   /** Returns the forces and moments of the coefficients of a boundary edge. */
   std::vector<Tensor<1, 3>> resultants(const Geometry<2> &geometry, const Point<2> &about) const {
