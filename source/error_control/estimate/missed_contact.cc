@@ -53,7 +53,7 @@ double energy_of_missed_contact(const DisplacementSpace<3> &space,
   std::vector<double> on_patch(surface.patches().size(), 0.);
   for (const Piece<3> &piece : surface.pieces()) {
     const SurfaceRule<3> rule = surface.rule(piece, n_points);
-    const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
+    const std::vector<double> depths = penetration(scene, surface, piece, rule, U, traces);
     double square = 0.;
     for (std::size_t q = 0; q < rule.size(); ++q)
       square += std::pow(std::max(0., depths[q]), 2) * rule.weights[q];

@@ -24,7 +24,8 @@ void add_contact_misfit(const DisplacementSpace<2> &space, const MultiplierSpace
     const ContactFace<2> &face = surface.faces()[piece.face];
     const unsigned int p = space.element(face.cell).degree;
     const SurfaceRule<2> rule = surface.rule(piece, p + 2);
-    const std::vector<double> depths = penetration(surface, piece, rule, U, traces, component);
+    const std::vector<double> depths =
+      penetration(scene, surface, piece, rule, U, traces, component);
     double square = 0.;
     for (std::size_t q = 0; q < rule.size(); ++q)
       square += depths[q] * depths[q] * rule.weights[q];
@@ -45,8 +46,8 @@ struct PatchState {
 
 /** Adds samples of u_n - g on a piece to the state of its patch. Around the deepest point the next
  * samples are closer to each other: a tip may touch between those of the whole face. */
-void add_samples(const ContactSurface<2> &surface, const Piece<2> &piece, const Displacement &U,
-                 TraceValues<2> &traces, PatchState &state) {
+void add_samples(const Scene<2> &scene, const ContactSurface<2> &surface, const Piece<2> &piece,
+                 const Displacement &U, TraceValues<2> &traces, PatchState &state) {
   constexpr unsigned int n_zooms = 3, n_intervals = 32;
   double from = 0., to = 1.;
   for (unsigned int zoom = 0; zoom < n_zooms; ++zoom) {
@@ -54,7 +55,7 @@ void add_samples(const ContactSurface<2> &surface, const Piece<2> &piece, const 
     for (unsigned int i = 0; i <= n_intervals; ++i)
       positions.emplace_back(from + (to - from) * i / n_intervals);
     const SurfaceRule<2> rule = surface.at(piece, positions);
-    const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
+    const std::vector<double> depths = penetration(scene, surface, piece, rule, U, traces);
     const auto deepest = std::max_element(depths.begin(), depths.end());
     state.deepest = std::max(state.deepest, *deepest);
     for (const double depth : depths)
@@ -66,15 +67,15 @@ void add_samples(const ContactSurface<2> &surface, const Piece<2> &piece, const 
 }
 
 std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
-                                     const MultiplierSpace<2> &multipliers, const Displacement &U,
-                                     const Pressure &P) {
+                                     const MultiplierSpace<2> &multipliers, const Scene<2> &scene,
+                                     const Displacement &U, const Pressure &P) {
   const ContactSurface<2> &surface = multipliers.surface();
   std::vector<PatchState> states(surface.patches().size());
   TraceValues<2> traces(space);
   for (const Piece<2> &piece : surface.pieces()) {
     PatchState &state = states[piece.patch];
     state.cell = surface.faces()[piece.face].cell->active_cell_index();
-    add_samples(surface, piece, U, traces, state);
+    add_samples(scene, surface, piece, U, traces, state);
   }
   const double threshold = pressing_threshold(P);
   for (unsigned int k = 0; k < P.size(); ++k)
@@ -86,9 +87,10 @@ std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
 
 std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
-                                               const Displacement &U, const Pressure &P) {
+                                               const Scene<2> &scene, const Displacement &U,
+                                               const Pressure &P) {
   constexpr double rounding = 1e-10, noticeable = 1e-3;
-  const std::vector<PatchState> states = patch_states(space, multipliers, U, P);
+  const std::vector<PatchState> states = patch_states(space, multipliers, scene, U, P);
   double largest = 0.;
   bool touches = false;
   for (const PatchState &state : states) {

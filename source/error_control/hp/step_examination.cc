@@ -171,7 +171,7 @@ StepFindings StepExamination::examine(const Discretization<2> &discretization,
   std::vector<bool> presses, sticks;
   for (const NodeState &state : patch_states(multipliers, contact.P)) {
     presses.push_back(state.presses);
-    sticks.push_back(contact.P.has_friction() && state.slip == State::inside);
+    sticks.push_back(scene_.friction != Friction::none && state.slip == State::inside);
   }
   StepFindings findings;
   findings.indicators = indicate(space, scene_, U);
@@ -181,7 +181,8 @@ StepFindings StepExamination::examine(const Discretization<2> &discretization,
                      findings.indicators);
   add_jump_misfit(space, scene_, U, findings.indicators);
   findings.brackets = zone_brackets(multipliers, contact.P.states());
-  findings.missed_contact_cells = missed_contact_cells(space, multipliers, U, contact.P.normal());
+  findings.missed_contact_cells =
+    missed_contact_cells(space, multipliers, scene_, U, contact.P.normal());
   const double indicator = total(findings.indicators);
   findings.scale = scale.of(indicator);
   findings.target = target_ * findings.scale;

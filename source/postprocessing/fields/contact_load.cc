@@ -25,11 +25,12 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
 }
 
 template <int dim>
-std::vector<double> penetration(const ContactSurface<dim> &surface, const Piece<dim> &piece,
-                                const SurfaceRule<dim> &rule, const Displacement &U,
-                                TraceValues<dim> &traces, const Component component) {
+std::vector<double> penetration(const Scene<dim> &scene, const ContactSurface<dim> &surface,
+                                const Piece<dim> &piece, const SurfaceRule<dim> &rule,
+                                const Displacement &U, TraceValues<dim> &traces,
+                                const Component component) {
   const auto u = traces.displacement(surface, piece, rule, U);
-  const BoundaryCondition<dim> &condition = surface.condition(piece);
+  const BoundaryCondition<dim> &condition = scene.boundary[surface.patches()[piece.patch].side];
   const auto &data = component == Component::normal ? condition.data : condition.shift;
   std::vector<double> depths(rule.size());
   for (std::size_t q = 0; q < rule.size(); ++q)

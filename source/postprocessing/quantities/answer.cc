@@ -45,7 +45,7 @@ std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multiplier
 template <int dim>
 std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
                                            const MultiplierSpace<dim> &multipliers,
-                                           const Displacement &U) {
+                                           const Scene<dim> &scene, const Displacement &U) {
   const QIterated<dim - 1> positions(QTrapezoid<1>(), dim == 2 ? 16 : 4);
   const ContactSurface<dim> &surface = multipliers.surface();
   TraceValues<dim> traces(space);
@@ -54,7 +54,7 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
   std::optional<Penetration> largest;
   for (const Piece<dim> &piece : surface.pieces()) {
     const SurfaceRule<dim> rule = surface.at(piece, positions.get_points());
-    const std::vector<double> depths = penetration(surface, piece, rule, U, traces);
+    const std::vector<double> depths = penetration(scene, surface, piece, rule, U, traces);
     for (std::size_t q = 0; q < rule.size(); ++q)
       if (!largest || depths[q] > largest->value + rounding * std::abs(largest->value))
         largest = {depths[q],
@@ -122,7 +122,7 @@ Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &sce
   answer.peak_pressure = describe_peak(multipliers, P, places);
   if constexpr (dim == 2)
     answer.zones = contact_zones(multipliers, P);
-  answer.penetration = max_penetration(space, multipliers, U);
+  answer.penetration = max_penetration(space, multipliers, scene, U);
   answer.von_mises = largest_von_mises(space, scene, U, places);
   set_growth(places, multipliers, P, answer.von_mises.point, answer.von_mises);
   answer.reports = report_on_places<dim>(space, scene, U, places, multipliers, P);

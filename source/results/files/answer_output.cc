@@ -197,7 +197,8 @@ public:
       return;
     const CaseSummary &cases = *level_.load_cases;
     add("Load cases", std::to_string(cases.n_cases) + " in cases.csv, KKT residuals up to " +
-                        digits(cases.max_kkt) +
+                        digits(cases.max_kkt) + ", errors up to " +
+                        digits(100. * rounded(cases.max_estimate, 1.)) + " % (estimated)" +
                         (cases.n_escapes > 0 ? "; in " + std::to_string(cases.n_escapes) +
                                                  " of them nothing stops the body"
                                              : ""));

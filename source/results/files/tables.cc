@@ -211,6 +211,7 @@ Columns<CaseResult> case_columns(const bool has_friction) {
                          return c.escape.empty() ? answer.value(c) : std::nullopt;
                        }});
   columns.push_back({"cross", [](const Case &c) { return c.load_case.cross; }});
+  columns.push_back({"estimate", &Case::estimate});
   if (has_friction) {
     columns.push_back({"level", &Case::level});
     columns.push_back({"slide", [](const Case &c) { return c.load_case.slide; }});

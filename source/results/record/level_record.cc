@@ -52,6 +52,10 @@ CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds
       summary.max_kkt = std::max(summary.max_kkt, cases[i].kkt);
       if (!cases[i].converged && summary.first_failure == 0)
         summary.first_failure = i + 1;
+      if (cases[i].estimate.value_or(0.) > summary.max_estimate) {
+        summary.max_estimate = *cases[i].estimate;
+        summary.worst = cases[i].number;
+      }
     }
   return summary;
 }

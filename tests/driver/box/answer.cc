@@ -128,7 +128,7 @@ void penetration(Checks &checks) {
   const Box box(scene, 1, 2);
   const auto sinking = field([](const auto &x) { return Vector3({0., 0., -0.05 * (1. - x[2])}); });
   const auto found =
-    max_penetration(box.space, box.multipliers, interpolate_at_nodes(box.space, *sinking));
+    max_penetration(box.space, box.multipliers, scene, interpolate_at_nodes(box.space, *sinking));
   checks.near("penetration", found->value, 0.04 - std::pow(0.0625, 2), 1e-15);
   checks.that("its side", found->place.side == "bottom");
 }

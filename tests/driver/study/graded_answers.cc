@@ -93,10 +93,44 @@ void check_too_few_unknowns(Checks &checks) {
               reason.find("raise Maximum unknowns, ") != std::string::npos &&
                 reason.find(". ") == std::string::npos && reason.find('\n') == std::string::npos);
 }
+
+/** The graded mesh is that of the scene: a case that touches where the scene does not, with a
+ * corner of the body, has a large error and says so. Nested meshes solve it, and so does the scene
+ * that the remedy names. */
+void check_load_cases(Checks &checks) {
+  const auto with_cases = [](const std::string &y, const std::string &cases,
+                             std::vector<std::string> overrides) {
+    overrides.push_back("Load cases/Cases=" + cases);
+    return solve("Boundary/Clamped = top\nBoundary/Contact = bottom\n"
+                 "Contact/Foundation = circle 1.2,-0.5+" +
+                   y + " radius 0.5\n",
+                 overrides);
+  };
+  const std::string moved = "shift y 0 to 0.1 in 2 cases";
+  const auto check = [&](const std::string &name, const StudyResult<2> &found, const double least,
+                         const double most, const bool is_solved) {
+    checks.about(name);
+    checks.between("largest estimate", found.levels.back().load_cases->max_estimate, least, most);
+    checks.that("verdict", is_solved ? found.verdict.is_certified()
+                                     : found.verdict.outcome == Outcome::not_resolved);
+  };
+  const StudyResult<2> wrong = with_cases("0", moved, graded("1e-3"));
+  check("A case that touches where the scene does not", wrong, 1e-2, 1., false);
+  checks.that("the reason names it",
+              wrong.verdict.reason.find("load case ") != std::string::npos &&
+                wrong.verdict.reason.find("Strategy = nested") != std::string::npos);
+  check("The same on nested meshes",
+        with_cases("0", moved,
+                   {"Discretization/Strategy=nested", "Discretization/Coarsest level=3",
+                    "Discretization/Finest level=6", "Output/VTU=none"}),
+        1e-3, 0.2, true);
+  check("A case that touches as the scene does",
+        with_cases("0.1", "shift y -0.002 to 0 in 2 cases", graded("1e-3")), 1e-6, 1e-2, true);
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(
-    argc, argv,
-    {check_agreement, check_missed_contact, check_body_at_rest, check_too_few_unknowns});
+  return run_tests(argc, argv,
+                   {check_agreement, check_missed_contact, check_body_at_rest,
+                    check_too_few_unknowns, check_load_cases});
 }

@@ -116,14 +116,15 @@ void penetration(Checks &checks) {
   const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
     return Vector2({0., -0.05 * (1. - x[1])});
   });
-  const auto found = max_penetration(level.space(), level.multipliers(), U);
+  const auto found = max_penetration(level.space(), level.multipliers(), level.scene, U);
   checks.near("penetration", found->value, 0.04, 1e-15);
   checks.near("its place", found->place.point.distance({0.28125, 0.}), 0., 1e-14);
   const Displacement lifted = nodal_values(level.space(), [](const dealii::Point<2> &) {
     return Vector2({0., 0.5});
   });
   checks.near("an opening is negative",
-              max_penetration(level.space(), level.multipliers(), lifted)->value, -0.51, 1e-15);
+              max_penetration(level.space(), level.multipliers(), level.scene, lifted)->value,
+              -0.51, 1e-15);
 }
 
 void von_mises_stress(Checks &checks) {

@@ -30,5 +30,6 @@ void add_contact_misfit(const DisplacementSpace<2> &space, const MultiplierSpace
  * than a thousandth of the largest |u_n - g|. @throws InputError where g has no value. */
 std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space,
                                                const MultiplierSpace<2> &multipliers,
-                                               const Displacement &U, const Pressure &P);
+                                               const Scene<2> &scene, const Displacement &U,
+                                               const Pressure &P);
 } // namespace Signorini

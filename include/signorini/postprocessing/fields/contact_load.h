@@ -15,11 +15,13 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
                                  const Multiplier &multiplier, const Piece<dim> &piece);
 
 /** Returns u_{h,n} - g at the points of a rule on a piece, positive where the body penetrates, or
- * the slip u_{h,t} - g_t. @throws InputError where g has no value. */
+ * the slip u_{h,t} - g_t; g is that of @p scene, whose contact sides are those of the surface.
+ * @throws InputError where g has no value. */
 template <int dim>
-std::vector<double> penetration(const ContactSurface<dim> &surface, const Piece<dim> &piece,
-                                const SurfaceRule<dim> &rule, const Displacement &U,
-                                TraceValues<dim> &traces, Component component = Component::normal);
+std::vector<double> penetration(const Scene<dim> &scene, const ContactSurface<dim> &surface,
+                                const Piece<dim> &piece, const SurfaceRule<dim> &rule,
+                                const Displacement &U, TraceValues<dim> &traces,
+                                Component component = Component::normal);
 
 /** Returns ∫_{Γ_c} q φ_j.n for all j, as the column of a coupling: @p values_on (piece, rule) is q
  * at the points of @p rule_on (piece). With t in the place of n if the component is tangential. */

@@ -9,6 +9,7 @@
 #include <signorini/solvers/methods/contact_method.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,8 @@ struct CaseResult {
   std::vector<PlateMotion> plates;
   /** Friction, if the scene has it; in steps its dissipation is that since the beginning. */
   std::optional<FrictionSummary> friction;
+  /** The estimated relative error in the energy norm, where it is wanted. */
+  std::optional<double> estimate;
   /** The places of Output/Report. */
   std::vector<PlaceReport> reports;
   unsigned int iterations = 0;

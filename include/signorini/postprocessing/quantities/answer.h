@@ -55,7 +55,7 @@ struct Answer {
 template <int dim>
 std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
                                            const MultiplierSpace<dim> &multipliers,
-                                           const Displacement &U);
+                                           const Scene<dim> &scene, const Displacement &U);
 
 /** Computes the answer. Collective. */
 template <int dim>

@@ -84,6 +84,9 @@ struct CaseSummary {
   unsigned int first_failure = 0;
   /** The largest KKT residual of a case with a solution. */
   double max_kkt = 0.;
+  /** The largest estimated relative error of a case, and its number, from 1; 0: none. */
+  double max_estimate = 0.;
+  unsigned int worst = 0;
   /** The wall seconds of all cases. */
   double seconds = 0.;
 };
