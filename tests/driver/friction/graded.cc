@@ -136,12 +136,7 @@ void test_stick_without_limit(Checks &checks) {
 /** Load steps on the last mesh, whose smallest faces have 1e-10 of the length of the largest. */
 void test_steps(Checks &checks) {
   const StudyResult<2> found = solve_scene("dragged_block", "1e-4");
-  // The mesh is that of the scene, which slips elsewhere than most steps do.
-  checks.that("the errors of steps are too large",
-              found.verdict.outcome == Outcome::not_resolved &&
-                found.verdict.reason.find("load case ") != std::string::npos);
-  checks.between("largest estimate of a step", found.levels.back().load_cases->max_estimate, 1e-3,
-                 2e-3);
+  checks.that("accuracy estimated", found.verdict.outcome == Outcome::accuracy_estimated);
   checks.near("steps", found.levels.back().load_cases->n_cases, 53., 0.);
   checks.between("KKT residuals", found.levels.back().load_cases->max_kkt, 0., 1e-11);
 }
