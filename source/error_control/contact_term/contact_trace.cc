@@ -160,8 +160,7 @@ void ContactTrace::find_faces() {
     faces_.push_back(make_face(face));
   const std::vector<NodeState> states = patch_states(data_.multipliers, data_.P);
   for (const Piece<2> &piece : surface().pieces()) {
-    PieceOnFace here = on_carrier(surface(), piece);
-    std::optional<PieceOnFace> other = on_other(surface(), piece);
+    auto [here, other] = seen_from_carrier(surface(), piece);
     if (here.lower > here.upper) {
       std::swap(here.lower, here.upper);
       if (other)
@@ -331,7 +330,8 @@ double ContactTrace::misfit(const PenetrationFace &face, const Component compone
                             const double t) const {
   const double from = face.pressures.front().from, to = face.pressures.back().to,
                there = misfit_at(face, component, std::clamp(t, from, to));
-  // Beyond the other side nothing is asked of w, and supports may hold the next node.
+  // Beyond the other side nothing is asked of w: d goes on as a constant, or where a support holds
+  // the next node it falls to zero.
   if (face.may_touch(t) || there <= 0. || face.conditions.empty() ||
       !conditions_[face.conditions[t < from ? 0 : 1]].held())
     return there;

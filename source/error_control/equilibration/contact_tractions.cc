@@ -19,7 +19,8 @@ ContactTractions::ContactTractions(const BoundData &data, Tractions &tractions)
   for (const ContactFace<2> &face : data_.multipliers.surface().faces())
     edges_.push_back(tractions_.space.contact_edge_at(face.cell, face.face_no));
   for (const Piece<2> &piece : data_.multipliers.surface().pieces())
-    pieces_.push_back({piece, edges_[on_carrier(data_.multipliers.surface(), piece).face]});
+    pieces_.push_back(
+      {piece, edges_[seen_from_carrier(data_.multipliers.surface(), piece).own.face]});
   const std::vector<NodeState> states = patch_states(data_.multipliers, data_.P);
   std::vector<bool> pressing;
   pressing.reserve(states.size());

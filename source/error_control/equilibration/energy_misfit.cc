@@ -351,7 +351,7 @@ void EnergyMisfit::add_pair_moments(const TractionSpace &space, Works &works) co
   for (const Piece<2> &piece : surface.pieces()) {
     if (!piece.opposite)
       continue;
-    const ContactFace<2> &carrier = surface.faces()[on_carrier(surface, piece).face];
+    const ContactFace<2> &carrier = surface.faces()[seen_from_carrier(surface, piece).own.face];
     const TractionEdge &edge = space.edges()[space.contact_edge_at(carrier.cell, carrier.face_no)];
     const SurfaceRule<2> rule = surface.rule(piece, n_points);
     for (const auto &[face, points, sign] : surface.faces_at(piece, rule)) {

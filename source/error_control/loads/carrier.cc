@@ -3,8 +3,6 @@
 
 #include <signorini/error_control/loads/carrier.h>
 
-#include <utility>
-
 namespace Signorini {
 namespace {
 /** Returns the modulus of stretch along the normal in the middle of a side, inside of its body. */
@@ -14,17 +12,6 @@ double stiffness(const Scene<2> &scene, const unsigned int number) {
   const Point<2> inside = side.centre() - 1e-4 * side.length() * n;
   const auto nn = symmetrize(outer_product(n, n));
   return nn * (scene.material->hooke(inside) * nn);
-}
-
-/** Returns a piece on the face of the contact side, and in a pair on that of the other body. */
-std::pair<PieceOnFace, std::optional<PieceOnFace>> faces_of(const ContactSurface<2> &surface,
-                                                            const Piece<2> &piece) {
-  const PieceOnFace first = {piece.face, piece.lower_on_face[0], piece.upper_on_face[0]};
-  if (!piece.opposite)
-    return {first, {}};
-  const SurfaceRule<2> ends = surface.at(piece, {Point<1>(0.), Point<1>(1.)});
-  return {first,
-          PieceOnFace{piece.opposite->first, ends.on_opposite[0][0], ends.on_opposite[1][0]}};
 }
 } // namespace
 
@@ -51,13 +38,15 @@ Point<2> point_of_data(const Scene<2> &scene, const unsigned int side, const Poi
   return first == side ? x : given.point(given.arc_length(x));
 }
 
-PieceOnFace on_carrier(const ContactSurface<2> &surface, const Piece<2> &piece) {
-  const auto [first, second] = faces_of(surface, piece);
-  return is_carrier(surface.scene(), surface.faces()[first.face].side) ? first : *second;
-}
-
-std::optional<PieceOnFace> on_other(const ContactSurface<2> &surface, const Piece<2> &piece) {
-  const auto [first, second] = faces_of(surface, piece);
-  return is_carrier(surface.scene(), surface.faces()[first.face].side) ? second : first;
+CarriedPiece seen_from_carrier(const ContactSurface<2> &surface, const Piece<2> &piece) {
+  const PieceOnFace first = {piece.face, piece.lower_on_face[0], piece.upper_on_face[0]};
+  if (!piece.opposite)
+    return {first, {}};
+  const SurfaceRule<2> ends = surface.at(piece, {Point<1>(0.), Point<1>(1.)});
+  const PieceOnFace second = {piece.opposite->first, ends.on_opposite[0][0],
+                              ends.on_opposite[1][0]};
+  if (is_carrier(surface.scene(), surface.faces()[first.face].side))
+    return {first, second};
+  return {second, first};
 }
 } // namespace Signorini

@@ -109,15 +109,21 @@ void test_references(Checks &checks) {
   }
 }
 
+/** A block that is lowered and dragged on another one. */
+std::string dragged(const std::string &cells, const std::string &E, const std::string &friction) {
+  return bodies("a: -1, 0 | b: -1.5, -1", "a: 1, 1 | b: 1.5, 0", cells, E, "a: 0.3 | b: 0.25") +
+         pair +
+         "Boundary/Clamped = b.bottom\nBoundary/Displacement = a.top: 0.02; -0.03\n"
+         "Contact/Gap = 0.02*x^2\n" +
+         friction;
+}
+
+const std::string by_tresca = "Contact/Friction = tresca\nContact/Friction bound = 0.006\n";
+
 void test_friction(Checks &checks) {
-  const std::string block =
-    bodies("a: -1, 0 | b: -1.5, -1", "a: 1, 1 | b: 1.5, 0", "a: 16, 8 | b: 36, 9", "a: 1 | b: 4",
-           "a: 0.3 | b: 0.25") +
-    pair +
-    "Boundary/Clamped = b.bottom\nBoundary/Displacement = a.top: 0.02; -0.03\n"
-    "Contact/Gap = 0.02*x^2\nDiscretization/Patches = 6\n";
+  const std::string cells = "a: 16, 8 | b: 36, 9", six = "Discretization/Patches = 6\n";
   const LevelSolution<2> tresca =
-    OneLevel(block + "Contact/Friction = tresca\nContact/Friction bound = 0.006\n", 0).solve();
+    OneLevel(dragged(cells, "a: 1 | b: 4", by_tresca + six), 0).solve();
   const Pressure q = tresca.contact.P.tangential()[0];
   checks.near("Tresca: q", std::vector<double>(q.begin(), q.end()),
               {-9.6467707722e-04, -5.1209931991e-03, -6e-3, -6e-3, -6e-3, -6e-3}, 1e-11);
@@ -125,7 +131,10 @@ void test_friction(Checks &checks) {
               {tresca.record.friction->tangential_force, tresca.record.friction->dissipation},
               {-1.0028556759e-02, 1.0499019187e-05}, 1e-11);
   const LevelSolution<2> coulomb =
-    OneLevel(block + "Contact/Friction = coulomb\nContact/Friction coefficient = 0.3\n", 0).solve();
+    OneLevel(dragged(cells, "a: 1 | b: 4",
+                     "Contact/Friction = coulomb\nContact/Friction coefficient = 0.3\n" + six),
+             0)
+      .solve();
   const auto &force = coulomb.record.answer.contact_by_side;
   checks.near("Coulomb: action and reaction", force.at(0).resultant.force[0],
               -force.at(1).resultant.force[0], 1e-15);
@@ -186,16 +195,10 @@ void test_brackets(Checks &checks) {
     pair +
     "Boundary/Clamped = b.left b.bottom\nBoundary/Rollers = a.left\n"
     "Boundary/Traction = a.top: 0; -0.02\nContact/Gap = 0.001*sin(7*x)^2\n";
-  const std::string rubbed =
-    bodies("a: -1, 0 | b: -1.5, -1", "a: 1, 1 | b: 1.5, 0", "a: 8, 4 | b: 9, 3", "a: 40 | b: 4",
-           "a: 0.3 | b: 0.25") +
-    pair +
-    "Boundary/Clamped = b.bottom\nBoundary/Displacement = a.top: 0.02; -0.03\n"
-    "Contact/Gap = 0.02*x^2\nContact/Friction = tresca\nContact/Friction bound = 0.006\n";
   for (const auto &[name, text, coarsest] :
        {std::tuple("lowered", pressed, 1), std::tuple("three", references[3].text, 0),
         std::tuple("stack", without_patches(references[4].text), 0), std::tuple("held", held, 0),
-        std::tuple("Tresca", rubbed, 0)}) {
+        std::tuple("Tresca", dragged("a: 8, 4 | b: 9, 3", "a: 40 | b: 4", by_tresca), 0)}) {
     checks.about(name);
     std::vector<Bracket> brackets;
     for (const int level : {coarsest, coarsest + 2}) {

@@ -45,7 +45,7 @@ using FaceVector = std::array<FacePolynomial, 2>;
 
 /** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from vertex 0 to vertex 1 of
  * the face. In a pair ũ_n is that of both bodies, and d belongs to faces of the carrier; beyond the
- * other side d falls to zero. */
+ * other side d goes on as a constant, or falls to zero at a node that a support holds. */
 struct PenetrationFace {
   using Dofs = std::array<types::global_dof_index, 2>;
   using Polynomial = Polynomials::Polynomial<double>;

@@ -34,8 +34,10 @@ struct PieceOnFace {
   double lower, upper;
 };
 
-/** Returns a piece on the face of the carrier. */
-PieceOnFace on_carrier(const ContactSurface<2> &surface, const Piece<2> &piece);
-/** Returns a piece on the face of the other body, if there is one. */
-std::optional<PieceOnFace> on_other(const ContactSurface<2> &surface, const Piece<2> &piece);
+/** A piece on the face of the carrier, and on that of the other body, if there is one. */
+struct CarriedPiece {
+  PieceOnFace own;
+  std::optional<PieceOnFace> other;
+};
+CarriedPiece seen_from_carrier(const ContactSurface<2> &surface, const Piece<2> &piece);
 } // namespace Signorini
