@@ -43,7 +43,7 @@ struct OneLevel {
     return discretization.multipliers;
   }
   Signorini::SolverChoice solvers() const {
-    return choose_solvers(parameters, scene, 0, 1);
+    return choose_solvers(parameters, scene, 0);
   }
   Signorini::LevelSolution<2> solve() const {
     const auto ignore = [](const std::string &) {};

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Threads of one process.
 
-#include <signorini/base/errors.h>
 #include <signorini/base/parallel.h>
 
 #include <deal.II/base/mpi.h>
-
-#include <boost/serialization/string.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -14,12 +11,12 @@
 #include <thread>
 
 namespace Signorini {
-unsigned int n_available_threads(MPI_Comm communicator) {
+unsigned int n_available_threads() {
   if (const char *const given = std::getenv("DEAL_II_NUM_THREADS"))
     return static_cast<unsigned int>(std::max(1L, std::strtol(given, nullptr, 10)));
-  int n_ranks = 1;
-  MPI_Comm_size(communicator, &n_ranks);
-  return n_ranks > 1 ? 1U : std::max(1U, std::thread::hardware_concurrency());
+  return Utilities::MPI::job_supports_mpi() && Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1
+           ? 1U
+           : std::max(1U, std::thread::hardware_concurrency());
 }
 
 void work_on_ranges(const unsigned int n_threads, const std::size_t n,
@@ -65,15 +62,5 @@ LibraryThreads::~LibraryThreads() {
     set_library("openblas_set_num_threads", blas_threads_before_);
   if (parallel_levels_before_ != unknown_setting)
     set_library("omp_set_max_active_levels", parallel_levels_before_);
-}
-// Texts of all ranks for the one that writes files.
-
-std::vector<std::string> gather_texts(std::string text, MPI_Comm communicator) {
-  // Messages of MPI count by int, and deal.II gathers all texts in one of them.
-  constexpr double max_size = 2e9;
-  if (Utilities::MPI::sum(static_cast<double>(text.size()), communicator) > max_size)
-    throw ComputationError("A file has more than 2 GB; 'VTU = none' or 'Compliance = false' avoid "
-                           "that.");
-  return Utilities::MPI::gather(communicator, text);
 }
 } // namespace Signorini

@@ -3,21 +3,18 @@
 
 #include <signorini/base/dealii.h>
 
-#include <mpi.h>
-
 #include <cstddef>
 #include <deque>
 #include <functional>
 #include <future>
-#include <string>
-#include <vector>
+#include <optional>
 
 namespace Signorini {
 /**
  * Returns how many threads this process may use: DEAL_II_NUM_THREADS if that is set; otherwise one
  * if there are several ranks, and one for each core if there is a single rank.
  */
-unsigned int n_available_threads(MPI_Comm communicator);
+unsigned int n_available_threads();
 
 /**
  * Computes consume(produce(i)) for i = 0, ..., n - 1: @p produce runs on @p n_threads threads at
@@ -55,6 +52,18 @@ void produce_in_parallel(const unsigned int n_threads, const std::size_t n,
 void work_on_ranges(unsigned int n_threads, std::size_t n,
                     const std::function<void(std::size_t, std::size_t)> &work);
 
+/** Stores an optional value in an archive of Boost, or loads it into an empty one. */
+template <typename Archive, typename T>
+void archive_optional(Archive &archive, std::optional<T> &value) {
+  bool has_value = value.has_value();
+  archive &has_value;
+  if (!has_value)
+    return;
+  if (!value)
+    value.emplace();
+  archive &*value;
+}
+
 /**
  * Sets the number of threads of OpenBLAS, and whether other libraries may use OpenMP, while it
  * lives; where these are not in use it does nothing.
@@ -75,8 +84,4 @@ private:
   int blas_threads_before_;
   int parallel_levels_before_;
 };
-
-/** Returns the texts of all ranks, in order, on rank 0, and nothing on the others. Collective.
- * @throws ComputationError if a text has 2 GiB or more. */
-std::vector<std::string> gather_texts(std::string text, MPI_Comm communicator);
 } // namespace Signorini

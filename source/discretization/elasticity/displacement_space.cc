@@ -31,7 +31,9 @@ AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh, const DoFH
     else if (condition.role == Role::roller)
       rollers.insert(i);
   }
-  AffineConstraints<double> conditions;
+  IndexSet relevant;
+  DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+  AffineConstraints<double> conditions(relevant);
   VectorTools::interpolate_boundary_values(mesh.mapping(), dofs, displacements, conditions);
   // Where a roller meets a clamped or prescribed side, the entries above stay.
   if (!rollers.empty())
@@ -199,7 +201,7 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
     if (scene.is_held_by_contact) {
       pins_ = choose_pins(dofs_, scene, essential);
       constraints_without_pins_ = merge(essential_conditions(mesh_, dofs_, scene), continuity_);
-      AffineConstraints<double> conditions;
+      AffineConstraints<double> conditions(essential.get_local_lines());
       conditions.merge(essential);
       for (const Pin &pin : pins_)
         conditions.add_line(pin.dof);

@@ -90,7 +90,7 @@ Discretization<dim>::Discretization(const Parameters &parameters, const Scene<di
                                   communicator);
                }))
   , n_points(parameters.discretization.quadrature_points +
-             additional_points(mesh.triangulation().n_active_cells()))
+             additional_points(mesh.triangulation().n_global_active_cells()))
   , space(timed(times.setup,
                 [&]() {
                   return DisplacementSpace<dim>(mesh, scene,
@@ -141,12 +141,11 @@ void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim
   }
   condensed_D = condense(D, space.constraints());
   G = assemble_gap_of(scene);
-  for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
-    if (condensed_D.column(k).empty())
-      throw InputError(parameters.discretization.coarsest_level.where() + ": contact patch " +
-                       std::to_string(k % multipliers.n_multipliers()) +
-                       " sees no free mesh node on the coarsest level, allowed: a finer coarsest "
-                       "level, fewer patches or a larger patch ratio.");
+  if (const auto k = condensed_D.empty_column(mesh.communicator()))
+    throw InputError(parameters.discretization.coarsest_level.where() + ": contact patch " +
+                     std::to_string(*k % multipliers.n_multipliers()) +
+                     " sees no free mesh node on the coarsest level, allowed: a finer coarsest "
+                     "level, fewer patches or a larger patch ratio.");
 }
 
 template <int dim>

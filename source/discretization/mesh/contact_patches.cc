@@ -37,8 +37,7 @@ FaceSpan span_of(const Point<2> &first, const Point<2> &last, const Side<2> &sid
 
 /** Returns the interval of a face on a side: its own one, or one to which it is projected. */
 FaceSpan span_of(const ContactFace<2> &face, const Side<2> &side) {
-  const auto mesh_face = face.cell->face(face.face_no);
-  return span_of(mesh_face->vertex(0), mesh_face->vertex(1), side);
+  return span_of(face.vertices[0], face.vertices[1], side);
 }
 
 /** The intervals of the faces of a side and, in a pair, those of the other one that are projected
@@ -312,10 +311,9 @@ void ContactSurface<3>::divide(const Partition &partition) {
   for (unsigned int f = 0; f < faces_.size(); ++f) {
     const ContactFace<3> &face = faces_[f];
     const Side<3> &side = scene_.geometry.sides[face.side];
-    const auto mesh_face = face.cell->face(face.face_no);
     std::vector<Point<2>> corners;
-    for (const unsigned int v : mesh_face->vertex_indices())
-      corners.push_back(side.coordinates(mesh_face->vertex(v)));
+    for (const Point<3> &vertex : face.vertices)
+      corners.push_back(side.coordinates(vertex));
     Piece<3> piece = {f, 0, {}, {}, {0., 0.}, {1., 1.}, {}};
     std::tie(piece.lower, piece.upper) = BoundingBox<2>(corners).get_boundary_points();
     std::array<unsigned int, 3> place = {{face.side, 0, 0}};
@@ -333,7 +331,7 @@ void ContactSurface<3>::divide(const Partition &partition) {
     Patch<3> &patch = patches_[piece.patch];
     const std::vector<Point<2>> both = {patch.lower, patch.upper, piece.lower, piece.upper};
     std::tie(patch.lower, patch.upper) = BoundingBox<2>(both).get_boundary_points();
-    patch.measure += mesh_face->measure();
+    patch.measure += (piece.upper[0] - piece.lower[0]) * (piece.upper[1] - piece.lower[1]);
     pieces_.push_back(piece);
   }
 }
@@ -343,14 +341,13 @@ template <>
 SurfaceRule<3> ContactSurface<3>::at(const Piece<3> &piece,
                                      const std::vector<Point<2>> &positions) const {
   const ContactFace<3> &face = faces_[piece.face];
-  const auto mesh_face = face.cell->face(face.face_no);
   const Side<3> &side = this->side(patches_[piece.patch]);
   SurfaceRule<3> rule;
   rule.on_face = positions;
   for (const Point<2> &position : positions) {
     Point<3> x;
     for (const unsigned int v : GeometryInfo<2>::vertex_indices())
-      x += GeometryInfo<2>::d_linear_shape_function(position, v) * mesh_face->vertex(v);
+      x += GeometryInfo<2>::d_linear_shape_function(position, v) * face.vertices[v];
     rule.points.push_back(x);
     rule.on_side.push_back(side.coordinates(x));
     rule.normals.push_back(side.normal(rule.on_side.back()));

@@ -5,14 +5,18 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/grid/cell_id.h>
+#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
+#include <tuple>
 
 namespace Signorini {
 namespace {
@@ -105,16 +109,63 @@ std::vector<Neighbours<dim>> ContactSurface<dim>::neighbours() const {
 
 namespace {
 template <int dim>
-std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Scene<dim> &scene) {
+std::vector<ContactFace<dim>> find_own_faces(const Mesh<dim> &mesh, const Scene<dim> &scene) {
   std::vector<ContactFace<dim>> faces;
-  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+  for (const auto &cell :
+       mesh.triangulation().active_cell_iterators() | IteratorFilters::LocallyOwnedCell())
     for (const unsigned int f : cell->face_indices())
       if (cell->face(f)->at_boundary()) {
         const unsigned int side = cell->face(f)->boundary_id();
-        if (scene.boundary[side].role == Role::contact ||
-            scene.boundary[side].role == Role::opposite)
-          faces.push_back({cell, f, side});
+        if (scene.boundary[side].role != Role::contact &&
+            scene.boundary[side].role != Role::opposite)
+          continue;
+        faces.push_back({cell, f, side, {}});
+        for (const unsigned int v : cell->face(f)->vertex_indices())
+          faces.back().vertices[v] = cell->face(f)->vertex(v);
       }
+  return faces;
+}
+
+/** Returns the faces of all ranks in the order that a mesh of one rank has. */
+template <int dim>
+std::vector<ContactFace<dim>> share(const std::vector<ContactFace<dim>> &own,
+                                    MPI_Comm communicator) {
+  std::vector<std::pair<CellId, ContactFace<dim>>> faces;
+  using Record = std::tuple<CellId::binary_type, unsigned int, unsigned int, std::vector<double>>;
+  std::vector<Record> records;
+  for (const ContactFace<dim> &face : own) {
+    std::vector<double> places;
+    for (const Point<dim> &x : face.vertices)
+      for (unsigned int d = 0; d < dim; ++d)
+        places.push_back(x[d]);
+    records.emplace_back(face.cell->id().template to_binary<dim>(), face.face_no, face.side,
+                         places);
+  }
+  const auto all = Utilities::MPI::all_gather(communicator, records);
+  for (unsigned int rank = 0; rank < all.size(); ++rank)
+    for (std::size_t i = 0; i < all[rank].size(); ++i) {
+      const auto &[id, face_no, side, places] = all[rank][i];
+      ContactFace<dim> face = {{}, face_no, side, {}};
+      if (rank == Utilities::MPI::this_mpi_process(communicator))
+        face.cell = own[i].cell;
+      for (std::size_t k = 0; k < places.size(); ++k)
+        face.vertices[k / dim][k % dim] = places[k];
+      faces.emplace_back(CellId(id), face);
+    }
+  std::sort(faces.begin(), faces.end(), [](const auto &a, const auto &b) {
+    return std::tie(a.first, a.second.face_no) < std::tie(b.first, b.second.face_no);
+  });
+  std::vector<ContactFace<dim>> sorted;
+  for (const auto &[id, face] : faces)
+    sorted.push_back(face);
+  return sorted;
+}
+
+template <int dim>
+std::vector<ContactFace<dim>> find_contact_faces(const Mesh<dim> &mesh, const Scene<dim> &scene) {
+  std::vector<ContactFace<dim>> faces = find_own_faces(mesh, scene);
+  if (mesh.is_shared())
+    faces = share(faces, mesh.communicator());
   std::stable_sort(faces.begin(), faces.end(),
                    [](const auto &a, const auto &b) { return a.side < b.side; });
   return faces;
@@ -155,6 +206,7 @@ ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &sce
   , scene_(scene)
   , faces_(find_contact_faces(mesh, scene)) {
   divide(partition);
+  keep_own_pieces();
   // φ.n dS has degree one per direction on a flat face, and degree two on a parabola.
   place_points(std::vector<unsigned int>(mesh.triangulation().n_active_cells(), 2));
 }
@@ -166,6 +218,7 @@ ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &sce
   , scene_(scene)
   , faces_(find_contact_faces(mesh, scene)) {
   divide(Partition{1});
+  keep_own_pieces();
   place_points(n_points);
 }
 
@@ -224,17 +277,20 @@ double ContactSurface<dim>::longest_patch() const {
 }
 
 template <int dim>
-bool ContactSurface<dim>::has_unstable_patch() const {
+void ContactSurface<dim>::keep_own_pieces() {
   std::vector<std::set<unsigned int>> own(patches_.size()), opposite(own);
   for (const Piece<dim> &piece : pieces_) {
     own[piece.patch].insert(piece.face);
     if (piece.opposite)
       opposite[piece.patch].insert(piece.opposite->first);
   }
+  has_unstable_patch_ = false;
   for (std::size_t t = 0; t < patches_.size(); ++t)
-    if (own[t].size() < 2 || opposite[t].size() == 1)
-      return true;
-  return false;
+    has_unstable_patch_ = has_unstable_patch_ || own[t].size() < 2 || opposite[t].size() == 1;
+  const auto is_foreign = [&](const Piece<dim> &piece) {
+    return !faces_[piece.face].is_on_this_rank();
+  };
+  pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), is_foreign), pieces_.end());
 }
 
 template class ContactSurface<2>;

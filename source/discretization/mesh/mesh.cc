@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// T^h by nested refinement, partitioned by METIS.
+// T^h by nested refinement, partitioned by p4est.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
 #include <signorini/discretization/mesh/mesh.h>
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/distributed/tria.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/fe/mapping_q_cache.h>
+#include <deal.II/grid/filtered_iterator.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
@@ -175,12 +179,37 @@ std::unique_ptr<const Mapping<dim>> cache(const Mapping<dim> &mapping, const uns
 }
 } // namespace
 
+unsigned int level_of_subtrees(const double n_coarse_cells, const unsigned int dim,
+                               const unsigned int n_ranks) {
+  constexpr double n_per_rank = 8.;
+  unsigned int level = 0;
+  if (n_ranks > 1)
+    while (std::ldexp(n_coarse_cells, static_cast<int>(dim * level)) < n_per_rank * n_ranks)
+      ++level;
+  return level;
+}
+
+namespace {
+/** Makes a triangulation of one process, or one that processes share. */
+template <int dim>
+std::unique_ptr<parallel::TriangulationBase<dim>> make_triangulation(MPI_Comm communicator) {
+  using Shared = parallel::distributed::Triangulation<dim>;
+  using Alone = parallel::shared::Triangulation<dim>;
+  if (Utilities::MPI::n_mpi_processes(communicator) > 1)
+    return std::make_unique<Shared>(communicator, Triangulation<dim>::none,
+                                    Shared::no_automatic_repartitioning);
+  return std::make_unique<Alone>(communicator, Triangulation<dim>::none,
+                                 /*allow_artificial_cells=*/false, Alone::partition_zorder);
+}
+} // namespace
+
 template <int dim>
 Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level,
                 const unsigned int level, MPI_Comm communicator)
-  : triangulation_(communicator, Triangulation<dim>::none,
-                   /*allow_artificial_cells=*/false,
-                   parallel::shared::Triangulation<dim>::partition_metis)
+  : triangulation_(make_triangulation<dim>(communicator))
+  , subtree_level_(level_of_subtrees(geometry.n_coarse_cells, dim,
+                                     Utilities::MPI::n_mpi_processes(communicator)))
+  , is_shared_(Utilities::MPI::n_mpi_processes(communicator) > 1)
   , curved_(geometry.curved)
   , is_graded_(false)
   , axisymmetric_(geometry.axisymmetric)
@@ -189,14 +218,19 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level
   , n_nested_ancestors_(geometry.distortion == 0. ? level : level - std::min(coarsest_level, level))
   , uniform_levels_(level) {
   const unsigned int first = std::min(coarsest_level, level);
-  geometry.make_coarse_mesh(triangulation_);
-  triangulation_.refine_global(first);
+  geometry.make_coarse_mesh(*triangulation_);
+  if (is_shared_) {
+    AssertThrow(geometry.distortion == 0. && level > subtree_level_, ExcNotImplemented());
+    triangulation_->refine_global(subtree_level_);
+    dynamic_cast<parallel::distributed::Triangulation<dim> &>(*triangulation_).repartition();
+  } else
+    triangulation_->refine_global(first);
   if (geometry.distortion > 0.)
-    distort(geometry, triangulation_);
+    distort(geometry, *triangulation_);
   refine(geometry, [&]() {
-    triangulation_.refine_global(level - first);
+    triangulation_->refine_global(level - this->level());
     if (geometry.number_after_refinement)
-      geometry.number_after_refinement(triangulation_);
+      geometry.number_after_refinement(*triangulation_);
     make_mappings(2);
   });
 }
@@ -205,9 +239,9 @@ template <int dim>
 Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int base_level,
                 const std::array<std::vector<double>, dim> &lines, const Splits &must_split,
                 const unsigned int mapping_degree)
-  : triangulation_(MPI_COMM_SELF, Triangulation<dim>::none,
-                   /*allow_artificial_cells=*/false,
-                   parallel::shared::Triangulation<dim>::partition_zorder)
+  : triangulation_(make_triangulation<dim>(MPI_COMM_SELF))
+  , subtree_level_(0)
+  , is_shared_(false)
   , curved_(geometry.curved)
   , is_graded_(true)
   , axisymmetric_(geometry.axisymmetric)
@@ -216,25 +250,25 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int base_level,
   , n_nested_ancestors_(0)
   , uniform_levels_(0) {
   if (geometry.make_mesh_with_lines && geometry.distortion == 0.)
-    geometry.make_mesh_with_lines(triangulation_, base_level, lines);
+    geometry.make_mesh_with_lines(*triangulation_, base_level, lines);
   else {
-    geometry.make_coarse_mesh(triangulation_);
-    triangulation_.refine_global(base_level);
+    geometry.make_coarse_mesh(*triangulation_);
+    triangulation_->refine_global(base_level);
     uniform_levels_ = base_level;
     if (geometry.distortion > 0.)
-      distort(geometry, triangulation_);
+      distort(geometry, *triangulation_);
   }
   if (geometry.number_after_refinement)
-    geometry.number_after_refinement(triangulation_);
+    geometry.number_after_refinement(*triangulation_);
   for (bool changed = true; changed;) {
     changed = false;
-    for (const auto &cell : triangulation_.active_cell_iterators())
+    for (const auto &cell : triangulation_->active_cell_iterators())
       if (must_split(cell, splits(cell))) {
         cell->set_refine_flag();
         changed = true;
       }
     if (changed)
-      triangulation_.execute_coarsening_and_refinement();
+      triangulation_->execute_coarsening_and_refinement();
   }
   make_mappings(mapping_degree);
 }
@@ -247,9 +281,9 @@ void Mesh<dim>::make_mappings(const unsigned int degree) {
     unit_axis = -lower_[0] / size_;
   }
   if (curved_) {
-    mapping_ = cache(MappingQ<dim>(degree), degree, triangulation_, axis);
+    mapping_ = cache(MappingQ<dim>(degree), degree, *triangulation_, axis);
     unit_mapping_ =
-      cache(UnitMapping<dim>(degree, lower_, size_), degree, triangulation_, unit_axis);
+      cache(UnitMapping<dim>(degree, lower_, size_), degree, *triangulation_, unit_axis);
   } else {
     mapping_ = make_map<dim, MappingQ1<dim>>(axis);
     unit_mapping_ = make_map<dim, UnitMapping<dim>>(unit_axis, 1, lower_, size_);
@@ -259,7 +293,8 @@ void Mesh<dim>::make_mappings(const unsigned int degree) {
 template <int dim>
 std::pair<double, double> Mesh<dim>::range_of_edges() const {
   std::pair<double, double> squares(size_ * size_, 0.);
-  for (const auto &cell : triangulation_.active_cell_iterators())
+  for (const auto &cell :
+       triangulation_->active_cell_iterators() | IteratorFilters::LocallyOwnedCell())
     for (const unsigned int line : cell->line_indices()) {
       const auto end = [&](const unsigned int v) {
         return cell->vertex(GeometryInfo<dim>::line_to_cell_vertices(line, v));
@@ -267,7 +302,8 @@ std::pair<double, double> Mesh<dim>::range_of_edges() const {
       const double square = end(0).distance_square(end(1));
       squares = {std::min(squares.first, square), std::max(squares.second, square)};
     }
-  return {std::sqrt(squares.first), std::sqrt(squares.second)};
+  return {std::sqrt(Utilities::MPI::min(squares.first, communicator())),
+          std::sqrt(Utilities::MPI::max(squares.second, communicator()))};
 }
 
 template class Mesh<2>;

@@ -6,7 +6,10 @@
 #include <signorini/discretization/elasticity/trace_values.h>
 #include <signorini/discretization/multiplier/multiplier_space.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
+
+#include <boost/serialization/map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -159,8 +162,7 @@ void Coupling::add_product(const dealii::Vector<double> &P, DualVector &vector) 
   for (unsigned int tau = 0; tau < n_columns(); ++tau)
     if (P[tau] != 0.)
       for (const auto &entry : columns_[tau])
-        if (vector.in_local_range(entry.first))
-          vector(entry.first) += entry.second * P[tau];
+        vector(entry.first) += entry.second * P[tau];
 }
 
 template <typename VectorType>
@@ -168,8 +170,7 @@ dealii::Vector<double> Coupling::transpose_product(const VectorType &U) const {
   dealii::Vector<double> product(n_columns());
   for (unsigned int tau = 0; tau < n_columns(); ++tau)
     for (const auto &entry : columns_[tau])
-      if (U.in_local_range(entry.first))
-        product[tau] += entry.second * U(entry.first);
+      product[tau] += entry.second * U(entry.first);
   if constexpr (!std::is_same_v<VectorType, dealii::Vector<double>>)
     Utilities::MPI::sum(product, U.get_mpi_communicator(), product);
   return product;
@@ -178,6 +179,30 @@ dealii::Vector<double> Coupling::transpose_product(const VectorType &U) const {
 template dealii::Vector<double> Coupling::transpose_product(const dealii::Vector<double> &) const;
 template dealii::Vector<double> Coupling::transpose_product(const DualVector &) const;
 template dealii::Vector<double> Coupling::transpose_product(const Displacement &) const;
+
+std::optional<unsigned int> Coupling::empty_column(MPI_Comm communicator) const {
+  std::vector<double> n_rows;
+  for (const Column &column : columns_)
+    n_rows.push_back(column.size());
+  Utilities::MPI::sum(n_rows, communicator, n_rows);
+  const auto empty = std::find(n_rows.begin(), n_rows.end(), 0.);
+  if (empty == n_rows.end())
+    return {};
+  return empty - n_rows.begin();
+}
+
+template <int dim>
+Coupling sum_over_ranks(const DisplacementSpace<dim> &space, std::vector<Coupling::Column> parts) {
+  if (!space.mesh().is_shared())
+    return Coupling(std::move(parts));
+  std::vector<Coupling::Column> columns(parts.size());
+  for (const auto &of_rank : Utilities::MPI::all_gather(space.mesh().communicator(), parts))
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      for (const auto &[row, value] : of_rank[k])
+        if (space.locally_owned().is_element(row))
+          columns[k][row] += value;
+  return Coupling(std::move(columns));
+}
 
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,
@@ -205,7 +230,7 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
         }
     }
   }
-  return Coupling(std::move(columns));
+  return sum_over_ranks(space, std::move(columns));
 }
 
 dealii::Vector<double> join(const dealii::Vector<double> &normal,
@@ -237,5 +262,6 @@ Coupling condense(const Coupling &D, const AffineConstraints<double> &constraint
   return Coupling(std::move(columns));
 }
 
+INSTANTIATE_FUNCTION(sum_over_ranks);
 INSTANTIATE_FUNCTION(assemble_coupling);
 } // namespace Signorini

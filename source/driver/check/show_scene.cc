@@ -95,12 +95,11 @@ template <int dim>
 void show_scene(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
                 const StudyReport &report) {
   const DiscretizationParameters &given = parameters.discretization;
-  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-  check_settings(parameters, scene, communicator);
-  print_scene(parameters, scene, choose_solvers(parameters, scene, given.finest_level, n_ranks),
-              judge_of(parameters, scene, n_ranks), report.screen);
+  check_settings(parameters, scene);
+  print_scene(parameters, scene, choose_solvers(parameters, scene, given.finest_level),
+              judge_of(parameters, scene), report.screen);
   const std::string cost = cost_of(parameters, scene, communicator);
-  const Mesh<dim> mesh(scene.geometry, given.coarsest_level, given.coarsest_level, communicator);
+  const Mesh<dim> mesh(scene.geometry, given.coarsest_level, given.coarsest_level, MPI_COMM_SELF);
   if constexpr (dim == 2)
     print_sides(scene, report.screen);
   report.screen << "First mesh: " << mesh.triangulation().n_global_active_cells() << " cells.\n"

@@ -110,8 +110,7 @@ RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Co
   Scene<dim> scene;
   RunInput decided = input;
   agree(communicator, [&]() { scene = make_scene<dim>(given); });
-  const StrategyDecision decision =
-    decide_strategy(given, scene, Utilities::MPI::n_mpi_processes(communicator));
+  const StrategyDecision decision = decide_strategy(given, scene);
   std::copy(decision.overrides.begin(), decision.overrides.end(),
             std::back_inserter(decided.overrides));
   const Parameters parameters = parameters_of(decided);

@@ -8,12 +8,9 @@ namespace Signorini {
 namespace {
 /** Returns why meshes are nested; empty where they may be graded. */
 template <int dim>
-std::string reason_for_nested(const Parameters &parameters, const Scene<dim> &scene,
-                              const unsigned int n_ranks) {
+std::string reason_for_nested(const Parameters &parameters, const Scene<dim> &scene) {
   if (dim == 3)
     return "bodies in space have no graded meshes";
-  if (n_ranks > 1)
-    return "graded meshes need a single process";
   if (scene.has_pairs())
     return "two bodies touch";
   if (scene.exact_displacement != nullptr)
@@ -49,14 +46,13 @@ unsigned int first_level(const double n_coarse_cells) {
 } // namespace
 
 template <int dim>
-StrategyDecision decide_strategy(const Parameters &parameters, const Scene<dim> &scene,
-                                 const unsigned int n_ranks) {
+StrategyDecision decide_strategy(const Parameters &parameters, const Scene<dim> &scene) {
   const DiscretizationParameters &given = parameters.discretization;
   StrategyDecision decision;
   Strategy strategy = given.strategy;
   if (strategy == Strategy::automatic) {
     const bool has_levels = given.finest_level.is_given || given.coarsest_level.is_given;
-    const std::string reason = reason_for_nested(parameters, scene, n_ranks);
+    const std::string reason = reason_for_nested(parameters, scene);
     strategy = reason.empty() && !has_levels ? Strategy::hp : Strategy::nested;
     if (!has_levels)
       decision.sentence =

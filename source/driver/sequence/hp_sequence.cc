@@ -75,7 +75,7 @@ public:
     const Discretization<2> &discretization = *next_;
     const ContactStart start = start_for(discretization);
     LevelSolution<2> &solution = result.solution;
-    const LevelProblem<2> problem = {parameters, scene_, choose_solvers(parameters, scene_, 0, 1)};
+    const LevelProblem<2> problem = {parameters, scene_, choose_solvers(parameters, scene_, 0)};
     solution = solve_level(problem, discretization, start, progress);
     LevelRecord &record = solution.record;
     record.sizes.level = n_steps_;

@@ -37,8 +37,8 @@ public:
     memory_.check(next_level_);
     progress("mesh");
     LevelResult<dim> result;
-    result.discretization = std::make_shared<const Discretization<dim>>(
-      parameters, context_.scene, next_level_, context_.communicator);
+    result.discretization = std::make_shared<const Discretization<dim>>(parameters, context_.scene,
+                                                                        next_level_, MPI_COMM_SELF);
     const Discretization<dim> &discretization = *result.discretization;
     result.solution = solve(discretization, start_for(discretization), progress);
     LevelRecord &record = result.solution.record;
@@ -60,8 +60,7 @@ private:
     const SolverParameters &solver = context_.parameters.solver;
     if (failure_of_cycles_)
       return {ContactSolver::active_set, solver.linear_solver};
-    return choose_solvers(context_.parameters, context_.scene, level,
-                          Utilities::MPI::n_mpi_processes(context_.communicator));
+    return choose_solvers(context_.parameters, context_.scene, level);
   }
 
   /** Solves the level by V-cycles or by factors. Where V-cycles were chosen automatically and do

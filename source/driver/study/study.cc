@@ -50,17 +50,16 @@ public:
         const StudyReport &report)
     : parameters_(parameters)
     , scene_(scene)
-    , n_ranks_(Utilities::MPI::n_mpi_processes(communicator))
     , report_(report)
-    , judge_(judge_of(parameters, scene, n_ranks_))
+    , judge_(judge_of(parameters, scene))
+    , communicator_(communicator)
     , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_}))
     , writer_(parameters, judge_, scene.description, report.directory, communicator) {}
 
   StudyResult<dim> run() {
-    print_scene(
-      parameters_, scene_,
-      choose_solvers(parameters_, scene_, parameters_.discretization.finest_level, n_ranks_),
-      judge_, report_.screen);
+    print_scene(parameters_, scene_,
+                choose_solvers(parameters_, scene_, parameters_.discretization.finest_level),
+                judge_, report_.screen);
     const bool graded = parameters_.discretization.strategy == Strategy::hp;
     report_.screen << screen_legend(graded) << "\n" << screen_header(graded) << std::endl;
     try {
@@ -91,7 +90,9 @@ private:
     const Progress progress = [&, name = sequence_->name_of_next()](const std::string &stage) {
       report_.progress(name + ": " + stage + text_to_go(clock_.begin_stage(stage, now())));
     };
-    LevelResult<dim> level = sequence_->solve_next(progress);
+    // Levels that every rank solves alone end in the same way on all of them.
+    LevelResult<dim> level;
+    agree(communicator_, [&]() { level = sequence_->solve_next(progress); });
     LevelRecord &record = level.solution.record;
     solve_cases(level, progress);
     progress("output");
@@ -143,9 +144,9 @@ private:
 
   const Parameters &parameters_;
   const Scene<dim> &scene_;
-  unsigned int n_ranks_;
   const StudyReport &report_;
   Judge judge_;
+  MPI_Comm communicator_;
   std::unique_ptr<Sequence<dim>> sequence_;
   ResultsWriter writer_;
   LevelClock clock_;
@@ -156,24 +157,23 @@ private:
 } // namespace
 
 template <int dim>
-Judge judge_of(const Parameters &parameters, const Scene<dim> &scene, const unsigned int n_ranks) {
+Judge judge_of(const Parameters &parameters, const Scene<dim> &scene) {
   return Judge({parameters.solver.tolerance, parameters.solver.tolerated_error,
-                target_error(parameters.discretization),
-                dim == 2 && n_ranks == 1 && !scene.has_pairs(), dim == 2});
+                target_error(parameters.discretization), dim == 2 && !scene.has_pairs(), dim == 2});
 }
 
 template <int dim>
 StudyResult<dim> run_study(const Parameters &parameters, const Scene<dim> &scene,
                            MPI_Comm communicator, const StudyReport &report) {
   const LibraryThreads one_thread_in_libraries(1);
-  check_settings(parameters, scene, communicator);
+  check_settings(parameters, scene);
   return Study<dim>(parameters, scene, communicator, report).run();
 }
 
 INSTANTIATE_FUNCTION(judge_of);
 INSTANTIATE_FUNCTION(run_study);
 
-// Contradictions between parameters, scene and number of ranks, found before the first level.
+// Contradictions between parameters and scene, found before the first level.
 
 namespace {
 /** @throws InputError which states the option that was found and the others that are allowed, if a
@@ -222,9 +222,7 @@ void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
 } // namespace
 
 template <int dim>
-void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator) {
-  const unsigned int n_ranks = Utilities::MPI::n_mpi_processes(communicator);
-  const std::string on_several = "on " + std::to_string(n_ranks) + " processes";
+void check_settings(const Parameters &parameters, const Scene<dim> &scene) {
   const Given<ContactSolver> &contact = parameters.solver.contact_solver;
   const Given<LinearSolver> &linear = parameters.solver.linear_solver;
   check_multigrid(linear, "automatic, condensed", parameters);
@@ -239,12 +237,6 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_C
   if (scene.geometry.axisymmetric && parameters.output.lemmas)
     throw error_at(parameters.output.lemmas, "found 'true' ", revolved,
                    ", allowed with it: false.");
-  refuse_if(n_ranks > 1 && by_cycles, contact, on_several,
-            "on several: automatic, psor, active set");
-  refuse_if(n_ranks > 1 && (linear == LinearSolver::condensed || linear == LinearSolver::multigrid),
-            linear, on_several, "on several: automatic, amesos_mumps, amesos_klu");
-  refuse_if(n_ranks > 1 && parameters.discretization.strategy == Strategy::hp,
-            parameters.discretization.strategy, on_several, "on several: nested");
   refuse_if(scene.has_pairs() && parameters.discretization.strategy == Strategy::hp,
             parameters.discretization.strategy, "with a pair of sides", "with it: nested");
   const std::string of_bodies = "it is not there for several bodies, allowed: one body.";

@@ -99,13 +99,13 @@ bool impose(const ContactTrace &trace, const Vector &targets, const bool only_ra
  * @param held the nodes to begin with.
  */
 Displacement relaxed_displacement(const BoundData &data, const Coupling &E, const Vector &required,
-                                  const Vector &f, std::vector<bool> held,
+                                  const DualVector &f, std::vector<bool> held,
                                   const unsigned int max_sets) {
   constexpr unsigned int max_steps = 80;
   constexpr double tolerance = 0.03;
   unsigned int n_steps = 5;
   const StiffnessOperator &A = *data.inverse.cycles();
-  Vector w(f.size()), g(f.size());
+  DualVector w = A.make_vector(), g(w);
   double last_J = std::numeric_limits<double>::infinity();
   for (unsigned int n_sets = 0; n_sets < max_sets; ++n_sets) {
     // Nodes are held in both directions: two normals that meet in one may be nearly parallel.
@@ -116,16 +116,16 @@ Displacement relaxed_displacement(const BoundData &data, const Coupling &E, cons
         for (const auto &entry : E.column(k))
           rows.push_back(entry.first);
       }
-    const auto clear = [&rows](Vector &v) {
+    const auto clear = [&rows](DualVector &v) {
       for (const auto row : rows)
         v[row] = 0.;
     };
-    LinearOperator<Vector> K, V;
-    K.vmult = [&](Vector &y, const Vector &x) {
+    LinearOperator<DualVector> K, V;
+    K.vmult = [&](DualVector &y, const DualVector &x) {
       A.vmult(y, x);
       clear(y);
     };
-    V.vmult = [&](Vector &z, const Vector &r) {
+    V.vmult = [&](DualVector &z, const DualVector &r) {
       A.precondition(z, r);
       clear(z);
     };
@@ -136,7 +136,7 @@ Displacement relaxed_displacement(const BoundData &data, const Coupling &E, cons
     IterationNumberControl control(n_steps, 1e-8 * g.l2_norm());
     g = f;
     clear(g);
-    SolverCG<Vector>(control).solve(K, w, g, V);
+    SolverCG<DualVector>(control).solve(K, w, g, V);
     A.vmult(g, w);
     const double energy = w * g, J = 0.5 * energy - f * w;
     if (std::abs(J - last_J) <= tolerance * energy)
@@ -183,8 +183,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
     held.push_back(condition.presses || required[i] > 0.);
   }
   if (!data.inverse.has_factors())
-    return relaxed_displacement(data, nodes.E, required, Vector(forces.begin(), forces.end()), held,
-                                10);
+    return relaxed_displacement(data, nodes.E, required, forces, held, 10);
   if (!held.empty()) {
     Vector F = nodes.E.transpose_product(solve_homogeneous(data.inverse, data.space, forces));
     F -= required;
@@ -205,7 +204,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
 Displacement pushed_displacement(const BoundData &data, const Coupling &E, const Vector &targets) {
   Vector Q(E.n_columns());
   if (!data.inverse.has_factors())
-    return relaxed_displacement(data, E, targets, Vector(data.space.dofs().n_dofs()),
+    return relaxed_displacement(data, E, targets, data.space.make_vector(),
                                 std::vector<bool>(targets.size(), true), 1);
   const auto pushed_by = [&](const Vector &Q_E) {
     DualVector forces = data.space.make_vector();

@@ -278,7 +278,7 @@ std::vector<CellFit> CellFitter::fit_all(const EquilibrationMesh &mesh, const Tr
   shared.reserve(fresh.size());
   for (const Cell &cell : fresh)
     shared.push_back(&find_known(space.cells()[cell->active_cell_index()], alone));
-  work_on_ranges(n_available_threads(data_.space.mesh().communicator()), fresh.size(),
+  work_on_ranges(n_available_threads(), fresh.size(),
                  [&](const std::size_t begin, const std::size_t end) {
                    for (std::size_t i = begin; i < end; ++i) {
                      const unsigned int number = fresh[i]->active_cell_index();

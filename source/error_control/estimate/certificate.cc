@@ -67,7 +67,10 @@ std::pair<std::vector<Resultant<dim>>, double> contact_by_body(
         {-resultant.force, -resultant.moment};
     size += resultant.force.norm();
   }
-  return {contact, size};
+  const MPI_Comm communicator = discretization.surface.communicator();
+  for (Resultant<dim> &resultant : contact)
+    resultant = sum_over_ranks(resultant, communicator);
+  return {contact, Utilities::MPI::sum(size, communicator)};
 }
 
 /** Computes the balances of forces and moments between reactions, loads and contact: those of the
@@ -343,7 +346,7 @@ double bulk_to_shear(const SymmetricTensor<4, dim> &E) {
 }
 
 /** Returns the largest K/μ at one point of each cell of the level, or of a coarser one that is
- * fine enough to show how E varies. */
+ * fine enough to show how E varies. Collective. */
 template <int dim>
 double max_bulk_to_shear(const Mesh<dim> &mesh, const Material<dim> &material) {
   constexpr unsigned int fine_enough = dim == 2 ? 6 : 4;
@@ -356,7 +359,7 @@ double max_bulk_to_shear(const Mesh<dim> &mesh, const Material<dim> &material) {
     if (material.is_constant())
       break;
   }
-  return largest;
+  return Utilities::MPI::max(largest, mesh.communicator());
 }
 } // namespace
 

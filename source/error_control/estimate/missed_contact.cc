@@ -47,7 +47,7 @@ double energy_of_missed_contact(const DisplacementSpace<3> &space,
                                 const Displacement &U, const Pressure &P) {
   const ContactSurface<3> &surface = multipliers.surface();
   // Coarse meshes, which miss contact, are sampled densely.
-  const double per_piece = 20000. / std::max<std::size_t>(1, surface.pieces().size());
+  const double per_piece = 20000. / std::max<std::size_t>(1, surface.faces().size());
   const auto n_points = static_cast<unsigned int>(std::clamp(std::sqrt(per_piece), 3., 32.));
   TraceValues<3> traces(space);
   std::vector<double> on_patch(surface.patches().size(), 0.);
@@ -60,6 +60,7 @@ double energy_of_missed_contact(const DisplacementSpace<3> &space,
     if (square > 0.)
       on_patch[piece.patch] += modulus_at(scene, rule.points[0]) * square;
   }
+  Utilities::MPI::sum(on_patch, surface.communicator(), on_patch);
   double energy = 0.;
   for (std::size_t k = 0; k < on_patch.size(); ++k)
     if (const Patch<3> &patch = surface.patches()[k];

@@ -32,9 +32,8 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multi
                                                const ContactSolution<dim> &contact) {
   const Coupling D = assemble_coupling(given.space, multipliers);
   const Coupling condensed_D = condense(D, given.space.constraints());
-  for (unsigned int k = 0; k < condensed_D.n_columns(); ++k)
-    if (condensed_D.column(k).empty())
-      return {};
+  if (condensed_D.empty_column(given.space.mesh().communicator()))
+    return {};
   FreeState free;
   free.F = assemble_gap(multipliers, multipliers.surface().scene().boundary, given.n_points);
   free.F -= D.transpose_product(contact.dual->free.U);
@@ -66,6 +65,9 @@ public:
         integrals[piece.patch] +=
           std::min(most_, recovered_.without_sign(piece.patch, piece.on_mesh.on_side[q])) * weight;
       }
+    const MPI_Comm communicator = multipliers.surface().communicator();
+    Utilities::MPI::sum(lengths, communicator, lengths);
+    Utilities::MPI::sum(integrals, communicator, integrals);
     for (unsigned int k = 0; k < P.size(); ++k)
       shifts_[k] -= integrals[k] / lengths[k];
   }
@@ -183,7 +185,8 @@ Coupling::Column pressure_load(const DisplacementSpace<dim> &space,
 template <int dim>
 Coupling recovered_load(const DisplacementSpace<dim> &space,
                         const MultiplierSpace<dim> &multipliers, const Pressure &P) {
-  return condense(Coupling({pressure_load(space, multipliers, P)}), space.constraints());
+  return condense(sum_over_ranks(space, {pressure_load(space, multipliers, P)}),
+                  space.constraints());
 }
 
 template <int dim>
@@ -197,8 +200,8 @@ PressureCorrection correct_pressure(const Discretization<dim> &discretization,
   if (contact.P.has_friction()) {
     Coupling::Column load = pressure_load(space, multipliers, given);
     add_friction_load(discretization, scene, contact.P, load);
-    return correct_by<dim>(condense(Coupling({load}), space.constraints()), discretization,
-                           contact);
+    return correct_by<dim>(condense(sum_over_ranks(space, {load}), space.constraints()),
+                           discretization, contact);
   }
   if (contact.dual) {
     const ContactSurface<dim> finer(space.mesh(), scene, Partition{recovery_ratio});

@@ -205,6 +205,8 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space, const 
       post_l2 += post * post * rule.weights[q];
     }
   }
+  l2 = Utilities::MPI::sum(l2, space.surface().communicator());
+  post_l2 = Utilities::MPI::sum(post_l2, space.surface().communicator());
   if (!std::isfinite(l2))
     throw InputError(
       "the exact pressure has no finite value at a quadrature point, allowed: finite "

@@ -183,19 +183,20 @@ template <int dim>
 Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement &U,
                         const DisplacementSpace<dim> &fine) {
   const unsigned int level = coarse.mesh().level();
-  const Triangulation<dim> &mesh = fine.mesh().triangulation();
-  if (fine.mesh().level() != level + 1 ||
-      mesh.n_cells(level) != coarse.mesh().triangulation().n_cells(level))
+  if (fine.mesh().level() != level + 1)
     return {};
   // The vertices of a cell and the middles between them, lexicographically.
   const QIterated<dim> nodes(QTrapezoid<1>(), 2);
   PatchInterpolation<dim> interpolation(coarse, U, nodes, coarse.mesh().has_parents() ? 1 : 0);
   Displacement carried = fine.zero();
-  for (const auto &cell : coarse.dofs().active_cell_iterators()) {
-    const typename DoFHandler<dim>::cell_iterator parent(&mesh, cell->level(), cell->index(),
-                                                         &fine.dofs());
-    if (parent->is_active() ||
-        parent->vertex(0).distance(cell->vertex(0)) > 1e-10 * fine.mesh().size())
+  for (const auto &parent : fine.dofs().cell_iterators_on_level(level)) {
+    if (parent->is_active() || !parent->child(0)->is_locally_owned())
+      continue;
+    // A rank that owns the children has the parent on the coarse mesh, too.
+    const auto of_coarse = coarse.mesh().triangulation().create_cell_iterator(parent->id());
+    const typename DoFHandler<dim>::active_cell_iterator cell(
+      &coarse.mesh().triangulation(), of_coarse->level(), of_coarse->index(), &coarse.dofs());
+    if (parent->vertex(0).distance(cell->vertex(0)) > 1e-10 * fine.mesh().size())
       return {};
     const std::vector<Tensor<1, dim>> &values = interpolation.on_reference_cell(cell).values;
     for (unsigned int c = 0; c < parent->n_children(); ++c)

@@ -28,7 +28,8 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
     const bool by_parent = space.mesh().has_parents();
     return sums[{cell->level(), by_parent ? cell->parent_index() : cell->index()}];
   };
-  for (const auto &cell : space.dofs().active_cell_iterators()) {
+  for (const auto &cell :
+       space.dofs().active_cell_iterators() | IteratorFilters::LocallyOwnedCell()) {
     values.reinit(cell);
     values[FEValuesExtractors::Vector(0)].get_function_values(U.entries(), u);
     values[FEValuesExtractors::Vector(0)].get_function_gradients(U.entries(), gradients);
@@ -39,9 +40,10 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
       sums_of(cell).second += measure_at(values, q);
     }
   }
-  std::vector<double> means;
-  for (const auto &cell : space.dofs().active_cell_iterators())
-    means.push_back(sums_of(cell).first / sums_of(cell).second);
+  std::vector<double> means(space.mesh().triangulation().n_active_cells());
+  for (const auto &cell :
+       space.dofs().active_cell_iterators() | IteratorFilters::LocallyOwnedCell())
+    means[cell->active_cell_index()] = sums_of(cell).first / sums_of(cell).second;
   return means;
 }
 

@@ -49,19 +49,33 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
   const QIterated<dim - 1> positions(QTrapezoid<1>(), dim == 2 ? 16 : 4);
   const ContactSurface<dim> &surface = multipliers.surface();
   TraceValues<dim> traces(space);
+  // A depth by its face, its value, and its place.
+  using Depth = std::tuple<unsigned int, double, double, Point<dim>>;
+  std::vector<Depth> largest;
   // Of equal ones, the first: rounding must not choose.
-  constexpr double rounding = 1e-9;
-  std::optional<Penetration> largest;
+  const auto take_larger = [&largest](const Depth &next) {
+    constexpr double rounding = 1e-9;
+    const double before = largest.empty() ? -HUGE_VAL : std::get<1>(largest[0]);
+    if (largest.empty() || std::get<1>(next) > before + rounding * std::abs(before))
+      largest = {next};
+  };
   for (const Piece<dim> &piece : surface.pieces()) {
     const SurfaceRule<dim> rule = surface.at(piece, positions.get_points());
     const std::vector<double> depths = penetration(scene, surface, piece, rule, U, traces);
     for (std::size_t q = 0; q < rule.size(); ++q)
-      if (!largest || depths[q] > largest->value + rounding * std::abs(largest->value))
-        largest = {depths[q],
-                   {surface.side(surface.patches()[piece.patch]).name(),
-                    dim == 2 ? rule.on_side[q][0] : 0., rule.points[q]}};
+      take_larger({piece.face, depths[q], dim == 2 ? rule.on_side[q][0] : 0., rule.points[q]});
   }
-  return largest;
+  std::vector<Depth> all;
+  for (const auto &of_rank : Utilities::MPI::all_gather(surface.communicator(), largest))
+    all.insert(all.end(), of_rank.begin(), of_rank.end());
+  std::sort(all.begin(), all.end(),
+            [](const Depth &a, const Depth &b) { return std::get<0>(a) < std::get<0>(b); });
+  largest.clear();
+  std::for_each(all.begin(), all.end(), take_larger);
+  if (largest.empty())
+    return {};
+  const auto &[face, depth, s, x] = largest[0];
+  return Penetration{depth, {scene.geometry.sides[surface.faces()[face].side].name(), s, x}};
 }
 
 Columns<Answer> Answer::columns() {

@@ -55,6 +55,10 @@ SideForce contact_force(const MultiplierSpace<dim> &multipliers,
         centre += share * rule.points[q];
       }
     }
+  const MPI_Comm communicator = surface.communicator();
+  resultant = sum_over_ranks(resultant, communicator);
+  total = Utilities::MPI::sum(total, communicator);
+  centre = Utilities::MPI::sum(centre, communicator);
   const std::string name =
     sides.size() == 1 ? surface.scene().geometry.sides[sides[0]].name() : std::string();
   return side_force(name, resultant, total != 0. ? Point<dim>(centre / total) : Point<dim>(),

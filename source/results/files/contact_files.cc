@@ -8,6 +8,11 @@
 #include <signorini/results/files/solution_vtu.h>
 #include <signorini/results/files/tables.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/vector.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -194,7 +199,12 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                        {points.begin(), middle},
                        {middle, points.end()}});
   }
-  return contact;
+  TracedContact<dim> all;
+  for (const TracedContact<dim> &of_rank : Utilities::MPI::gather(surface.communicator(), contact))
+    all.insert(all.end(), of_rank.begin(), of_rank.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto &a, const auto &b) { return a.face < b.face; });
+  return all;
 }
 
 template <int dim>

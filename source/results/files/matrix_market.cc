@@ -48,14 +48,9 @@ std::string entries_of(const Coupling &D) {
 }
 
 void write_matrix_market(std::ostream &stream, const types::global_dof_index n_rows,
-                         const types::global_dof_index n_columns,
-                         const std::vector<std::string> &parts, const bool symmetric) {
-  std::ptrdiff_t n_entries = 0;
-  for (const std::string &part : parts)
-    n_entries += std::count(part.begin(), part.end(), '\n');
+                         const types::global_dof_index n_columns, const std::string &entries,
+                         const bool symmetric) {
   write_head(stream, "coordinate", symmetric, n_rows, n_columns);
-  stream << " " << n_entries << "\n";
-  for (const std::string &part : parts)
-    stream << part;
+  stream << " " << std::count(entries.begin(), entries.end(), '\n') << "\n" << entries;
 }
 } // namespace Signorini

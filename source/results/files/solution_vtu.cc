@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The body for ParaView: displacement, its recovery, stresses, bound.
 
-#include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
-#include <signorini/base/parallel.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/fields/field_sampler.h>
-#include <signorini/results/files/files.h>
 #include <signorini/results/files/solution_vtu.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
 
@@ -38,11 +34,8 @@ public:
       add_cells(number);
   }
 
-  std::string text(const DataOutBase::VtkFlags &flags) const {
-    std::ostringstream stream;
-    if (!cells_.cells.empty())
-      DataOutBase::write_vtu_main(cells_.cells, cells_.names, cells_.ranges(), flags, stream);
-    return stream.str();
+  void write(std::ostream &stream, const DataOutBase::VtkFlags &flags) const {
+    DataOutBase::write_vtu_main(cells_.cells, cells_.names, cells_.ranges(), flags, stream);
   }
 
 private:
@@ -145,23 +138,13 @@ private:
 } // namespace
 
 template <int dim>
-void write_solution_vtu(const std::filesystem::path &path, const DisplacementSpace<dim> &space,
+void write_solution_vtu(std::ostream &stream, const DisplacementSpace<dim> &space,
                         const Scene<dim> &scene, const Displacement &U, const BoundFields &bound,
                         const unsigned int number) {
   const DataOutBase::VtkFlags flags(number, number, false, DataOutBase::VtkFlags::best_speed);
-  MPI_Comm communicator = space.mesh().communicator();
-  const std::vector<std::string> pieces =
-    gather_texts(BodyFields<dim>(space, scene, U, bound).text(flags), communicator);
-  // An error, say a full disk, is thrown on all ranks.
-  agree(communicator, [&]() {
-    if (Utilities::MPI::this_mpi_process(communicator) == 0)
-      write_file(path, [&](std::ostream &stream) {
-        DataOutBase::write_vtu_header(stream, flags);
-        for (const std::string &piece : pieces)
-          stream << piece;
-        DataOutBase::write_vtu_footer(stream);
-      });
-  });
+  DataOutBase::write_vtu_header(stream, flags);
+  BodyFields<dim>(space, scene, U, bound).write(stream, flags);
+  DataOutBase::write_vtu_footer(stream);
 }
 
 void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::string>> &files) {

@@ -2,7 +2,6 @@
 // The files of a run.
 
 #include <signorini/base/errors.h>
-#include <signorini/base/parallel.h>
 #include <signorini/results/files/answer_output.h>
 #include <signorini/results/files/contact_files.h>
 #include <signorini/results/files/matrix_market.h>
@@ -85,7 +84,7 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
   const unsigned int number = solution.record.sizes.level;
   start_directory();
   TracedContact<dim> traced;
-  on_first_rank([&]() {
+  agree(communicator_, [&]() {
     traced = trace_contact(space, level.discretization->multipliers, scene.boundary, U,
                            solution.contact.P);
   });
@@ -95,8 +94,9 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
   const bool wants_finest = vtu == VtuLevels::finest || parameters_.output.pictures;
   if (vtu == VtuLevels::all || (wants_finest && level.is_last)) {
     const BoundFields &bound = solution.bound_fields;
-    write_solution_vtu(directory_ / level_file("solution", number, ".vtu"), space, scene, U, bound,
-                       number);
+    write(level_file("solution", number, ".vtu"), [&](std::ostream &stream) {
+      write_solution_vtu(stream, space, scene, U, bound, number);
+    });
     write(level_file("contact", number, ".vtu"),
           [&](std::ostream &stream) { write_contact_vtu<dim>(stream, traced, bound.contact); });
     for (const char *const name : {"solution", "contact"})
@@ -114,15 +114,16 @@ void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
   start_directory();
   const std::string ending = "-case-" + Utilities::int_to_string(number, 6);
   TracedContact<2> traced;
-  on_first_rank([&]() {
+  agree(communicator_, [&]() {
     traced = trace_contact(discretization.space, discretization.multipliers, scene.boundary, U, P);
   });
   write("contact" + ending + ".csv",
         [&](std::ostream &stream) { write_contact_csv<2>(stream, traced); });
   if (parameters_.output.vtu == VtuLevels::none)
     return;
-  write_solution_vtu(directory_ / ("solution" + ending + ".vtu"), discretization.space, scene, U,
-                     {}, number);
+  write("solution" + ending + ".vtu", [&](std::ostream &stream) {
+    write_solution_vtu(stream, discretization.space, scene, U, {}, number);
+  });
   write("contact" + ending + ".vtu",
         [&](std::ostream &stream) { write_contact_vtu<2>(stream, traced, {}); });
   for (const char *const name : {"solution", "contact"})
@@ -147,12 +148,8 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   const ContactSolution<dim> &contact = solution.contact;
   const LinearSystem<dim> &system = *contact.system;
   const DualData &dual = *contact.dual;
-  const std::vector<std::string> A =
-    gather_texts(lower_triangle(system.matrix, system.unit), communicator_);
-  dealii::Vector<double> f(system.f.size());
-  for (const auto i : space.locally_owned())
-    f[i] = system.f(i);
-  Utilities::MPI::sum(f, communicator_, f);
+  const std::string A = lower_triangle(system.matrix, system.unit);
+  const dealii::Vector<double> f(system.f.begin(), system.f.end());
   // F = G - Dᵀ A⁻¹ f for unconstrained unknowns: prescribed displacements count as gap.
   dealii::Vector<double> G = discretization.G;
   G -= discretization.D.transpose_product(space.complete(space.zero()));
@@ -165,7 +162,7 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   };
   const Coupling &D = discretization.condensed_D;
   write_matrix("A", f.size(), f.size(), A, true);
-  write_matrix("D", f.size(), D.n_columns(), std::vector<std::string>{entries_of(D)});
+  write_matrix("D", f.size(), D.n_columns(), entries_of(D));
   write_vector("f", f);
   write_vector("G", G);
   write_vector("F", dual.F);

@@ -5,6 +5,7 @@
 #include <signorini/solvers/cycles/contact_iteration.h>
 #include <signorini/solvers/cycles/saddle_point.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <algorithm>
@@ -21,7 +22,7 @@ namespace Signorini {
 /** A step of the iteration from U and P. */
 struct ContactStep {
   /** The residual r = f + D P - A U and z = V r. */
-  dealii::Vector<double> r, z;
+  NodalVector r, z;
   /** The change d = Q - P and t Ĉ_1 d. */
   dealii::Vector<double> d, C_d;
 
@@ -44,8 +45,7 @@ public:
    * Moves U and P by @p step, or farther.
    * @param same_set whether the step keeps the set; otherwise earlier steps are forgotten.
    */
-  void advance(dealii::Vector<double> &U, dealii::Vector<double> &P, const ContactStep &step,
-               bool same_set);
+  void advance(NodalVector &U, dealii::Vector<double> &P, const ContactStep &step, bool same_set);
   /** Forgets all earlier steps. */
   void forget() {
     differences_.clear();
@@ -56,7 +56,7 @@ private:
   /** A step and the increments that were taken, or the change of these from one point to the next.
    */
   struct Difference {
-    dealii::Vector<float> U, r, z;
+    LinearAlgebra::distributed::Vector<float> U, r, z;
     dealii::Vector<double> P, d, C_d;
   };
 
@@ -68,17 +68,20 @@ private:
 };
 
 namespace {
+/** Returns a.b of vectors of different precision. Collective. */
 template <typename First, typename Second>
 double product(const First &a, const Second &b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0., std::plus<>(),
-                            [](double x, double y) { return x * y; });
+  const double mine = std::inner_product(a.begin(), a.end(), b.begin(), 0., std::plus<>(),
+                                         [](double x, double y) { return x * y; });
+  return Utilities::MPI::sum(mine, a.get_mpi_communicator());
 }
 
 /** Replaces @p to by from - to. */
-template <typename Vector>
-void subtract_from(const dealii::Vector<double> &from, Vector &to) {
-  for (unsigned int i = 0; i < to.size(); ++i)
-    to[i] = static_cast<typename Vector::value_type>(from[i] - to[i]);
+template <typename From, typename To>
+void subtract_from(const From &from, To &to) {
+  std::transform(from.begin(), from.end(), to.begin(), to.begin(), [](const auto a, const auto b) {
+    return static_cast<typename To::value_type>(a - b);
+  });
 }
 } // namespace
 
@@ -110,8 +113,8 @@ dealii::Vector<double> Acceleration::coefficients(const ContactStep &step) const
   return gamma;
 }
 
-void Acceleration::advance(dealii::Vector<double> &U, dealii::Vector<double> &P,
-                           const ContactStep &step, const bool same_set) {
+void Acceleration::advance(NodalVector &U, dealii::Vector<double> &P, const ContactStep &step,
+                           const bool same_set) {
   constexpr unsigned int depth = 2;
   if (!same_set)
     forget();
@@ -141,8 +144,7 @@ void Acceleration::advance(dealii::Vector<double> &U, dealii::Vector<double> &P,
     p = std::min(p, 0.);
   last_->P = P;
   last_->P -= P_before;
-  for (unsigned int i = 0; i < U.size(); ++i)
-    U[i] += double(last_->U[i]);
+  std::transform(U.begin(), U.end(), last_->U.begin(), U.begin(), std::plus<double>());
 }
 
 // A V-cycle, then a problem on the boundary, repeated.
@@ -167,21 +169,24 @@ bool stall(const std::vector<double> &steps) {
 /** Computes z by a V-cycle, and d by the boundary problem of U + z. */
 void complete_step(const ContactSystem &system, const ContactIterationResult &at,
                    ContactStep &step) {
-  step.z.reinit(at.U.size());
+  step.z = system.A.make_vector();
   system.A.precondition(step.z, step.r);
   Vector W = system.opening(at.U);
   W += system.condensed_D.transpose_product(step.z);
   W /= at.scale;
-  step.d = solve_boundary_problem(system.model, W, at.P);
+  const MPI_Comm communicator = step.z.get_mpi_communicator();
+  if (Utilities::MPI::this_mpi_process(communicator) == 0)
+    step.d = solve_boundary_problem(system.model, W, at.P);
+  step.d = Utilities::MPI::broadcast(communicator, step.d);
   step.d -= at.P;
   step.C_d = system.model.apply(step.d);
   step.C_d *= at.scale;
 }
 
 /** Measures the energy of the residual by one more V-cycle, which is counted. */
-void measure_energy_of_residual(const ContactSystem &system, const dealii::Vector<double> &r,
+void measure_energy_of_residual(const ContactSystem &system, const NodalVector &r,
                                 ContactIterationResult &result) {
-  dealii::Vector<double> z(r.size());
+  NodalVector z = system.A.make_vector();
   system.A.precondition(z, r);
   ++result.cycles;
   result.energy_of_residual = 0.5 * (r * z);
@@ -196,17 +201,16 @@ bool keeps_set(const Vector &P, const Vector &d) {
 }
 } // namespace
 
-dealii::Vector<double> ContactSystem::residual(const dealii::Vector<double> &U,
-                                               const Vector &P) const {
-  dealii::Vector<double> r(A.size());
+NodalVector ContactSystem::residual(const NodalVector &U, const Vector &P) const {
+  NodalVector r = A.make_vector();
   A.vmult(r, U);
   r *= -1.;
   r += f;
-  add_product(condensed_D, P, r);
+  condensed_D.add_product(P, r);
   return r;
 }
 
-Vector ContactSystem::opening(const dealii::Vector<double> &U) const {
+Vector ContactSystem::opening(const NodalVector &U) const {
   Vector W = condensed_D.transpose_product(U);
   W -= gap;
   return W;
@@ -222,8 +226,8 @@ double estimate_scale(const ContactSystem &system, const unsigned int n_steps) {
   for (unsigned int step = 0; step < n_steps; ++step) {
     Vector w = system.model.apply_inverse(v);
     w /= std::sqrt(v * w);
-    Vector b(system.A.size()), z(system.A.size());
-    add_product(system.condensed_D, w, b);
+    NodalVector b = system.A.make_vector(), z(b);
+    system.condensed_D.add_product(w, b);
     system.A.precondition(z, b);
     v = system.condensed_D.transpose_product(z);
     largest = v * w;
@@ -231,8 +235,8 @@ double estimate_scale(const ContactSystem &system, const unsigned int n_steps) {
   return share_of_largest * largest;
 }
 
-ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
-                                               const dealii::Vector<double> &U, const Vector &P,
+ContactIterationResult solve_contact_by_cycles(const ContactSystem &system, const NodalVector &U,
+                                               const Vector &P,
                                                const ContactIterationOptions &options) {
   constexpr unsigned int power_steps = 8;
   constexpr unsigned int max_doublings = 2;

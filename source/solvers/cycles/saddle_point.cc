@@ -4,7 +4,9 @@
 #include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/cycles/saddle_point.h>
 
-#include <deal.II/lac/block_vector.h>
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/lac/la_parallel_block_vector.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_minres.h>
 
@@ -15,18 +17,10 @@
 #include "saddle_point_internal.h"
 
 namespace Signorini {
-void add_product(const Coupling &D, const dealii::Vector<double> &P,
-                 dealii::Vector<double> &vector) {
-  for (unsigned int k = 0; k < P.size(); ++k)
-    if (P[k] != 0.)
-      for (const auto &[row, value] : D.column(k))
-        vector[row] += value * P[k];
-}
-
 double rounding_of(const StiffnessOperator &A) {
-  dealii::Vector<double> x(A.size()), y(A.size());
-  for (unsigned int i = 0; i < x.size(); ++i)
-    x[i] = std::sin(1. + 2.3 * i);
+  NodalVector x = A.make_vector(), y(x);
+  for (const auto i : x.locally_owned_elements())
+    x(i) = std::sin(1. + 2.3 * i);
   A.vmult(y, x);
   return std::numeric_limits<double>::epsilon() * y.l2_norm() / x.l2_norm();
 }
@@ -40,10 +34,10 @@ double relative_or_absolute(const double value, const double scale) {
  * Sets the stationarity.
  * @return the residual.
  */
-dealii::Vector<double> measure_forces(const ContactSystem &system, ContactIterationResult &result) {
+NodalVector measure_forces(const ContactSystem &system, ContactIterationResult &result) {
   constexpr double min_term_share = 1e-3;
-  dealii::Vector<double> pressing(system.A.size()), r(system.A.size());
-  add_product(system.condensed_D, result.P, pressing);
+  NodalVector pressing = system.A.make_vector(), r(pressing);
+  system.condensed_D.add_product(result.P, pressing);
   system.A.vmult(r, result.U);
   const double contact_size = pressing.l2_norm();
   const double largest = std::max({r.l2_norm(), contact_size, system.f.l2_norm()});
@@ -86,10 +80,10 @@ void measure_contact(const ContactSystem &system, ContactIterationResult &result
 }
 } // namespace
 
-dealii::Vector<double> measure(const ContactSystem &system, const ContactIterationOptions &options,
-                               ContactIterationResult &result) {
+NodalVector measure(const ContactSystem &system, const ContactIterationOptions &options,
+                    ContactIterationResult &result) {
   constexpr double multiples_of_rounding = 10.;
-  const dealii::Vector<double> r = measure_forces(system, result);
+  NodalVector r = measure_forces(system, result);
   measure_contact(system, result);
   const auto is_small = [](const double residual, const double allowed, const double rounding) {
     return residual <= std::max(allowed, multiples_of_rounding * rounding);
@@ -159,7 +153,20 @@ Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const
 // The active set method with MINRES on the saddle point problem of each set.
 
 namespace {
-using BlockVector = dealii::BlockVector<double>;
+/** (U, P_S), where rank 0 has P_S. */
+using BlockVector = LinearAlgebra::distributed::BlockVector<double>;
+
+/** Returns P_S on every rank. */
+Vector on_all_ranks(const NodalVector &block) {
+  return Utilities::MPI::broadcast(block.get_mpi_communicator(),
+                                   Vector(block.begin(), block.end()));
+}
+
+/** Sets P_S of rank 0. */
+void set_on_first_rank(NodalVector &block, const Vector &values) {
+  if (block.locally_owned_size() > 0)
+    std::copy(values.begin(), values.end(), block.begin());
+}
 
 /** The matrix (A, -D_S; -D_Sᵀ, 0) and its preconditioner. */
 class SaddlePoint {
@@ -170,20 +177,37 @@ public:
     , scale_(scale) {}
 
   BlockVector make_vector() const {
-    return BlockVector(std::vector<types::global_dof_index>{
-      system_.A.size(), static_cast<types::global_dof_index>(set_.size())});
+    BlockVector vector(2);
+    vector.block(0) = system_.A.make_vector();
+    const MPI_Comm communicator = vector.block(0).get_mpi_communicator();
+    IndexSet rows(set_.size());
+    if (Utilities::MPI::this_mpi_process(communicator) == 0)
+      rows.add_range(0, set_.size());
+    vector.block(1).reinit(rows, communicator);
+    vector.collect_sizes();
+    return vector;
   }
 
   void vmult(BlockVector &y, const BlockVector &x) const {
     system_.A.vmult(y.block(0), x.block(0));
-    for (unsigned int r = 0; r < set_.size(); ++r) {
-      double sum = 0.;
-      for (const auto &[row, value] : system_.condensed_D.column(set_[r])) {
-        y.block(0)[row] -= value * x.block(1)[r];
-        sum += value * x.block(0)[row];
-      }
-      y.block(1)[r] = -sum;
-    }
+    const Vector minus_U_n = minus(system_.condensed_D.transpose_product(x.block(0)));
+    system_.condensed_D.add_product(spread(minus(on_all_ranks(x.block(1)))), y.block(0));
+    set_on_first_rank(y.block(1), restricted(minus_U_n));
+  }
+
+  /** Returns the entries of the set. */
+  Vector restricted(const Vector &values) const {
+    Vector result(set_.size());
+    for (unsigned int r = 0; r < set_.size(); ++r)
+      result[r] = values[set_[r]];
+    return result;
+  }
+  /** Returns a vector on all patches that is zero outside of the set. */
+  Vector spread(const Vector &values) const {
+    Vector result(system_.gap.size());
+    for (unsigned int r = 0; r < set_.size(); ++r)
+      result[set_[r]] = values[r];
+    return result;
   }
 
   /** The preconditioner diag(V, (t Ĉ_1)_SS⁻¹). */
@@ -195,12 +219,18 @@ public:
       matrix.system_.A.precondition(z.block(0), r.block(0));
       ++cycles;
       if (!matrix.set_.empty())
-        z.block(1) = matrix.system_.model.solve(matrix.set_, r.block(1));
+        set_on_first_rank(z.block(1),
+                          matrix.system_.model.solve(matrix.set_, on_all_ranks(r.block(1))));
       z.block(1) /= matrix.scale_;
     }
   };
 
 private:
+  static Vector minus(Vector values) {
+    values *= -1.;
+    return values;
+  }
+
   const ContactSystem &system_;
   Indices set_;
   double scale_;
@@ -211,15 +241,10 @@ void solve_on(const ContactSystem &system, const Indices &set, const double redu
               const unsigned int max_cycles, ContactIterationResult &result) {
   const SaddlePoint matrix(system, set, result.scale);
   // P vanishes outside of the set.
-  Vector P(result.P.size());
-  for (const unsigned int i : set)
-    P[i] = result.P[i];
-  result.P = P;
+  result.P = matrix.spread(matrix.restricted(result.P));
   BlockVector rhs = matrix.make_vector(), x = matrix.make_vector();
   rhs.block(0) = system.residual(result.U, result.P);
-  const Vector W = system.opening(result.U);
-  for (unsigned int r = 0; r < set.size(); ++r)
-    rhs.block(1)[r] = W[set[r]];
+  set_on_first_rank(rhs.block(1), matrix.restricted(system.opening(result.U)));
   ReductionControl control(max_cycles, 1e-300, reduction, false, false);
   SolverMinRes<BlockVector> minres(control);
   try {
@@ -228,8 +253,7 @@ void solve_on(const ContactSystem &system, const Indices &set, const double redu
     // The residual is checked by the caller.
   }
   result.U += x.block(0);
-  for (unsigned int r = 0; r < set.size(); ++r)
-    result.P[set[r]] += x.block(1)[r];
+  result.P += matrix.spread(on_all_ranks(x.block(1)));
 }
 } // namespace
 

@@ -4,10 +4,6 @@
 #include <signorini/solvers/cycles/contact_iteration.h>
 
 namespace Signorini {
-/** Adds D P to @p vector. */
-void add_product(const Coupling &D, const dealii::Vector<double> &P,
-                 dealii::Vector<double> &vector);
-
 /** Returns the unit roundoff times |A x|/|x| for a rough x. */
 double rounding_of(const StiffnessOperator &A);
 
@@ -16,6 +12,6 @@ double rounding_of(const StiffnessOperator &A);
  * enough.
  * @return f + D P - A U.
  */
-dealii::Vector<double> measure(const ContactSystem &system, const ContactIterationOptions &options,
-                               ContactIterationResult &result);
+NodalVector measure(const ContactSystem &system, const ContactIterationOptions &options,
+                    ContactIterationResult &result);
 } // namespace Signorini

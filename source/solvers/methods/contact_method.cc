@@ -36,12 +36,11 @@ constexpr double min_unknowns_of_cycles(const unsigned int dim) {
 /** Returns whether V-cycles find contact in few steps, whatever the number of unknowns. Their
  * models of C are plane, or in space. */
 template <int dim>
-bool may_iterate(const Parameters &parameters, const Scene<dim> &scene,
-                 const unsigned int n_ranks) {
+bool may_iterate(const Parameters &parameters, const Scene<dim> &scene) {
   const DiscretizationParameters &discretization = parameters.discretization;
   const bool solver_fits = parameters.solver.linear_solver == LinearSolver::automatic ||
                            parameters.solver.linear_solver == LinearSolver::multigrid;
-  return solver_fits && n_ranks == 1 && discretization.strategy != Strategy::hp &&
+  return solver_fits && discretization.strategy != Strategy::hp &&
          discretization.element == Element::q1 && discretization.patch_ratio > 1 &&
          n_given_patches(scene) == 0 && !parameters.output.compliance && scene.load_cases.empty() &&
          scene.plates.empty() && !scene.is_held_by_contact && scene.friction == Friction::none &&
@@ -70,15 +69,15 @@ double algebraic_error(const AdmissibleSet &K, const dealii::Vector<double> &P,
 
 template <int dim>
 SolverChoice choose_solvers(const Parameters &parameters, const Scene<dim> &scene,
-                            const unsigned int level, const unsigned int n_ranks) {
+                            const unsigned int level) {
   const SolverParameters &solver = parameters.solver;
   SolverChoice choice = {solver.contact_solver, solver.linear_solver};
   const double n_unknowns = dim * scene.geometry.n_coarse_cells * std::pow(2., double(dim) * level);
   const bool many =
     n_unknowns >= min_unknowns_of_cycles(dim) || solver.linear_solver == LinearSolver::multigrid;
   if (choice.contact == ContactSolver::automatic)
-    choice.contact = many && may_iterate(parameters, scene, n_ranks) ? ContactSolver::multigrid
-                                                                     : ContactSolver::active_set;
+    choice.contact =
+      many && may_iterate(parameters, scene) ? ContactSolver::multigrid : ContactSolver::active_set;
   if (choice.is_by_cycles())
     choice.linear = LinearSolver::multigrid;
   return choice;
@@ -136,7 +135,8 @@ double read_limit(const char *file_name) {
   return file >> limit && limit > 0. ? limit : HUGE_VAL;
 }
 
-double available_bytes() {
+/** Returns what each process on this machine may have, the smallest of all machines. */
+double available_bytes(MPI_Comm communicator) {
   double available =
     static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   rlimit address_space = {};
@@ -146,7 +146,11 @@ double available_bytes() {
   for (const char *file :
        {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"})
     available = std::min(available, read_limit(file));
-  return available;
+  MPI_Comm of_machine;
+  MPI_Comm_split_type(communicator, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &of_machine);
+  available /= Utilities::MPI::n_mpi_processes(of_machine);
+  MPI_Comm_free(&of_machine);
+  return Utilities::MPI::min(available, communicator);
 }
 
 /** Returns the share of the boundary length that may touch. */
@@ -176,11 +180,9 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters, const Scene<dim> &sc
   , n_components_(scene.friction == Friction::none ? 1. : dim)
   , given_(parameters.discretization)
   , judged_(judged_level(given_))
-  , solvers_(choose_solvers(parameters, scene, parameters.discretization.finest_level,
-                            Utilities::MPI::n_mpi_processes(communicator)))
-  , condensed_(resolve(solvers_.linear, Utilities::MPI::n_mpi_processes(communicator)) ==
-               LinearSolver::condensed)
-  , available_(available_bytes()) {
+  , solvers_(choose_solvers(parameters, scene, parameters.discretization.finest_level))
+  , condensed_(resolve(solvers_.linear, 1) == LinearSolver::condensed)
+  , available_(available_bytes(communicator)) {
   const bool may_stop_early = given_.target_error > 0.;
   const unsigned int level = judged_;
   const auto refuse_if_huge = [&]() {

@@ -24,25 +24,23 @@ constexpr double tolerance_of_estimates = 1e-4;
 
 using Vector = dealii::Vector<double>;
 
-/** Returns a serial vector of the entries, as V-cycles need it. */
-Vector serial(const DualVector &entries) {
-  return Vector(entries.begin(), entries.end());
-}
-
 /** Returns the nodal values with zero in constrained rows; the zero vector if U is empty. */
 template <int dim>
-Vector free_part(const DisplacementSpace<dim> &space, const Displacement &U) {
+NodalVector free_part(const DisplacementSpace<dim> &space, const Displacement &U,
+                      const StiffnessOperator &A) {
+  NodalVector free = A.make_vector();
   if (U.size() == 0)
-    return Vector(space.dofs().n_dofs());
-  Vector free = serial(U);
+    return free;
+  std::copy(U.begin(), U.end(), free.begin());
   for (const auto &line : space.constraints().get_lines())
-    free[line.index] = 0.;
+    if (free.in_local_range(line.index))
+      free(line.index) = 0.;
   return free;
 }
 
 /** Returns U = T U_free + k. */
 template <int dim>
-Displacement complete_free_part(const DisplacementSpace<dim> &space, const Vector &U_free) {
+Displacement complete_free_part(const DisplacementSpace<dim> &space, const NodalVector &U_free) {
   Displacement free = space.zero();
   std::copy(U_free.begin(), U_free.end(), free.begin());
   return space.complete(free);
@@ -85,14 +83,13 @@ private:
                const ContactStart &start, ContactSolution<dim> &state) const {
     const DisplacementSpace<dim> &space = discretization.space;
     const auto model = make_boundary_model(discretization.multipliers);
-    const Vector f = serial(state.system->f);
     Vector gap(discretization.G);
     gap -= discretization.D.transpose_product(space.complete(space.zero()));
     const ContactIterationOptions options = options_for(start);
     const ContactIterationResult result = solve_contact_by_cycles(
-      {A, f, discretization.condensed_D, gap, *model,
+      {A, state.system->f, discretization.condensed_D, gap, *model,
        space.condense(state.system->loads).l2_norm()},
-      free_part(space, start.U), start.P.size() > 0 ? start.P : Vector(gap.size()), options);
+      free_part(space, start.U, A), start.P.size() > 0 ? start.P : Vector(gap.size()), options);
     state.P = Multiplier(result.P, discretization.K);
     state.U = complete_free_part(space, result.U);
     state.W = discretization.gap_residual(state.U);

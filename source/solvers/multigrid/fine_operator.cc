@@ -10,8 +10,10 @@
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
+#include <map>
 
 #include "point_kernel.h"
 
@@ -22,20 +24,35 @@ constexpr unsigned int n_points_of_assembly = 4;
 template <int dim>
 using BlockCells = std::vector<typename DoFHandler<dim>::active_cell_iterator>;
 
-/** Returns the cells by their numbers in a BlockGrid. */
+/** Returns the place of a cell. */
 template <int dim>
-BlockCells<dim> cells_by_number(const DisplacementSpace<dim> &space) {
-  const std::size_t n = std::size_t(1) << space.mesh().level();
-  BlockCells<dim> cells(space.mesh().triangulation().n_active_cells());
-  for (const auto &cell : space.dofs().active_cell_iterators()) {
-    const CellId id = cell->id();
-    std::array<std::size_t, dim> place = {};
-    for (const unsigned int child : id.get_child_indices())
-      for (int d = 0; d < dim; ++d)
-        place[d] = 2 * place[d] + ((child >> d) & 1U);
-    std::size_t number = id.get_coarse_cell_id();
+BlockPlace<dim> place_of(const CellId &id) {
+  BlockPlace<dim> block = {id.get_coarse_cell_id(), {}};
+  for (const unsigned int child : id.get_child_indices())
+    for (int d = 0; d < dim; ++d)
+      block.second[d] = 2 * block.second[d] + ((child >> d) & 1U);
+  return block;
+}
+
+/** Returns the cells by their numbers in a BlockGrid of the blocks of this rank. */
+template <int dim>
+BlockCells<dim> cells_by_number(const DisplacementSpace<dim> &space,
+                                const std::vector<BlockPlace<dim>> &blocks) {
+  const unsigned int root_level = space.mesh().subtree_level();
+  const std::size_t n = std::size_t(1) << (space.mesh().level() - root_level);
+  std::map<BlockPlace<dim>, std::size_t> numbers;
+  for (const BlockPlace<dim> &block : blocks)
+    numbers.emplace(block, numbers.size());
+  BlockCells<dim> cells(blocks.size() * Utilities::fixed_power<dim>(n));
+  for (const auto &cell :
+       space.dofs().active_cell_iterators() | IteratorFilters::LocallyOwnedCell()) {
+    const auto [tree, place] = place_of<dim>(cell->id());
+    BlockPlace<dim> block = {tree, {}};
+    for (int d = 0; d < dim; ++d)
+      block.second[d] = place[d] / n;
+    std::size_t number = numbers.at(block);
     for (int d = dim; d-- > 0;)
-      number = number * n + place[d];
+      number = number * n + place[d] % n;
     cells[number] = cell;
   }
   return cells;
@@ -101,12 +118,12 @@ private:
     const std::size_t per_block = K_.grid->n_cells / K_.grid->n_blocks;
     std::vector<typename CellStiffness<dim>::Matrix> known;
     std::vector<int> shared_by_block(K_.grid->n_blocks, -1);
-    for (const auto &block : mesh_.triangulation().cell_iterators_on_level(0))
-      if (has_congruent_descendants<dim>(mesh_, block)) {
-        const auto matrix = stiffness_.share(
-          typename CellStiffness<dim>::CellIterator(cells_[block->index() * per_block]));
+    for (unsigned int block = 0; block < K_.grid->n_blocks; ++block)
+      if (has_congruent_descendants<dim>(mesh_, root(block))) {
+        const auto matrix =
+          stiffness_.share(typename CellStiffness<dim>::CellIterator(cells_[block * per_block]));
         const auto same = std::find(known.begin(), known.end(), matrix);
-        shared_by_block[block->index()] = static_cast<int>(same - known.begin());
+        shared_by_block[block] = static_cast<int>(same - known.begin());
         if (same != known.end())
           continue;
         known.push_back(matrix);
@@ -121,6 +138,15 @@ private:
       if (std::all_of(first, last + 1, [&](const int matrix) { return matrix == *first; }))
         K_.storage[batch] = *first;
     }
+  }
+
+  /** Returns the cell that is a whole block. */
+  typename Triangulation<dim>::cell_iterator root(const unsigned int block) const {
+    typename Triangulation<dim>::cell_iterator cell =
+      cells_[block * (K_.grid->n_cells / K_.grid->n_blocks)];
+    while (cell->level() > static_cast<int>(mesh_.subtree_level()))
+      cell = cell->parent();
+    return cell;
   }
 
   /** Sets the positions of the nodes in the body of size one. */
@@ -188,20 +214,38 @@ private:
 } // namespace
 
 template <int dim>
+std::vector<BlockPlace<dim>> own_blocks(const Mesh<dim> &mesh) {
+  std::vector<BlockPlace<dim>> blocks;
+  for (const auto &cell : mesh.triangulation().cell_iterators_on_level(mesh.subtree_level())) {
+    auto leaf = cell;
+    while (leaf->has_children())
+      leaf = leaf->child(0);
+    if (leaf->is_active() && leaf->is_locally_owned())
+      blocks.push_back(place_of<dim>(cell->id()));
+  }
+  return blocks;
+}
+
+template <int dim>
 CellOperator<dim, double> make_fine_operator(const DisplacementSpace<dim> &space,
                                              const Scene<dim> &scene) {
-  const BlockCells<dim> cells = cells_by_number(space);
+  const std::vector<BlockPlace<dim>> blocks = own_blocks(space.mesh());
+  const BlockCells<dim> cells = cells_by_number<dim>(space, blocks);
+  // Own nodes come first, as in a vector of this rank.
+  const Utilities::MPI::Partitioner &rows = *space.make_vector().get_partitioner();
   CellOperator<dim, double> K(
     std::make_shared<const BlockGrid<dim>>(
-      space.mesh().triangulation().n_cells(0), 1U << space.mesh().level(),
+      blocks.size(), 1U << (space.mesh().level() - space.mesh().subtree_level()),
       [&](const std::size_t cell, const unsigned int v) {
-        return static_cast<NodeNumber>(
-          cells[cell]->vertex_dof_index(v, 0, cells[cell]->active_fe_index()) / dim);
+        return static_cast<NodeNumber>(rows.global_to_local(cells[cell]->vertex_dof_index(
+                                         v, 0, cells[cell]->active_fe_index())) /
+                                       dim);
       }),
     n_points_of_assembly);
   MatrixFiller<dim>(space, scene, cells, K).fill();
   return K;
 }
 
+INSTANTIATE_FUNCTION(own_blocks);
 INSTANTIATE_FUNCTION(make_fine_operator);
 } // namespace Signorini

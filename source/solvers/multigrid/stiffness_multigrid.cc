@@ -6,6 +6,7 @@
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/solvers/multigrid/stiffness_multigrid.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_cg.h>
@@ -18,6 +19,7 @@
 
 #include "fine_operator.h"
 #include "point_kernel.h"
+#include "replicated_level.h"
 
 namespace Signorini {
 namespace {
@@ -51,17 +53,17 @@ void clear_constrained(LevelVector<dim, float> &u, const ConstrainedNodes<dim> &
  */
 template <int dim>
 ConstrainedNodes<dim> conditions_of(const DisplacementSpace<dim> &space,
-                                    const std::vector<NodeNumber> &identities) {
+                                    const std::vector<types::global_dof_index> &numbers) {
   const auto &constraints = space.constraints();
   ConstrainedNodes<dim> conditions;
-  for (NodeNumber node = 0; node < identities.size(); ++node) {
-    const auto first = static_cast<types::global_dof_index>(identities[node]) * dim;
+  for (NodeNumber node = 0; node < numbers.size(); ++node) {
+    const types::global_dof_index first = numbers[node] * dim;
     Tensor<2, dim> T;
     for (unsigned int c = 0; c < dim; ++c) {
       T[c][c] = constraints.is_constrained(first + c) ? 0. : 1.;
       if (T[c][c] == 0.)
         for (const auto &[other, weight] : *constraints.get_constraint_entries(first + c)) {
-          AssertThrow(other / dim == identities[node],
+          AssertThrow(other / dim == numbers[node],
                       ExcMessage("Multigrid: a condition joins two nodes."));
           T[c][other - first] = weight;
         }
@@ -70,6 +72,33 @@ ConstrainedNodes<dim> conditions_of(const DisplacementSpace<dim> &space,
       conditions.emplace_hint(conditions.end(), node, T);
   }
   return conditions;
+}
+
+/** Returns the numbers of the nodes in the whole mesh. */
+template <int dim>
+std::vector<types::global_dof_index> numbers_of(const DisplacementSpace<dim> &space,
+                                                const std::vector<NodeNumber> &identities) {
+  const auto rows = space.make_vector().get_partitioner();
+  std::vector<types::global_dof_index> numbers;
+  for (const NodeNumber identity : identities)
+    numbers.push_back(rows->local_to_global(identity * dim) / dim);
+  return numbers;
+}
+
+/** Returns the numbers of the nodes of a coarser level. */
+std::vector<types::global_dof_index> at(const std::vector<types::global_dof_index> &numbers,
+                                        const std::vector<NodeNumber> &identities) {
+  std::vector<types::global_dof_index> selected;
+  for (const NodeNumber node : identities)
+    selected.push_back(numbers[node]);
+  return selected;
+}
+
+/** Returns the ranks whose cells have vertices of own cells. */
+template <int dim>
+std::set<types::subdomain_id> neighbours_of(const Mesh<dim> &mesh) {
+  return dynamic_cast<const parallel::TriangulationBase<dim> &>(mesh.triangulation())
+    .ghost_owners();
 }
 
 /** Returns the conditions of the next coarser level: its nodes keep those of the finer one. */
@@ -86,15 +115,16 @@ ConstrainedNodes<dim> coarsen(const ConstrainedNodes<dim> &fine,
 
 template <int dim>
 MultigridLevel<dim>::MultigridLevel(const CellOperator<dim, double> &fine_K,
-                                    ConstrainedNodes<dim> given)
+                                    ConstrainedNodes<dim> given, SharedNodes given_nodes)
   : K(fine_K, n_points_of_cycles)
   , conditions(std::move(given))
+  , shared(std::move(given_nodes))
   , x(K.grid->n_nodes())
   , b(x)
   , y(x)
   , d(x)
   , B(K.grid->n_nodes())
-  , max_eigenvalue(max_cell_eigenvalue(K)) {
+  , max_eigenvalue(Utilities::MPI::max(max_cell_eigenvalue(K), shared.communicator())) {
   std::vector<Tensor<2, dim>> blocks = free_diagonal_blocks();
   for (Tensor<2, dim> &block : blocks)
     block = invert(block);
@@ -108,7 +138,8 @@ MultigridLevel<dim>::MultigridLevel(const CellOperator<dim, double> &fine_K,
 
 template <int dim>
 std::vector<Tensor<2, dim>> MultigridLevel<dim>::free_diagonal_blocks() const {
-  const NodeBlocks<dim> D = diagonal_blocks(K);
+  NodeBlocks<dim> D = diagonal_blocks(K);
+  shared.add(D);
   std::vector<Tensor<2, dim>> blocks(K.grid->n_nodes());
   for (NodeNumber node = 0; node < blocks.size(); ++node)
     for (int c = 0; c < dim; ++c)
@@ -127,8 +158,10 @@ void MultigridLevel<dim>::smooth(const bool from_zero) {
   constexpr unsigned int n_steps = 3;
   for (unsigned int step = 1; step <= n_steps; ++step) {
     const bool is_first = from_zero && step == 1;
-    if (!is_first)
+    if (!is_first) {
       K.multiply(y, x);
+      shared.add(y);
+    }
     const double k = step;
     const auto alpha = static_cast<float>(step == 1 ? 0. : (2. * k - 3.) / (2. * k + 1.)),
                gamma = static_cast<float>((8. * k - 4.) / ((2. * k + 1.) * max_eigenvalue));
@@ -143,21 +176,49 @@ template <int dim>
 StiffnessMultigrid<dim>::StiffnessMultigrid(const DisplacementSpace<dim> &space,
                                             const Scene<dim> &scene)
   : unit_(stiffness_unit(space, *scene.material))
-  , K_(make_fine_operator(space, scene))
-  , x_(K_.grid->n_nodes())
+  , rows_(space.locally_owned())
+  , communicator_(space.mesh().communicator())
+  , K_(std::make_shared<const CellOperator<dim, double>>(make_fine_operator(space, scene)))
+  , x_(K_->grid->n_nodes())
   , y_(x_) {
-  // The coarsest level is the finest one with so few nodes, or the coarse mesh.
-  constexpr unsigned int max_coarsest_nodes = 200;
-  levels_.emplace_back(K_, conditions_of(space, K_.grid->identities));
-  const CellOperator<dim, double> *last = &K_;
-  std::unique_ptr<const CellOperator<dim, double>> coarse;
-  while (last->grid->n_nodes() > max_coarsest_nodes && last->grid->n > 1) {
-    coarse = std::make_unique<const CellOperator<dim, double>>(
-      last->coarsen(std::make_shared<const BlockGrid<dim>>(last->grid->coarsen())));
-    last = coarse.get();
-    levels_.emplace_back(*last, coarsen(levels_.back().conditions, last->grid->identities));
+  const Mesh<dim> &mesh = space.mesh();
+  std::vector<types::global_dof_index> numbers = numbers_of(space, K_->grid->identities);
+  levels_.emplace_back(*K_, conditions_of(space, numbers),
+                       mesh.is_shared()
+                         ? SharedNodes(numbers, neighbours_of(mesh), mesh.communicator())
+                         : SharedNodes());
+  auto last = add_coarser_levels(K_);
+  if (mesh.is_shared()) {
+    for (std::size_t l = 1; l < levels_.size(); ++l)
+      numbers = at(numbers, levels_[l].K.grid->identities);
+    copied_level_ = levels_.size() - 1;
+    auto copy = replicate<dim>(*last, levels_.back().conditions, numbers, own_blocks(mesh), mesh);
+    // The sum over all ranks makes the copy's right-hand side from the parts of ranks.
+    levels_.back().shared = SharedNodes();
+    nodes_of_copy_ = std::move(copy.nodes);
+    levels_.emplace_back(copy.K, std::move(copy.conditions), SharedNodes());
+    last = add_coarser_levels(std::make_shared<const CellOperator<dim, double>>(std::move(copy.K)));
   }
   factorise(*last);
+}
+
+template <int dim>
+std::shared_ptr<const CellOperator<dim, double>>
+StiffnessMultigrid<dim>::add_coarser_levels(std::shared_ptr<const CellOperator<dim, double>> K) {
+  // The coarsest level is the finest one with so few nodes, or the coarse mesh.
+  constexpr unsigned int max_coarsest_nodes = 200;
+  const auto has_many_nodes = [](const MultigridLevel<dim> &level) {
+    return Utilities::MPI::sum(level.K.grid->n_nodes() - level.shared.n_foreign(),
+                               level.shared.communicator()) > max_coarsest_nodes;
+  };
+  while (K->grid->n > 1 && has_many_nodes(levels_.back())) {
+    K = std::make_shared<const CellOperator<dim, double>>(
+      K->coarsen(std::make_shared<const BlockGrid<dim>>(K->grid->coarsen())));
+    const std::vector<NodeNumber> &identities = K->grid->identities;
+    levels_.emplace_back(*K, coarsen(levels_.back().conditions, identities),
+                         levels_.back().shared.coarsen(identities));
+  }
+  return K;
 }
 
 template <int dim>
@@ -208,7 +269,7 @@ void StiffnessMultigrid<dim>::factorise(const CellOperator<dim, double> &K) {
 template <int dim>
 void StiffnessMultigrid<dim>::solve_coarsest(MultigridLevel<dim> &level) const {
   transform(level.b, level.conditions, true);
-  Vector u(dim * level.K.grid->n_nodes());
+  dealii::Vector<double> u(dim * level.K.grid->n_nodes());
   for (unsigned int i = 0; i < u.size(); ++i)
     u[i] = level.b[i % dim][i / dim];
   coarsest_inverse_.solve(u);
@@ -220,18 +281,23 @@ void StiffnessMultigrid<dim>::solve_coarsest(MultigridLevel<dim> &level) const {
 template <int dim>
 void StiffnessMultigrid<dim>::cycle(const unsigned int l) const {
   MultigridLevel<dim> &level = levels_[l];
+  if (l == copied_level_)
+    return cycle_on_copy(l);
   if (l + 1 == levels_.size())
     return solve_coarsest(level);
   MultigridLevel<dim> &coarser = levels_[l + 1];
   const BlockGrid<dim> &grid = *level.K.grid;
   level.smooth(true);
   level.K.multiply(level.y, level.x);
+  level.shared.add(level.y);
   for (int c = 0; c < dim; ++c)
     for (unsigned int node = 0; node < grid.n_nodes(); ++node)
       level.y[c][node] = level.b[c][node] - level.y[c][node];
   // The transpose of prolongation and T.
   transform(level.y, level.conditions, true);
+  level.shared.clear_foreign(level.y);
   grid.restrict_and_clear(coarser.b, level.y, *coarser.K.grid);
+  coarser.shared.add(coarser.b);
   cycle(l + 1);
   grid.prolongate(level.y, coarser.x, *coarser.K.grid);
   transform(level.y, level.conditions, false);
@@ -242,23 +308,35 @@ void StiffnessMultigrid<dim>::cycle(const unsigned int l) const {
 }
 
 template <int dim>
-unsigned int StiffnessMultigrid<dim>::size() const {
-  return dim * K_.grid->n_nodes();
+void StiffnessMultigrid<dim>::cycle_on_copy(const unsigned int l) const {
+  MultigridLevel<dim> &level = levels_[l], &copy = levels_[l + 1];
+  for (int c = 0; c < dim; ++c) {
+    copy.b[c].fill(0.F);
+    for (unsigned int node = 0; node < nodes_of_copy_.size(); ++node)
+      copy.b[c][nodes_of_copy_[node]] += level.b[c][node];
+    const ArrayView<float> parts(copy.b[c].data(), copy.b[c].size());
+    Utilities::MPI::sum<float>(parts, communicator_, parts);
+  }
+  cycle(l + 1);
+  for (int c = 0; c < dim; ++c)
+    for (unsigned int node = 0; node < nodes_of_copy_.size(); ++node)
+      level.x[c][node] = copy.x[c][nodes_of_copy_[node]];
 }
 
 template <int dim>
 typename StiffnessMultigrid<dim>::Vector StiffnessMultigrid<dim>::diagonal() const {
   const std::vector<Tensor<2, dim>> blocks = levels_.front().free_diagonal_blocks();
-  Vector result(size());
-  for (unsigned int i = 0; i < result.size(); ++i)
-    result[K_.grid->identities[i / dim] * dim + i % dim] =
-      unit_ * blocks[i / dim][i % dim][i % dim];
+  Vector result = make_vector();
+  for (NodeNumber node = 0; node < blocks.size(); ++node)
+    if (const std::size_t first = K_->grid->identities[node] * dim; first < rows_.n_elements())
+      for (int c = 0; c < dim; ++c)
+        result.local_element(first + c) = unit_ * blocks[node][c][c];
   return result;
 }
 
 template <int dim>
 std::size_t StiffnessMultigrid<dim>::memory() const {
-  std::size_t bytes = K_.memory() + x_.memory() + y_.memory();
+  std::size_t bytes = K_->memory() + x_.memory() + y_.memory();
   for (const MultigridLevel<dim> &level : levels_)
     bytes += level.memory();
   return bytes;
@@ -268,20 +346,27 @@ template <int dim>
 template <typename Number>
 void StiffnessMultigrid<dim>::copy_to_level(LevelVector<dim, Number> &to, const Vector &from,
                                             const double factor) const {
-  const std::vector<NodeNumber> &identities = K_.grid->identities;
-  for (unsigned int node = 0; node < identities.size(); ++node)
+  const std::vector<NodeNumber> &identities = K_->grid->identities;
+  const double *const entries = from.begin();
+  const std::size_t n_own = rows_.n_elements();
+  for (unsigned int node = 0; node < identities.size(); ++node) {
+    const std::size_t first = identities[node] * std::size_t(dim);
     for (unsigned int c = 0; c < dim; ++c)
-      to[c][node] = static_cast<Number>(factor * from[identities[node] * dim + c]);
+      to[c][node] = first < n_own ? static_cast<Number>(factor * entries[first + c]) : Number();
+  }
+  levels_.front().shared.add(to);
 }
 
 template <int dim>
 template <typename Number>
 void StiffnessMultigrid<dim>::copy_from_level(Vector &to, const LevelVector<dim, Number> &from,
                                               const double factor) const {
-  const std::vector<NodeNumber> &identities = K_.grid->identities;
+  const std::vector<NodeNumber> &identities = K_->grid->identities;
+  double *const entries = to.begin();
   for (unsigned int node = 0; node < identities.size(); ++node)
-    for (unsigned int c = 0; c < dim; ++c)
-      to[identities[node] * dim + c] = factor * static_cast<double>(from[c][node]);
+    if (const std::size_t first = identities[node] * std::size_t(dim); first < rows_.n_elements())
+      for (unsigned int c = 0; c < dim; ++c)
+        entries[first + c] = factor * static_cast<double>(from[c][node]);
 }
 
 /** Computes y = Tᵀ K T x. */
@@ -289,7 +374,8 @@ template <int dim>
 void StiffnessMultigrid<dim>::vmult(Vector &y, const Vector &x) const {
   copy_to_level(x_, x, 1.);
   transform(x_, levels_.front().conditions, false);
-  K_.multiply(y_, x_);
+  K_->multiply(y_, x_);
+  levels_.front().shared.add(y_);
   transform(y_, levels_.front().conditions, true);
   copy_from_level(y, y_, unit_);
 }
@@ -327,15 +413,11 @@ constexpr double refine_solves_above = 1e-8;
 constexpr double loose_goal = 1e-10;
 constexpr double refuse_solves_above = 1e-4;
 
-dealii::Vector<double> to_nodal(const StiffnessInverse::Vector &from) {
-  return dealii::Vector<double>(from.begin(), from.end());
-}
-
 /** The V-cycle as SolverCG calls it. */
 struct VCycle {
   const StiffnessOperator &A;
 
-  void vmult(dealii::Vector<double> &z, const dealii::Vector<double> &r) const {
+  void vmult(StiffnessOperator::Vector &z, const StiffnessOperator::Vector &r) const {
     A.precondition(z, r);
   }
 };
@@ -352,19 +434,17 @@ MultigridInverse::MultigridInverse(std::shared_ptr<const StiffnessOperator> A,
 
 void MultigridInverse::residual(Vector &r, const Vector &x, const Vector &b,
                                 const bool /*accurate*/) const {
-  dealii::Vector<double> product(A_->size());
-  A_->vmult(product, to_nodal(x));
-  product.sadd(-1., 1., to_nodal(b));
-  std::copy(product.begin(), product.end(), r.begin());
+  A_->vmult(r, x);
+  r.sadd(-1., 1., b);
 }
 
 void MultigridInverse::apply(std::vector<Vector> &x, const std::vector<Vector> &b) const {
   for (std::size_t k = 0; k < x.size(); ++k) {
     ReductionControl control(max_cycles, 0., tolerance_, false, false);
-    SolverCG<dealii::Vector<double>> solver(control);
-    dealii::Vector<double> u(A_->size());
+    SolverCG<Vector> solver(control);
+    Vector u = A_->make_vector();
     try {
-      solver.solve(*A_, u, to_nodal(b[k]), VCycle{*A_});
+      solver.solve(*A_, u, b[k], VCycle{*A_});
     } catch (const SolverControl::NoConvergence &) {
       std::ostringstream message;
       message << "Multigrid reduced the residual of a linear system only to "
@@ -381,10 +461,7 @@ std::unique_ptr<MultigridInverse> make_multigrid_inverse(const DisplacementSpace
                                                          const Scene<dim> &scene,
                                                          const double goal) {
   const auto A = std::make_shared<const StiffnessMultigrid<dim>>(space, scene);
-  DualVector diagonal = space.make_vector();
-  const dealii::Vector<double> entries = A->diagonal();
-  std::copy(entries.begin(), entries.end(), diagonal.begin());
-  return std::make_unique<MultigridInverse>(A, diagonal, goal);
+  return std::make_unique<MultigridInverse>(A, A->diagonal(), goal);
 }
 
 INSTANTIATE_FUNCTION(make_multigrid_inverse);

@@ -261,8 +261,7 @@ factorise(const TrilinosWrappers::SparseMatrix &matrix, const double unit,
   case LinearSolver::amesos_klu:
     return std::make_unique<AmesosInverse>(matrix, unit, "Amesos_Klu", 1);
   default:
-    return std::make_unique<AmesosInverse>(matrix, unit, "Amesos_Mumps",
-                                           n_available_threads(communicator));
+    return std::make_unique<AmesosInverse>(matrix, unit, "Amesos_Mumps", n_available_threads());
   }
 }
 } // namespace Signorini

@@ -61,7 +61,7 @@ void test_singular_orders(Checks &checks) {
     for (unsigned int half = 6; half <= 40; half += 3) {
       scene.geometry = make_rectangle({0., 0.}, {1., 1.}, {half, half});
       const Discretization<2> level(parameters, scene, 1, MPI_COMM_WORLD);
-      auto solution = solve_level<2>({parameters, scene, choose_solvers(parameters, scene, 0, 1)},
+      auto solution = solve_level<2>({parameters, scene, choose_solvers(parameters, scene, 0)},
                                      level, ContactStart(), [](const std::string &) {});
       add_errors<2>(parameters, scene, level, nullptr, solution);
       x.push_back(-std::log(2. * half));

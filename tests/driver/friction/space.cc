@@ -20,7 +20,7 @@ struct SpaceLevel {
         parameter_file("set Dimension = 3\nGeometry/Shape = box\n" + text), "test", overrides))
     , scene(make_scene<3>(parameters))
     , discretization(parameters, scene, level, MPI_COMM_WORLD)
-    , found(solve_level<3>({parameters, scene, choose_solvers(parameters, scene, 0, 1)},
+    , found(solve_level<3>({parameters, scene, choose_solvers(parameters, scene, 0)},
                            discretization, ContactStart(), [](const std::string &) {}))
     , m(found.contact.P.normal().size())
     , W(discretization.D.transpose_product(found.contact.U)) {

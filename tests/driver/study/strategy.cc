@@ -12,9 +12,9 @@ using namespace Signorini;
 namespace {
 const std::string scene = "Boundary/Contact = bottom\nBoundary/Clamped = top\n";
 
-StrategyDecision decide(const std::string &entries, const unsigned int n_ranks = 1) {
+StrategyDecision decide(const std::string &entries) {
   const Parameters given = parse_parameters(parameter_file(scene + entries), "test");
-  return decide_strategy(given, make_scene<2>(given), n_ranks);
+  return decide_strategy(given, make_scene<2>(given));
 }
 
 bool is(const StrategyDecision &decision, const std::vector<std::string> &overrides) {
@@ -31,7 +31,6 @@ int main(int argc, char *argv[]) {
   checks.that("a target alone",
               is(decide("Discretization/Target error = 1e-4"), {hp, level + "3"}));
   checks.that("many cells", is(decide("Geometry/Cells = 8, 3"), {hp, level + "0"}));
-  checks.that("several processes", is(decide("", 2), {nested}));
   checks.that("a stated strategy", is(decide("Discretization/Strategy = nested"), {}));
   checks.that("a stated strategy has no reason",
               decide("Discretization/Strategy = hp").sentence.empty());
@@ -55,8 +54,8 @@ int main(int argc, char *argv[]) {
                   "nested, since " + entry.substr(0, entry.find(" =")) + " is given");
   }
   const Parameters a1 = parse_parameters(parameter_file("Scene/Name = A1"), "test");
-  checks.that("an exact solution", is(decide_strategy(a1, make_scene<2>(a1), 1), {nested}));
+  checks.that("an exact solution", is(decide_strategy(a1, make_scene<2>(a1)), {nested}));
   const Parameters d3 = parse_parameters(parameter_file("Scene/Name = D3"), "test");
-  checks.that("in space", is(decide_strategy(d3, make_scene<3>(d3), 1), {nested}));
+  checks.that("in space", is(decide_strategy(d3, make_scene<3>(d3)), {nested}));
   return checks.exit_code();
 }

@@ -30,11 +30,9 @@ std::array<double, 4> plane_strain(const double E, const double nu) {
 const std::string held = "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
 
 std::string body_vtu(const OneLevel &level, const Displacement &U, const BoundFields &bound) {
-  const std::string file = "vtu_fields_solution.vtu";
+  std::ostringstream file;
   write_solution_vtu(file, level.space(), level.scene, U, bound, 7);
-  const std::string text = file_text(file);
-  std::filesystem::remove(file);
-  return text;
+  return file.str();
 }
 
 /** At all points of the file; it holds 32-bit floats. */

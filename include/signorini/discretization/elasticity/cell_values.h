@@ -44,8 +44,8 @@ void integrate_by_chunks(const DisplacementSpace<dim> &space,
                          const std::function<void(const Result &)> &consume) {
   const std::vector<Cells<dim>> chunks = chunks_of_owned_cells(space);
   produce_in_parallel<Result>(
-    n_available_threads(space.mesh().communicator()), chunks.size(),
-    [&](const std::size_t i) { return integrate(chunks[i]); }, consume);
+    n_available_threads(), chunks.size(), [&](const std::size_t i) { return integrate(chunks[i]); },
+    consume);
 }
 
 /** The FEValues of cells (@p rule_dim = dim) or FEFaceValues with Gauss' rules, one object for

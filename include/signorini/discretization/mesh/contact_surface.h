@@ -13,10 +13,16 @@ namespace Signorini {
 /** A face of the mesh on a contact side. */
 template <int dim>
 struct ContactFace {
+  /** The cell, if it is on this rank. */
   typename Triangulation<dim>::active_cell_iterator cell;
   unsigned int face_no;
   /** The number of the side in the geometry. */
   unsigned int side;
+  std::array<Point<dim>, 1U << (dim - 1)> vertices;
+
+  bool is_on_this_rank() const {
+    return cell.state() == IteratorState::valid;
+  }
 };
 
 /** A patch τ, an element of Γ_c^H: an interval of arc length in 2-D, a group of faces in 3-D.
@@ -168,7 +174,8 @@ enum class Grading {
  * ∩ patch with their points. Integrals over Γ_c are sums over pieces and need nothing else of
  * the geometry.
  *
- * The order is side after side; in 2-D each side in the order of arc length.
+ * The order is side after side; in 2-D each side in the order of arc length. Every rank knows all
+ * faces and patches; the pieces are those of its own cells.
  */
 template <int dim>
 class ContactSurface {
@@ -234,11 +241,19 @@ public:
   double longest_patch() const;
   /** Returns whether a patch lies in a single face (H = h), in a pair of either body: it contains
    * no interior node of the trace mesh, and such partitions are not inf-sup stable. */
-  bool has_unstable_patch() const;
+  bool has_unstable_patch() const {
+    return has_unstable_patch_;
+  }
+  /** Returns the ranks that share the mesh: integrals over Γ_c are sums over their pieces. */
+  MPI_Comm communicator() const {
+    return mesh_.communicator();
+  }
 
 private:
   /** Sorts the faces and makes patches and pieces. */
   void divide(const Partition &partition);
+  /** Sets has_unstable_patch_, and keeps the pieces of this rank only. */
+  void keep_own_pieces();
   /** Fills SurfaceRule::on_opposite. */
   void find_opposite(const Piece<dim> &piece, SurfaceRule<dim> &rule) const;
   /** Fills Piece::on_mesh with the given numbers of points, by active cell. */
@@ -249,5 +264,6 @@ private:
   std::vector<ContactFace<dim>> faces_;
   std::vector<Patch<dim>> patches_;
   std::vector<Piece<dim>> pieces_;
+  bool has_unstable_patch_;
 };
 } // namespace Signorini

@@ -4,7 +4,7 @@
 #include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/geometry.h>
 
-#include <deal.II/distributed/shared_tria.h>
+#include <deal.II/distributed/tria_base.h>
 #include <deal.II/fe/mapping.h>
 
 #include <array>
@@ -15,17 +15,23 @@
 
 namespace Signorini {
 /**
+ * Returns the level whose cells are the roots of the subtrees that ranks own: the first one with at
+ * least eight cells per rank, or the coarse mesh on a single rank.
+ */
+unsigned int level_of_subtrees(double n_coarse_cells, unsigned int dim, unsigned int n_ranks);
+
+/**
  * The mesh T^h of one level, quadrilaterals or hexahedra, with T^{2h} as its parents.
  *
- * Every rank stores the whole mesh; METIS decides which rank owns which cells, and with them rows
- * of A.
+ * A single rank stores the whole mesh. Of several ranks each owns whole subtrees of cells of one
+ * coarse level (subtree_level()), and stores them, their neighbours and the coarse mesh.
  */
 template <int dim>
 class Mesh {
 public:
   /**
    * Refines the coarse mesh @p level times. A distortion moves the interior vertices of
-   * @p coarsest_level, so that finer levels stay nested in it.
+   * @p coarsest_level, so that finer levels stay nested in it; on one rank only.
    * @throws InputError if it leaves a cell that is not convex.
    */
   Mesh(const Geometry<dim> &geometry, unsigned int coarsest_level, unsigned int level,
@@ -45,7 +51,7 @@ public:
        unsigned int mapping_degree);
 
   const Triangulation<dim> &triangulation() const {
-    return triangulation_;
+    return *triangulation_;
   }
   const Mapping<dim> &mapping() const {
     return *mapping_;
@@ -74,13 +80,21 @@ public:
     return axisymmetric_;
   }
   MPI_Comm communicator() const {
-    return triangulation_.get_communicator();
+    return triangulation_->get_communicator();
   }
   /** Returns the number of refinements of the coarse mesh. */
   unsigned int level() const {
-    return triangulation_.n_global_levels() - 1;
+    return triangulation_->n_global_levels() - 1;
   }
-  /** Returns the lengths of the shortest and of the longest edge. */
+  /** Returns the level whose cells are the roots of the subtrees that ranks own. */
+  unsigned int subtree_level() const {
+    return subtree_level_;
+  }
+  /** Returns whether several ranks share the mesh. */
+  bool is_shared() const {
+    return is_shared_;
+  }
+  /** Returns the lengths of the shortest and of the longest edge. Collective. */
   std::pair<double, double> range_of_edges() const;
   /** Returns h: the longest edge (length). */
   double longest_edge() const {
@@ -108,8 +122,9 @@ private:
   /** Makes the maps of the given degree, for curved bodies. */
   void make_mappings(unsigned int degree);
 
-  parallel::shared::Triangulation<dim> triangulation_;
-  bool curved_, is_graded_, axisymmetric_;
+  std::unique_ptr<parallel::TriangulationBase<dim>> triangulation_;
+  unsigned int subtree_level_;
+  bool is_shared_, curved_, is_graded_, axisymmetric_;
   Point<dim> lower_;
   double size_;
   std::unique_ptr<const Mapping<dim>> mapping_, unit_mapping_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/base/errors.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/multiplier/admissible_set.h>
@@ -11,6 +12,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace Signorini {
@@ -112,7 +114,7 @@ private:
 
 /**
  * Returns ∫ q ψ_k for all k, where @p values_on (piece, rule) is a function q at the points of
- * a rule on a piece.
+ * a rule on a piece. Collective.
  * @param n_points per direction, for constants; one more per degree.
  */
 template <int dim, typename Function>
@@ -121,14 +123,18 @@ dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> 
                                                      const Grading grading,
                                                      const Function &values_on) {
   dealii::Vector<double> moments(space.n_multipliers());
-  for (const Piece<dim> &piece : space.surface().pieces()) {
-    const SurfaceRule<dim> rule =
-      space.surface().rule(piece, n_points + space.n_of(piece.patch) - 1, grading);
-    const std::vector<double> q = values_on(piece, rule);
-    for (unsigned int k = space.first_of(piece.patch); k < space.first_of(piece.patch + 1); ++k)
-      for (std::size_t i = 0; i < rule.size(); ++i)
-        moments[k] += q[i] * space.shape_value(k, rule.on_side[i]) * rule.weights[i];
-  }
+  const MPI_Comm communicator = space.surface().communicator();
+  agree(communicator, [&]() {
+    for (const Piece<dim> &piece : space.surface().pieces()) {
+      const SurfaceRule<dim> rule =
+        space.surface().rule(piece, n_points + space.n_of(piece.patch) - 1, grading);
+      const std::vector<double> q = values_on(piece, rule);
+      for (unsigned int k = space.first_of(piece.patch); k < space.first_of(piece.patch + 1); ++k)
+        for (std::size_t i = 0; i < rule.size(); ++i)
+          moments[k] += q[i] * space.shape_value(k, rule.on_side[i]) * rule.weights[i];
+    }
+  });
+  Utilities::MPI::sum(moments, communicator, moments);
   return moments;
 }
 
@@ -165,7 +171,7 @@ assemble_gap(const MultiplierSpace<dim> &space, const std::vector<BoundaryCondit
              Component component = Component::normal);
 
 /** The coupling D, n x m: one sparse column per multiplier, nonzero at the degrees of freedom near
- * its patch. It is small, and every rank stores all of it. */
+ * its patch. A rank stores the rows that it owns. */
 class Coupling {
 public:
   using Column = std::map<types::global_dof_index, double>;
@@ -179,7 +185,9 @@ public:
   const Column &column(const unsigned int k) const {
     return columns_[k];
   }
-  /** Adds D P to the locally owned rows of @p vector. */
+  /** Returns the first column that is zero on all ranks. Collective. */
+  std::optional<unsigned int> empty_column(MPI_Comm communicator) const;
+  /** Adds D P to @p vector. */
   void add_product(const dealii::Vector<double> &P, DualVector &vector) const;
   /** Returns Dᵀ U; collective if U is distributed. */
   template <typename VectorType>
@@ -188,6 +196,11 @@ public:
 private:
   std::vector<Column> columns_;
 };
+
+/** Returns the coupling that is the sum of those of all ranks, which know some columns of their
+ * cells. Collective. */
+template <int dim>
+Coupling sum_over_ranks(const DisplacementSpace<dim> &space, std::vector<Coupling::Column> parts);
 
 /** Assembles D_jk = ∫_{Γ_c} φ_j.n ψ_k, integrated exactly on the pieces face ∩ patch; with a
  * tangent in the place of n if the component is tangential. */

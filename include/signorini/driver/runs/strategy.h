@@ -20,9 +20,8 @@ struct StrategyDecision {
 /**
  * Decides Strategy = automatic, and with hp a Coarsest level that is not given. Meshes are nested
  * where levels are given, where the exact solution is known, which shows orders, where an entry is
- * given that has no meaning with hp, in space, and on several processes; else they are graded.
+ * given that has no meaning with hp, and in space; else they are graded.
  */
 template <int dim>
-StrategyDecision decide_strategy(const Parameters &parameters, const Scene<dim> &scene,
-                                 unsigned int n_ranks);
+StrategyDecision decide_strategy(const Parameters &parameters, const Scene<dim> &scene);
 } // namespace Signorini

@@ -20,17 +20,13 @@ struct StudyReport {
   Progress progress;
 };
 
-/** Returns the judge of a study on these ranks. */
+/** Returns the judge of a study. */
 template <int dim>
-Judge judge_of(const Parameters &parameters, const Scene<dim> &scene, unsigned int n_ranks);
+Judge judge_of(const Parameters &parameters, const Scene<dim> &scene);
 
-/**
- * Refuses settings that contradict the scene or the number of ranks: solvers that need a serial
- * run.
- * @throws InputError
- */
+/** Refuses settings that contradict the scene. @throws InputError */
 template <int dim>
-void check_settings(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator);
+void check_settings(const Parameters &parameters, const Scene<dim> &scene);
 
 /** All levels, and the verdict on them. */
 template <int dim>

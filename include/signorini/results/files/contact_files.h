@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/base/parallel.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/multiplier/multiplier.h>
 
@@ -22,6 +23,12 @@ struct FrictionPoint {
   std::optional<double> q_exact = {};
   /** The same as vectors in space; empty in the plane. */
   Tensor<1, 3> traction = {}, slip_vector = {};
+
+  template <typename Archive>
+  void serialize(Archive &archive, unsigned int) {
+    archive &q_H &s_H &slip &state &traction &slip_vector;
+    archive_optional(archive, q_exact);
+  }
 };
 
 /** The fields at one point of the contact boundary. Pressures are those of the formulas, sigma_n:
@@ -38,6 +45,13 @@ struct ContactPoint {
   double g = 0.;
   std::optional<double> p_exact;
   std::optional<FrictionPoint> friction;
+
+  template <typename Archive>
+  void serialize(Archive &archive, unsigned int) {
+    archive &s &x &p_H &p_recovered &u &u_n &g;
+    archive_optional(archive, p_exact);
+    archive_optional(archive, friction);
+  }
 };
 
 /** A piece face ∩ patch with some of its points. */
@@ -57,14 +71,20 @@ struct ContactPiece {
   /** The points of curves and surfaces. A piece with a constant has its corners, in the order of
    * the vertices of deal.II's faces; a piece with polynomials has the same points as in tables. */
   std::vector<ContactPoint<dim>> corners;
+
+  template <typename Archive>
+  void serialize(Archive &archive, unsigned int) {
+    archive &side &side_number &face &patch &patch_measure &rows &corners;
+    archive_optional(archive, opposite);
+  }
 };
 
 /** The contact boundary piece by piece, side after side, in 2-D in the order of arc length. */
 template <int dim>
 using TracedContact = std::vector<ContactPiece<dim>>;
 
-/** Returns the contact boundary for tables and files. @param boundary the gap and the exact
- * pressure of every side. */
+/** Returns the contact boundary for tables and files, on rank 0. Collective. @param boundary the
+ * gap and the exact pressure of every side. */
 template <int dim>
 TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                                  const MultiplierSpace<dim> &multipliers,

@@ -17,16 +17,15 @@ namespace Signorini {
 void write_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix,
                          bool symmetric = false);
 
-/** Returns the lower triangle of factor × matrix, symmetric and sparse: lines "i j value" for the
- * rows of this rank. */
+/** Returns the lower triangle of factor × matrix, symmetric and sparse: lines "i j value". */
 std::string lower_triangle(const TrilinosWrappers::SparseMatrix &matrix, double factor);
 
 /** Returns the entries of D in the same way. */
 std::string entries_of(const Coupling &D);
 
 /** Writes a matrix in coordinate format from its entries, or the lower triangle of a @p symmetric
- * one. @param parts lines "i j value", from every rank. */
+ * one. @param entries lines "i j value". */
 void write_matrix_market(std::ostream &stream, types::global_dof_index n_rows,
-                         types::global_dof_index n_columns, const std::vector<std::string> &parts,
+                         types::global_dof_index n_columns, const std::string &entries,
                          bool symmetric = false);
 } // namespace Signorini

@@ -7,7 +7,7 @@
 #include <deal.II/base/data_out_base.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <ostream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -71,10 +71,10 @@ struct VtuCells {
  * cell, where there is one. In 2-D cells are divided into four where T^{2h} exists; cells of a
  * degree p > 1 are divided into p x p, get the stress of u_h, and have the field "degree". In 3-D
  * the file contains u_h and stresses at the corners of the cells, where the patch interpolation is
- * u_h. Collective.
+ * u_h.
  */
 template <int dim>
-void write_solution_vtu(const std::filesystem::path &path, const DisplacementSpace<dim> &space,
+void write_solution_vtu(std::ostream &stream, const DisplacementSpace<dim> &space,
                         const Scene<dim> &scene, const Displacement &U, const BoundFields &bound,
                         unsigned int number);
 

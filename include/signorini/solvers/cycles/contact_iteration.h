@@ -9,12 +9,16 @@
 #include <string>
 
 namespace Signorini {
+/** U_free, or a functional on it: a rank has the rows that it owns. P, W and the like are whole on
+ * every rank. */
+using NodalVector = StiffnessOperator::Vector;
+
 /** The system (5) without entries of A; all must outlive its use. With U = T U_free + k the unknown
  * is U_free, which is zero in constrained rows. */
 struct ContactSystem {
   const StiffnessOperator &A;
   /** The condensed f, reduced by the contribution of k (force). */
-  const dealii::Vector<double> &f;
+  const NodalVector &f;
   /** The condensed coupling Tᵀ D. */
   const Coupling &condensed_D;
   /** The gap G - Dᵀ k (length^dim). */
@@ -25,10 +29,9 @@ struct ContactSystem {
   double loads = 0.;
 
   /** Returns r = f + D P - A U. */
-  dealii::Vector<double> residual(const dealii::Vector<double> &U,
-                                  const dealii::Vector<double> &P) const;
+  NodalVector residual(const NodalVector &U, const dealii::Vector<double> &P) const;
   /** Returns W = Dᵀ U - G. */
-  dealii::Vector<double> opening(const dealii::Vector<double> &U) const;
+  dealii::Vector<double> opening(const NodalVector &U) const;
 };
 
 /** The options of the iteration. */
@@ -49,7 +52,7 @@ struct ContactIterationOptions {
 /** The result of the iteration. */
 struct ContactIterationResult {
   /** The solution U_free. */
-  dealii::Vector<double> U;
+  NodalVector U;
   dealii::Vector<double> P;
   /** The scale t. */
   double scale = 0.;
@@ -92,10 +95,11 @@ double estimate_scale(const ContactSystem &system, unsigned int n_steps);
  * long, MINRES takes over (see solve_by_minres()), and ContactIterationResult::stalled has the
  * reason.
  *
+ * The problem on the boundary is solved on rank 0. Collective.
+ *
  * @param U, P the start; U is zero in constrained rows, P ≤ 0.
  */
-ContactIterationResult solve_contact_by_cycles(const ContactSystem &system,
-                                               const dealii::Vector<double> &U,
+ContactIterationResult solve_contact_by_cycles(const ContactSystem &system, const NodalVector &U,
                                                const dealii::Vector<double> &P,
                                                const ContactIterationOptions &options);
 } // namespace Signorini

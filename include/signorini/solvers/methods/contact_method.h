@@ -138,7 +138,7 @@ struct SolverChoice {
  * Chooses the solvers of a level. Contact solver = automatic is multigrid, with the linear solver
  * of that name, where
  *
- * - the linear solver is automatic or multigrid, there is one rank, and meshes are nested,
+ * - the linear solver is automatic or multigrid, and meshes are nested,
  * - there are no load cases, plates, bodies that contact alone holds, Output/Compliance, B-bar
  *   elements, or patches of a single face, for which V-cycles cannot be used or are slow,
  * - the level has at least 1e5 unknowns (in 3-D 5000), or the linear solver is multigrid;
@@ -147,7 +147,7 @@ struct SolverChoice {
  */
 template <int dim>
 SolverChoice choose_solvers(const Parameters &parameters, const Scene<dim> &scene,
-                            unsigned int level, unsigned int n_ranks);
+                            unsigned int level);
 
 /** Solves (5) on a level: A U - D P = f, P in K, W = Dᵀ U - G in the dual cone of K at P. */
 template <int dim>

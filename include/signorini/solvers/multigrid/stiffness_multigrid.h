@@ -4,12 +4,14 @@
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/multigrid/cell_operator.h>
+#include <signorini/solvers/multigrid/shared_nodes.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
 #include <deal.II/lac/sparse_direct.h>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace Signorini {
@@ -21,7 +23,8 @@ using ConstrainedNodes = std::map<NodeNumber, Tensor<2, dim>>;
 /** One level of the V-cycle, in single precision. */
 template <int dim>
 struct MultigridLevel {
-  MultigridLevel(const CellOperator<dim, double> &fine_K, ConstrainedNodes<dim> conditions);
+  MultigridLevel(const CellOperator<dim, double> &fine_K, ConstrainedNodes<dim> conditions,
+                 SharedNodes shared);
 
   /** Returns the diagonal blocks of Tᵀ K T, with the unit matrix for constrained components. */
   std::vector<Tensor<2, dim>> free_diagonal_blocks() const;
@@ -39,6 +42,7 @@ struct MultigridLevel {
 
   CellOperator<dim, float> K;
   ConstrainedNodes<dim> conditions;
+  SharedNodes shared;
   /** The solution, the right-hand side, K x or a residual, and the last change of x. */
   LevelVector<dim, float> x, b, y, d;
   /** The inverses of the diagonal blocks on the displacements that the conditions allow. */
@@ -49,12 +53,13 @@ struct MultigridLevel {
 
 /**
  * The stiffness A cell by cell, and a V-cycle on the levels of the mesh. It exists for elements of
- * degree one on meshes without hanging nodes, and is serial.
+ * degree one on meshes without hanging nodes.
  *
- * Cells of the coarse mesh are blocks of cells of the fine one. Products with A are computed in
- * double precision and agree with the assembled matrix up to rounding. The V-cycle computes in
- * single precision: matrices of coarse cells are sums over their children, A_H = Pᵀ A P,
- * Chebyshev's iteration with diagonal blocks of nodes smooths, and the coarsest level is
+ * The roots of the subtrees of this rank (on one rank the cells of the coarse mesh) are blocks of
+ * cells of the fine one. On several ranks the levels below the blocks are on every rank. Products
+ * with A are computed in double precision and agree with the assembled matrix up to rounding. The
+ * V-cycle computes in single precision: matrices of coarse cells are sums over their children, A_H
+ * = Pᵀ A P, Chebyshev's iteration with diagonal blocks of nodes smooths, and the coarsest level is
  * factorised.
  */
 template <int dim>
@@ -66,7 +71,9 @@ public:
    */
   StiffnessMultigrid(const DisplacementSpace<dim> &space, const Scene<dim> &scene);
 
-  unsigned int size() const override;
+  Vector make_vector() const override {
+    return Vector(rows_, communicator_);
+  }
   void vmult(Vector &y, const Vector &x) const override;
   void precondition(Vector &z, const Vector &r) const override;
 
@@ -76,8 +83,13 @@ public:
   std::size_t memory() const;
 
 private:
+  /** Makes coarser levels from the last one as long as that has many nodes. @return the last. */
+  std::shared_ptr<const CellOperator<dim, double>>
+  add_coarser_levels(std::shared_ptr<const CellOperator<dim, double>> K);
   void factorise(const CellOperator<dim, double> &K);
   void solve_coarsest(MultigridLevel<dim> &level) const;
+  /** Does the V-cycle of a level by that of its copy on every rank. */
+  void cycle_on_copy(unsigned int l) const;
   void cycle(unsigned int l) const;
   template <typename Number>
   void copy_to_level(LevelVector<dim, Number> &to, const Vector &from, double factor) const;
@@ -85,11 +97,16 @@ private:
   void copy_from_level(Vector &to, const LevelVector<dim, Number> &from, double factor) const;
 
   double unit_;
-  CellOperator<dim, double> K_;
+  IndexSet rows_;
+  MPI_Comm communicator_;
+  std::shared_ptr<const CellOperator<dim, double>> K_;
   /** The vectors for products in double precision. */
   mutable LevelVector<dim, double> x_, y_;
   /** The levels from the finest to the coarsest. */
   mutable std::vector<MultigridLevel<dim>> levels_;
+  /** The level that is followed by its copy on every rank, and the nodes of this rank there. */
+  std::optional<unsigned int> copied_level_;
+  std::vector<NodeNumber> nodes_of_copy_;
   SparseDirectUMFPACK coarsest_inverse_;
 };
 
@@ -122,7 +139,7 @@ private:
 };
 
 /**
- * Makes the multigrid solver of a scene; serial.
+ * Makes the multigrid solver of a scene. Collective.
  * @throws ComputationError see StiffnessMultigrid.
  */
 template <int dim>

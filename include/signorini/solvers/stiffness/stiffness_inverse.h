@@ -16,20 +16,20 @@
 
 namespace Signorini {
 /**
- * The stiffness A without its entries, and one step of a solver for it; serial.
+ * The stiffness A without its entries, and one step of a solver for it. All is collective.
  *
- * Vectors have an entry for every degree of freedom of V^h in its numbering, in the user's units.
- * The essential conditions are eliminated from A, Tᵀ A T: entries of arguments in constrained rows
- * are not read, those of results are zero.
+ * Vectors have an entry for every degree of freedom of V^h in its numbering, in the user's units,
+ * and every rank has those of its own ones. The essential conditions are eliminated from A, Tᵀ A T:
+ * entries of arguments in constrained rows are not read, those of results are zero.
  */
 class StiffnessOperator {
 public:
-  using Vector = dealii::Vector<double>;
+  using Vector = LinearAlgebra::distributed::Vector<double>;
 
   virtual ~StiffnessOperator() = default;
 
-  /** Returns the number of degrees of freedom. */
-  virtual unsigned int size() const = 0;
+  /** Returns the zero vector. */
+  virtual Vector make_vector() const = 0;
   /** Computes y = A x. */
   virtual void vmult(Vector &y, const Vector &x) const = 0;
   /** Computes z = V r with a fixed V = Vᵀ, positive definite, close to A⁻¹: one V-cycle. */
