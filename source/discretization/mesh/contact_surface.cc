@@ -138,7 +138,7 @@ std::vector<ContactFace<dim>> share(const std::vector<ContactFace<dim>> &own,
     for (const Point<dim> &x : face.vertices)
       for (unsigned int d = 0; d < dim; ++d)
         places.push_back(x[d]);
-    records.emplace_back(face.cell->id().template to_binary<dim>(), face.face_no, face.side,
+    records.emplace_back(identity_of(*face.cell).template to_binary<dim>(), face.face_no, face.side,
                          places);
   }
   const auto all = Utilities::MPI::all_gather(communicator, records);

@@ -193,7 +193,7 @@ Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement
     if (parent->is_active() || !parent->child(0)->is_locally_owned())
       continue;
     // A rank that owns the children has the parent on the coarse mesh, too.
-    const auto of_coarse = coarse.mesh().triangulation().create_cell_iterator(parent->id());
+    const auto of_coarse = coarse.mesh().cell_at(identity_of(*parent));
     const typename DoFHandler<dim>::active_cell_iterator cell(
       &coarse.mesh().triangulation(), of_coarse->level(), of_coarse->index(), &coarse.dofs());
     if (parent->vertex(0).distance(cell->vertex(0)) > 1e-10 * fine.mesh().size())

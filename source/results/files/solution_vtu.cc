@@ -34,8 +34,8 @@ public:
       add_cells(number);
   }
 
-  void write(std::ostream &stream, const DataOutBase::VtkFlags &flags) const {
-    DataOutBase::write_vtu_main(cells_.cells, cells_.names, cells_.ranges(), flags, stream);
+  const VtuCells<dim> &cells() const {
+    return cells_;
   }
 
 private:
@@ -138,13 +138,21 @@ private:
 } // namespace
 
 template <int dim>
-void write_solution_vtu(std::ostream &stream, const DisplacementSpace<dim> &space,
-                        const Scene<dim> &scene, const Displacement &U, const BoundFields &bound,
-                        const unsigned int number) {
+VtuCells<dim> write_solution_vtu(std::ostream &stream, const DisplacementSpace<dim> &space,
+                                 const Scene<dim> &scene, const Displacement &U,
+                                 const BoundFields &bound, const unsigned int number) {
   const DataOutBase::VtkFlags flags(number, number, false, DataOutBase::VtkFlags::best_speed);
+  const VtuCells<dim> cells = BodyFields<dim>(space, scene, U, bound).cells();
   DataOutBase::write_vtu_header(stream, flags);
-  BodyFields<dim>(space, scene, U, bound).write(stream, flags);
+  DataOutBase::write_vtu_main(cells.cells, cells.names, cells.ranges(), flags, stream);
   DataOutBase::write_vtu_footer(stream);
+  return cells;
+}
+
+template <int dim>
+void write_pvtu(std::ostream &stream, const std::vector<std::string> &files,
+                const VtuCells<dim> &cells) {
+  DataOutBase::write_pvtu_record(stream, files, cells.names, cells.ranges(), {});
 }
 
 void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::string>> &files) {
@@ -156,4 +164,5 @@ void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::st
 }
 
 INSTANTIATE_FUNCTION(write_solution_vtu);
+INSTANTIATE_FUNCTION(write_pvtu);
 } // namespace Signorini

@@ -94,16 +94,38 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
   const bool wants_finest = vtu == VtuLevels::finest || parameters_.output.pictures;
   if (vtu == VtuLevels::all || (wants_finest && level.is_last)) {
     const BoundFields &bound = solution.bound_fields;
-    write(level_file("solution", number, ".vtu"), [&](std::ostream &stream) {
-      write_solution_vtu(stream, space, scene, U, bound, number);
-    });
+    const std::string body =
+      write_body(level_file("solution", number, ""), space, scene, U, bound, number);
     write(level_file("contact", number, ".vtu"),
           [&](std::ostream &stream) { write_contact_vtu<dim>(stream, traced, bound.contact); });
-    for (const char *const name : {"solution", "contact"})
-      list_vtu(name, number, level_file(name, number, ".vtu"));
+    list_vtu("solution", number, body);
+    list_vtu("contact", number, level_file("contact", number, ".vtu"));
   }
   if (parameters_.output.compliance)
     write_dual_problem(*level.discretization, solution);
+}
+
+template <int dim>
+std::string ResultsWriter::write_body(const std::string &name, const DisplacementSpace<dim> &space,
+                                      const Scene<dim> &scene, const Displacement &U,
+                                      const BoundFields &bound, const unsigned int number) {
+  const auto write_cells = [&](std::ostream &stream) {
+    return write_solution_vtu(stream, space, scene, U, bound, number);
+  };
+  if (!space.mesh().is_shared()) {
+    write(name + ".vtu", write_cells);
+    return name + ".vtu";
+  }
+  std::vector<std::string> files;
+  for (unsigned int rank = 0; rank < Utilities::MPI::n_mpi_processes(communicator_); ++rank)
+    files.push_back(name + "." + Utilities::int_to_string(rank, 4) + ".vtu");
+  VtuCells<dim> cells;
+  agree(communicator_, [&]() {
+    write_file(directory_ / files[Utilities::MPI::this_mpi_process(communicator_)],
+               [&](std::ostream &stream) { cells = write_cells(stream); });
+  });
+  write(name + ".pvtu", [&](std::ostream &stream) { write_pvtu(stream, files, cells); });
+  return name + ".pvtu";
 }
 
 void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
@@ -121,9 +143,7 @@ void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
         [&](std::ostream &stream) { write_contact_csv<2>(stream, traced); });
   if (parameters_.output.vtu == VtuLevels::none)
     return;
-  write("solution" + ending + ".vtu", [&](std::ostream &stream) {
-    write_solution_vtu(stream, discretization.space, scene, U, {}, number);
-  });
+  write_body("solution" + ending, discretization.space, scene, U, {}, number);
   write("contact" + ending + ".vtu",
         [&](std::ostream &stream) { write_contact_vtu<2>(stream, traced, {}); });
   for (const char *const name : {"solution", "contact"})

@@ -46,7 +46,7 @@ BlockCells<dim> cells_by_number(const DisplacementSpace<dim> &space,
   BlockCells<dim> cells(blocks.size() * Utilities::fixed_power<dim>(n));
   for (const auto &cell :
        space.dofs().active_cell_iterators() | IteratorFilters::LocallyOwnedCell()) {
-    const auto [tree, place] = place_of<dim>(cell->id());
+    const auto [tree, place] = place_of<dim>(identity_of(*cell));
     BlockPlace<dim> block = {tree, {}};
     for (int d = 0; d < dim; ++d)
       block.second[d] = place[d] / n;
@@ -221,7 +221,7 @@ std::vector<BlockPlace<dim>> own_blocks(const Mesh<dim> &mesh) {
     while (leaf->has_children())
       leaf = leaf->child(0);
     if (leaf->is_active() && leaf->is_locally_owned())
-      blocks.push_back(place_of<dim>(cell->id()));
+      blocks.push_back(place_of<dim>(identity_of(*cell)));
   }
   return blocks;
 }

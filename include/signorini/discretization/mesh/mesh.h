@@ -6,8 +6,10 @@
 
 #include <deal.II/distributed/tria_base.h>
 #include <deal.II/fe/mapping.h>
+#include <deal.II/grid/cell_id.h>
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -19,6 +21,23 @@ namespace Signorini {
  * least eight cells per rank, or the coarse mesh on a single rank.
  */
 unsigned int level_of_subtrees(double n_coarse_cells, unsigned int dim, unsigned int n_ranks);
+
+/** Returns the identity of a cell, the same on any number of ranks: its cell of the coarse mesh,
+ * and the children that lead to it. (The identities of a mesh that ranks share contain p4est's
+ * order of the coarse mesh.) */
+template <int dim>
+CellId identity_of(const CellAccessor<dim, dim> &cell) {
+  int tree = cell.index();
+  if (cell.level() > 0) {
+    auto root = cell.parent();
+    while (root->level() > 0)
+      root = root->parent();
+    tree = root->index();
+  }
+  const auto children = cell.id().get_child_indices();
+  return {static_cast<types::coarse_cell_id>(tree),
+          std::vector<std::uint8_t>(children.begin(), children.end())};
+}
 
 /**
  * The mesh T^h of one level, quadrilaterals or hexahedra, with T^{2h} as its parents.
@@ -93,6 +112,14 @@ public:
   /** Returns whether several ranks share the mesh. */
   bool is_shared() const {
     return is_shared_;
+  }
+  /** Returns the cell with an identity; this rank must have it. */
+  typename Triangulation<dim>::cell_iterator cell_at(const CellId &identity) const {
+    typename Triangulation<dim>::cell_iterator cell(
+      triangulation_.get(), 0, static_cast<int>(identity.get_coarse_cell_id()));
+    for (const unsigned int child : identity.get_child_indices())
+      cell = cell->child(child);
+    return cell;
   }
   /** Returns the lengths of the shortest and of the longest edge. Collective. */
   std::pair<double, double> range_of_edges() const;

@@ -66,6 +66,12 @@ private:
   void on_first_rank(const std::function<void()> &work) const;
   /** Writes a file in this way. */
   void write(const std::string &name, const std::function<void(std::ostream &)> &content) const;
+  /** Writes NAME.vtu, the fields in the body; where ranks share the mesh NAME.RRRR.vtu of every
+   * rank, and NAME.pvtu. Collective. @return the name of the file to open. */
+  template <int dim>
+  std::string write_body(const std::string &name, const DisplacementSpace<dim> &space,
+                         const Scene<dim> &scene, const Displacement &U, const BoundFields &bound,
+                         unsigned int number);
   /** Adds a VTU file to "list.pvd". @param number its time. */
   void list_vtu(const std::string &list, unsigned int number, const std::string &file);
   void write_certificate(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict) const;
