@@ -151,12 +151,16 @@ RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Co
 RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen) {
   Parameters parameters;
   agree(communicator, [&]() { parameters = parameters_of(input); });
-  GeometryParameters &geometry = parameters.geometry;
-  agree(communicator, [&]() {
-    if (is_first_rank(communicator) && geometry.shape == Shape::file)
-      geometry.mesh = read_mesh_file(geometry);
-  });
-  geometry.mesh = Utilities::MPI::broadcast(communicator, geometry.mesh);
+  const auto read_file = [&](GeometryParameters &geometry) {
+    agree(communicator, [&]() {
+      if (is_first_rank(communicator) && geometry.shape == Shape::file)
+        geometry.mesh = read_mesh_file(geometry);
+    });
+    geometry.mesh = Utilities::MPI::broadcast(communicator, geometry.mesh);
+  };
+  if (parameters.bodies.empty())
+    read_file(parameters.geometry);
+  std::for_each(parameters.bodies.begin(), parameters.bodies.end(), read_file);
   return dimension_of(parameters) == 2 ? run_parameters<2>(parameters, input, communicator, screen)
                                        : run_parameters<3>(parameters, input, communicator, screen);
 }

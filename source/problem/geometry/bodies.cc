@@ -114,9 +114,10 @@ Geometry<2> unite(const std::vector<std::string> &names, const std::vector<Geome
     first_region.push_back(regions.size());
     for (const Side<2> &side : bodies[k].sides)
       sides.emplace_back(names[k] + "." + side.name(), side);
-    for (const std::string &region : bodies[k].regions)
-      regions.push_back(names[k] + "." + region);
-    if (bodies[k].regions.empty())
+    if (bodies[k].regions.size() > 1)
+      for (const std::string &region : bodies[k].regions)
+        regions.push_back(names[k] + "." + region);
+    else
       regions.push_back(names[k]);
     n_cells += bodies[k].n_coarse_cells;
     parts.push_back({names[k], first_side.back(), bodies[k].lower, bodies[k].upper});

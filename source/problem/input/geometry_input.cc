@@ -242,7 +242,13 @@ Geometry<2> make_geometry_of_bodies(const Parameters &parameters) {
     if (std::count(names.begin(), names.end(), names[k]) > 1)
       throw error_at(parameters.geometry.bodies, "found '", names[k],
                      "' twice, allowed: bodies with different names.");
-    bodies.push_back(make_geometry<2>(parameters.bodies[k]));
+    GeometryParameters body = parameters.bodies[k];
+    const auto shares_file = [&](const GeometryParameters &other) {
+      return other.shape == Shape::file && other.file.value == body.file.value;
+    };
+    if (std::count_if(parameters.bodies.begin(), parameters.bodies.end(), shares_file) > 1)
+      body.part = names[k];
+    bodies.push_back(make_geometry<2>(body));
     if (bodies.back().number_after_refinement)
       throw error_at(parameters.geometry.bodies, "a side of the body '", names[k],
                      "' ends inside a face of its coarse mesh, allowed with several bodies: a mesh "
@@ -275,16 +281,19 @@ Geometry<2> make_geometry(const GeometryParameters &given) {
     geometry = read_round_body(given);
     check_size(geometry, given.radius.where());
     break;
-  case Shape::file:
+  case Shape::file: {
     if (given.distortion.changed)
       throw error_at(given.distortion, "meshes from files are not distorted, found Shape = file.");
-    geometry = make_geometry(
+    FileMesh mesh =
       read_gmsh(given.mesh.empty() ? read_mesh_file(given) : given.mesh,
                 given.file.where() + ": " +
-                  shorten_path(std::filesystem::path(given.file.value).filename().string())),
-      split_words(given.arcs), given.arcs.where());
+                  shorten_path(std::filesystem::path(given.file.value).filename().string()));
+    if (!given.part.empty())
+      keep_part(mesh, given.part, split_words(given.bodies));
+    geometry = make_geometry(std::move(mesh), split_words(given.arcs), given.arcs.where());
     check_size(geometry, given.file.where());
     break;
+  }
   }
   geometry.distortion = given.distortion;
   geometry.where_distortion = given.distortion.where();

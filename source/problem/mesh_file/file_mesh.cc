@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 namespace Signorini {
@@ -202,7 +203,7 @@ std::map<Ends, const FileElement *> find_lines(const FileMesh &mesh,
     };
     if (!has(a, b) && !has(b, a)) {
       // Curves that helped to construct a body have no names.
-      if (line.group != 0)
+      if (line.group != 0 && !mesh.is_part)
         refuse(" is not an edge of an element, allowed: lines along edges.");
       continue;
     }
@@ -277,6 +278,31 @@ std::string FileMesh::name_of(const Element &element, const unsigned int dim) co
     throw input_error(name, ": found the physical name ", quote(group),
                       ", allowed: another one, because this is the name of all that have none.");
   return group;
+}
+
+void keep_part(FileMesh &mesh, const std::string &body, const std::vector<std::string> &bodies) {
+  const auto is_body = [&](const std::string &name) {
+    return std::count(bodies.begin(), bodies.end(), name) > 0;
+  };
+  std::set<std::string> surfaces;
+  const auto is_foreign = [&](const FileElement &cell) {
+    const std::string surface = mesh.name_of(cell, 2);
+    const std::string owner = is_body(surface) ? surface : surface.substr(0, surface.find('.'));
+    if (!is_body(owner))
+      throw input_error(mesh.name, ": found the surface ", quote(surface),
+                        ", allowed: those of the bodies ", join(bodies), ".");
+    surfaces.insert(surface);
+    return owner != body;
+  };
+  mesh.cells.erase(std::remove_if(mesh.cells.begin(), mesh.cells.end(), is_foreign),
+                   mesh.cells.end());
+  if (mesh.cells.empty())
+    throw input_error(mesh.name, ": found no surface ", quote(body),
+                      " for this body, allowed: ", join({surfaces.begin(), surfaces.end()}), ".");
+  for (auto &[group, name] : mesh.group_names)
+    if (group.first == 2 && name.rfind(body + ".", 0) == 0)
+      name.erase(0, body.size() + 1);
+  mesh.is_part = true;
 }
 
 unsigned int check_and_sort(FileMesh &mesh) {

@@ -124,7 +124,7 @@ GeometryParameters read_body(const std::string &name, const std::vector<std::str
   Declarations declarations(body);
   declarations.set_constants(constants);
   for (Assignment assignment : assignments) {
-    if (assignment.path.rfind(geometry_section, 0) != 0 || assignment.path == bodies_path)
+    if (assignment.path.rfind(geometry_section, 0) != 0)
       continue;
     const auto values = values_by_body(assignment.value, bodies);
     if (const auto own = values.find(name); own != values.end())

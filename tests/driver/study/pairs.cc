@@ -4,7 +4,9 @@
 #include <signorini/base/errors.h>
 #include <signorini/solvers/contact/compliance.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "one_level.h"
 #include "study_helpers.h"
@@ -184,6 +186,70 @@ void test_other_pairs(Checks &checks) {
   checks.that("slit: the bound is guaranteed", finest.bound->is_guaranteed());
 }
 
+/** Writes two rectangles of 4 x 2 and 4 x 3 cells, the lower one @p distance below the upper one,
+ * as a file of Gmsh; where they touch they share nodes. */
+void write_parts(const std::string &file, const double distance) {
+  std::vector<dealii::Point<2>> nodes;
+  std::string lines, cells;
+  unsigned int n = 0;
+  const auto node = [&](const double x, const double y) {
+    auto found = std::find(nodes.begin(), nodes.end(), dealii::Point<2>(x, y));
+    if (found == nodes.end())
+      found = nodes.insert(found, dealii::Point<2>(x, y));
+    return " " + std::to_string(found - nodes.begin() + 1);
+  };
+  for (const int body : {1, 2})
+    for (unsigned int i = 0; i < 4; ++i) {
+      const double a = -1. + 0.5 * i, b = a + 0.5, low = body == 1 ? 0. : -1.5 - distance;
+      const unsigned int n_rows = body + 1;
+      for (unsigned int j = 0; j <= n_rows; ++j) {
+        const double y = low + 0.5 * j;
+        if (j == 0 || j == n_rows)
+          lines += std::to_string(++n) + " 1 2 " +
+                   (j == (body == 1 ? 0 : n_rows) ? "9 9"
+                    : j == 0                      ? "7 7"
+                                                  : "8 8") +
+                   node(a, y) + node(b, y) + "\n";
+        if (j < n_rows)
+          cells += std::to_string(++n) + " 3 2 " + std::to_string(body) + " 1" + node(a, y) +
+                   node(b, y) + node(b, y + 0.5) + node(a, y + 0.5) + "\n";
+      }
+    }
+  std::ofstream out(file);
+  out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 \"a\"\n2 2 \"b\"\n"
+         "$EndPhysicalNames\n$Nodes\n"
+      << nodes.size() << "\n";
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+    out << i + 1 << " " << nodes[i] << " 0\n";
+  out << "$EndNodes\n$Elements\n" << n << "\n" << lines << cells << "$EndElements\n";
+}
+
+/** The parts of a file, touching or apart, have the numbers of the same bodies drawn as boxes. */
+void test_parts_of_a_file(Checks &checks) {
+  const std::string data = "Material/Young's modulus = a: 1 | b: 7\nContact/Gap = x^2/4\n";
+  for (const std::string distance : {"0", "0.25"}) {
+    write_parts("parts.msh", std::stod(distance));
+    const auto numbers = [&](const std::string &drawing, const std::string &text) {
+      const LevelSolution<2> solution =
+        OneLevel("Geometry/Bodies = a b\n" + drawing + text + distance + "\n" + data, 3).solve();
+      std::vector<double> P(solution.contact.P.normal().begin(), solution.contact.P.normal().end());
+      std::sort(P.begin(), P.end());
+      P.push_back(solution.record.certificate.energy);
+      return P;
+    };
+    checks.near("P and energy",
+                numbers("Geometry/Shape = file\nGeometry/File = parts.msh\n",
+                        "Boundary/Contact = a.9 with b.9\nBoundary/Clamped = b.7\n"
+                        "Boundary/Displacement = a.8: 0; -0.05-"),
+                numbers("Geometry/Lower left = a: -1, 0 | b: -1, -1.5-" + distance +
+                          "\nGeometry/Upper right = a: 1, 1 | b: 1, -" + distance +
+                          "\nGeometry/Cells = a: 4, 2 | b: 4, 3\n",
+                        pair + "Boundary/Clamped = b.bottom\nBoundary/Displacement = a.top: 0; "
+                               "-0.05-"),
+                1e-12);
+  }
+}
+
 /** Energies lie between the numbers of all levels: free bodies, three in a row, friction, and a
  * carrier that is named last or that is held at an end of contact. */
 void test_brackets(Checks &checks) {
@@ -291,6 +357,14 @@ void test_refusals(Checks &checks) {
           "do not face each other");
   const std::string blocks = bodies("a: 0, 0 | b: 0, -1", "a: 1, 1 | b: 1, 0", "2, 2", "1", "0.3") +
                              "Boundary/Clamped = b.bottom\n";
+  write_parts("parts.msh", 0.);
+  for (const auto &[names, sentence] :
+       {std::pair("a b c", "found no surface 'c' for this body, allowed: a, b"),
+        std::pair("a c", "found the surface 'b', allowed: those of the bodies a, c")})
+    refuses(std::string("bodies ") + names,
+            std::string("Geometry/Bodies = ") + names +
+              "\nGeometry/Shape = file\nGeometry/File = parts.msh\n",
+            sentence);
   refuses("no second name", blocks + "Boundary/Contact = a.bottom with\n",
           "the names of two sides");
   refuses("graded meshes", pressed + "Discretization/Strategy = hp\n", "with a pair of sides");
@@ -303,6 +377,7 @@ void test_refusals(Checks &checks) {
 
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
-                   {test_references, test_friction, test_patch, test_other_pairs, test_brackets,
-                    test_limits, test_press_fit, test_refusals});
+                   {test_references, test_friction, test_patch, test_other_pairs,
+                    test_parts_of_a_file, test_brackets, test_limits, test_press_fit,
+                    test_refusals});
 }

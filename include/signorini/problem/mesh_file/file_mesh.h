@@ -51,6 +51,8 @@ struct FileMesh {
   std::map<std::pair<unsigned int, int>, std::string> group_names;
   /** Whether elements of a dimension are in physical groups. */
   std::array<bool, 4> has_groups = {};
+  /** Whether cells of the file are left out; lines may belong to these. */
+  bool is_part = false;
   /** The closed curves that the boundary consists of: every edge begins where the one before it
    * ends. check_and_sort() finds them. */
   std::vector<std::vector<Edge>> loops;
@@ -76,6 +78,13 @@ bool is_gmsh_text(const std::string &text);
  * elements, texts that should be numbers.
  */
 FileMesh read_gmsh(const std::string &text, const std::string &name);
+
+/**
+ * Keeps the cells of one of several bodies: those of the surface that is called like the body, and
+ * those of "BODY.NAME", which become its region NAME. Nodes that two bodies share belong to both.
+ * @throws InputError if a surface belongs to none of the @p bodies, or the body has no surface.
+ */
+void keep_part(FileMesh &mesh, const std::string &body, const std::vector<std::string> &bodies);
 
 /**
  * Checks nodes and elements, and finds the boundary. Clockwise cells are turned round; cells and

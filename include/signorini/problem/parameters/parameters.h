@@ -68,6 +68,8 @@ struct GeometryParameters {
   Given<std::string> file;
   /** The mesh of the file as text of Gmsh, where it has been read already. */
   std::string mesh;
+  /** The name of the body, where the file holds several. */
+  std::string part;
   Given<std::string> arcs;
   /** The folder of the parameter file, in which files are looked for first; empty if the parameters
    * come from no file. */
