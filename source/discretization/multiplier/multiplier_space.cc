@@ -206,7 +206,8 @@ Coupling sum_over_ranks(const DisplacementSpace<dim> &space, std::vector<Couplin
 
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,
-                           const MultiplierSpace<dim> &multipliers, const Component component) {
+                           const MultiplierSpace<dim> &multipliers, const Component component,
+                           const std::array<double, 2> &share) {
   const ContactSurface<dim> &surface = multipliers.surface();
   const FEValuesExtractors::Vector displacement(0);
   TraceValues<dim> traces(space);
@@ -226,7 +227,7 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
                         direction_of(component, rule.normals[q]) *
                         multipliers.shape_value(k, rule.on_side[q]) * rule.weights[q];
           if (std::abs(integral) > 1e-15 * measure)
-            columns[k][indices[j]] += sign * integral;
+            columns[k][indices[j]] += sign * share[sign > 0. ? 0 : 1] * integral;
         }
     }
   }

@@ -193,8 +193,12 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
     record.friction = summarise_friction(discretization.multipliers, contact.P, contact.W);
   else if (wants_inf_sup<dim>(parameters, solution.scene, contact)) {
     progress("inf-sup constant");
-    record.inf_sup = measure_inf_sup(discretization.space, discretization.multipliers,
-                                     discretization.condensed_D, parameters.solver.linear_solver);
+    const InfSup beta =
+      measure_inf_sup(discretization.space, discretization.multipliers, discretization.condensed_D,
+                      parameters.solver.linear_solver);
+    record.inf_sup = beta.both;
+    record.inf_sup_first = beta.first;
+    record.inf_sup_opposite = beta.opposite;
   }
   progress("certificate");
   add_certificate_and_answer(discretization, solution);

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace Signorini {
@@ -110,21 +111,49 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
 
 INSTANTIATE_FUNCTION(assemble_h1_gram_matrix);
 
+namespace {
+/** Returns the root of the smallest eigenvalue of C against S on some of the multipliers. */
+double smallest_root(const FullMatrix<double> &C, const FullMatrix<double> &S,
+                     const std::vector<unsigned int> &numbers) {
+  FullMatrix<double> part(numbers.size());
+  LAPACKFullMatrix<double> C_part(numbers.size()), S_part(numbers.size());
+  part.extract_submatrix_from(C, numbers, numbers);
+  C_part = part;
+  part.extract_submatrix_from(S, numbers, numbers);
+  S_part = part;
+  std::vector<dealii::Vector<double>> no_eigenvectors;
+  C_part.compute_generalized_eigenvalues_symmetric(S_part, no_eigenvectors);
+  double smallest = C_part.eigenvalue(0).real();
+  for (unsigned int i = 1; i < numbers.size(); ++i)
+    smallest = std::min(smallest, C_part.eigenvalue(i).real());
+  return std::sqrt(std::max(smallest, 0.));
+}
+} // namespace
+
 template <int dim>
-double measure_inf_sup(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
+InfSup measure_inf_sup(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
                        const Coupling &condensed_D, const LinearSolver linear_solver) {
   const TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
   const auto inverse = factorise(A_1, 1., linear_solver, contact_unknowns(condensed_D));
-  const unsigned int m = multipliers.n_multipliers();
-  LAPACKFullMatrix<double> DA_1D(m), S(m);
-  DA_1D = make_compliance(*inverse, condensed_D)->dense();
-  S = dual_gram_matrix(multipliers);
-  std::vector<dealii::Vector<double>> no_eigenvectors;
-  DA_1D.compute_generalized_eigenvalues_symmetric(S, no_eigenvectors);
-  double smallest = DA_1D.eigenvalue(0).real();
-  for (unsigned int i = 1; i < m; ++i)
-    smallest = std::min(smallest, DA_1D.eigenvalue(i).real());
-  return std::sqrt(std::max(smallest, 0.));
+  const FullMatrix<double> S = dual_gram_matrix(multipliers);
+  std::vector<unsigned int> all(multipliers.n_multipliers()), of_pairs;
+  std::iota(all.begin(), all.end(), 0);
+  for (const Piece<dim> &piece : multipliers.surface().pieces())
+    for (unsigned int k = multipliers.first_of(piece.patch);
+         piece.opposite && k < multipliers.first_of(piece.patch + 1); ++k)
+      if (of_pairs.empty() || of_pairs.back() < k)
+        of_pairs.push_back(k);
+  InfSup beta = {smallest_root(make_compliance(*inverse, condensed_D)->dense(), S, all), {}, {}};
+  const auto beta_of = [&](const std::array<double, 2> &share) {
+    const Coupling D = condense(assemble_coupling(space, multipliers, Component::normal, share),
+                                space.constraints());
+    return smallest_root(make_compliance(*inverse, D)->dense(), S, of_pairs);
+  };
+  if (!of_pairs.empty()) {
+    beta.first = beta_of({{1., 0.}});
+    beta.opposite = beta_of({{0., 1.}});
+  }
+  return beta;
 }
 
 INSTANTIATE_FUNCTION(measure_inf_sup);

@@ -255,6 +255,8 @@ Json describe(const LevelRecord &level, const Judge &judge) {
     json[residual.name] = residual.value;
   json.update({{"moment_balance_is_exact", c.moments_are_exact},
                {"inf_sup", level.inf_sup},
+               {"inf_sup_first", level.inf_sup_first},
+               {"inf_sup_opposite", level.inf_sup_opposite},
                {"degenerate_patches", c.degenerate_patches},
                {"kkt", level.dual.kkt},
                {"linear_solves", level.linear.solves},

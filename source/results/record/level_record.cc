@@ -127,7 +127,9 @@ Columns<LevelRecord> columns_of_parts() {
         Columns<LevelRecord>{
           effectivity("effectivity", &ErrorEstimate::h1, &DisplacementErrors::h1),
           effectivity("effectivity_energy", &ErrorEstimate::energy, &DisplacementErrors::energy),
-          {"inf_sup", &LevelRecord::inf_sup}},
+          {"inf_sup", &LevelRecord::inf_sup},
+          {"inf_sup_first", &LevelRecord::inf_sup_first},
+          {"inf_sup_opposite", &LevelRecord::inf_sup_opposite}},
         columns_of(&LevelRecord::displacement_errors), columns_of(&LevelRecord::pressure_errors),
         columns_of(&LevelRecord::dual_norm_errors),
         Columns<LevelRecord>{{"endpoint_error", &LevelRecord::endpoint_error}},

@@ -318,6 +318,14 @@ void test_limits(Checks &checks) {
   for (unsigned int k = 0; k < 13; ++k)
     sum[k] += other[k];
   checks.near("C = C_1 + C_2", compliance(pressed), sum, 1e-12);
+  const auto beta = [&](const std::string &text) {
+    return OneLevel(text + thirteen + "Output/Inf-sup constant = true\n", 3).solve().record;
+  };
+  const LevelRecord both = beta(pressed);
+  const double first = *beta(own).inf_sup, second = *beta(base).inf_sup;
+  checks.near("beta of each side", {*both.inf_sup_first, *both.inf_sup_opposite}, {first, second},
+              1e-10);
+  checks.between("the theorem", *both.inf_sup, std::hypot(first, second), first + second);
 }
 
 /** Lamé: a hub of radii 1 and 2 on a shaft with a bore of 0.5, interference 0.01. */

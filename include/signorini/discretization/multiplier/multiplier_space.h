@@ -203,11 +203,13 @@ template <int dim>
 Coupling sum_over_ranks(const DisplacementSpace<dim> &space, std::vector<Coupling::Column> parts);
 
 /** Assembles D_jk = ∫_{Γ_c} φ_j.n ψ_k, integrated exactly on the pieces face ∩ patch; with a
- * tangent in the place of n if the component is tangential. */
+ * tangent in the place of n if the component is tangential.
+ * @param share of the sides that are named first, and of their opposites. */
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,
                            const MultiplierSpace<dim> &multipliers,
-                           Component component = Component::normal);
+                           Component component = Component::normal,
+                           const std::array<double, 2> &share = {{1., 1.}});
 
 /** Returns (P_n, P_t), or (D_n, D_t); in space P_t = (P_t1, P_t2). */
 dealii::Vector<double> join(const dealii::Vector<double> &normal,

@@ -110,6 +110,8 @@ struct LevelRecord {
   std::optional<ErrorBound> bound;
   /** The constant of Lemma 1. */
   std::optional<double> inf_sup;
+  /** With pairs, those of the sides named first and of their opposites. */
+  std::optional<double> inf_sup_first, inf_sup_opposite;
   /** The locking number, see locking_number(); on the finest level only. */
   std::optional<double> locking_number;
 
