@@ -11,6 +11,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
@@ -51,7 +52,26 @@ struct ContactRow {
 };
 
 template <int dim>
-Columns<ContactRow<dim>> contact_columns(const bool has_friction) {
+void add_friction_columns(Columns<ContactRow<dim>> &columns) {
+  using Row = ContactRow<dim>;
+  const auto add = [&](const char *name, const auto part) {
+    columns.push_back({name, [part](const Row &row) { return (*row.point.friction).*part; }});
+  };
+  add("q_H", &FrictionPoint::q_H);
+  add("s_H", &FrictionPoint::s_H);
+  add("slip", &FrictionPoint::slip);
+  add("q_exact", &FrictionPoint::q_exact);
+  for (const auto &[name, vector] :
+       {std::pair("q_H_", &FrictionPoint::traction), {"slip_", &FrictionPoint::slip_vector}})
+    for (unsigned int d = 0; d < dim && dim == 3; ++d)
+      columns.push_back({name + std::string(1, "xyz"[d]), [part = vector, d](const Row &row) {
+                           return ((*row.point.friction).*part)[d];
+                         }});
+  columns.push_back({"state", [](const Row &row) { return row.point.friction->state; }});
+}
+
+template <int dim>
+Columns<ContactRow<dim>> contact_columns(const bool has_friction, const bool has_pairs) {
   using Row = ContactRow<dim>;
   Columns<Row> columns;
   if (dim == 2)
@@ -72,22 +92,18 @@ Columns<ContactRow<dim>> contact_columns(const bool has_friction) {
     {dim == 2 ? "patch_length" : "patch_area",
      [](const Row &row) { return row.piece.patch_measure; }}};
   columns.insert(columns.end(), others.begin(), others.end());
-  if (!has_friction)
-    return columns;
-  const auto add = [&](const char *name, const auto part) {
-    columns.push_back({name, [part](const Row &row) { return (*row.point.friction).*part; }});
+  if (has_friction)
+    add_friction_columns(columns);
+  const auto add_opposite = [&](const std::string &name, const auto value) {
+    columns.push_back({name + "_opposite", [value](const Row &row) {
+                         const auto &opposite = row.point.opposite;
+                         return opposite ? std::optional<double>(value(*opposite)) : std::nullopt;
+                       }});
   };
-  add("q_H", &FrictionPoint::q_H);
-  add("s_H", &FrictionPoint::s_H);
-  add("slip", &FrictionPoint::slip);
-  add("q_exact", &FrictionPoint::q_exact);
-  for (const auto &[name, vector] :
-       {std::pair("q_H_", &FrictionPoint::traction), {"slip_", &FrictionPoint::slip_vector}})
-    for (unsigned int d = 0; d < dim && dim == 3; ++d)
-      columns.push_back({name + std::string(1, "xyz"[d]), [part = vector, d](const Row &row) {
-                           return ((*row.point.friction).*part)[d];
-                         }});
-  columns.push_back({"state", [](const Row &row) { return row.point.friction->state; }});
+  for (unsigned int d = 0; d < dim && has_pairs; ++d)
+    add_opposite(std::string(1, "xyz"[d]), [d](const auto &opposite) { return opposite.first[d]; });
+  if (has_pairs)
+    add_opposite("u_n", [](const auto &opposite) { return opposite.second; });
   return columns;
 }
 
@@ -127,6 +143,13 @@ public:
       point.g = condition.data->value(point.x);
       if (P_.has_friction())
         point.friction = friction_at(piece.patch, condition, point, closing[q], rule.normals[q]);
+      if constexpr (dim == 2)
+        if (piece.opposite) {
+          const Tensor<1, dim> n = rule.normals[q];
+          const auto &other = surface_.scene().geometry.sides[*condition.opposite];
+          point.opposite = {point.x + other.distance_along(point.x, n).value_or(0.) * n,
+                            (u[q] - closing[q]) * n};
+        }
       if (condition.exact_pressure != nullptr)
         point.p_exact = condition.exact_pressure->value(point.x);
       points.push_back(point);
@@ -207,10 +230,17 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
   return all;
 }
 
+/** Returns whether some piece may touch another body. */
+template <int dim>
+static bool has_pairs(const TracedContact<dim> &contact) {
+  return std::any_of(contact.begin(), contact.end(),
+                     [](const auto &piece) { return piece.opposite.has_value(); });
+}
+
 template <int dim>
 void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact) {
   const bool has_friction = !contact.empty() && contact.front().rows.front().friction;
-  const Columns<ContactRow<dim>> columns = contact_columns<dim>(has_friction);
+  const Columns<ContactRow<dim>> columns = contact_columns<dim>(has_friction, has_pairs(contact));
   stream << "side," << csv_header(columns) << "\n";
   for (const ContactPiece<dim> &piece : contact)
     for (const ContactPoint<dim> &point : piece.rows)
@@ -233,8 +263,7 @@ template <int dim>
 void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
                        const std::vector<double> &bound) {
   VtuCells<dim - 1> cells;
-  const bool has_pairs = std::any_of(contact.begin(), contact.end(),
-                                     [](const auto &piece) { return piece.opposite.has_value(); });
+  const bool with_opposite = has_pairs(contact);
   constexpr unsigned int n_corners = GeometryInfo<dim - 1>::vertices_per_cell;
   for (const ContactPiece<dim> &piece : contact)
     for (std::size_t first = 0; first + n_corners <= piece.corners.size(); ++first) {
@@ -254,7 +283,7 @@ void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
            {"opening", point.g - point.u_n},
            {"patch", piece.patch},
            {"side", piece.side_number}});
-        if (has_pairs)
+        if (with_opposite)
           fields.back().emplace_back("opposite",
                                      piece.opposite ? static_cast<double>(*piece.opposite) : -1.);
         if (const auto &friction = point.friction) {

@@ -2,6 +2,7 @@
 // Two and three elastic bodies: values of an independent program, exact solutions, and limits.
 
 #include <signorini/base/errors.h>
+#include <signorini/results/files/contact_files.h>
 #include <signorini/solvers/contact/compliance.h>
 
 #include <algorithm>
@@ -281,6 +282,24 @@ void test_brackets(Checks &checks) {
   }
 }
 
+/** Two equal bodies share the closing, and the points of both sides lie across from each other. */
+void test_both_sides(Checks &checks) {
+  const OneLevel level(
+    bodies("a: -1, 0.25 | b: -1, -1", "a: 1, 1.25 | b: 1, 0", "2, 1", "1", "0.3") + pair +
+      "Boundary/Displacement = a.top: 0; -0.025 | b.bottom: 0; 0.025\n"
+      "Contact/Gap = x^2/4 - 0.25\n",
+    3);
+  const LevelSolution<2> solution = level.solve();
+  for (const ContactPiece<2> &piece :
+       trace_contact(level.space(), level.multipliers(), level.scene.boundary, solution.contact.U,
+                     solution.contact.P))
+    for (const ContactPoint<2> &point : piece.rows) {
+      const auto &[x, u_n] = point.opposite.value();
+      checks.near("half of the closing", u_n, -0.5 * point.u_n, 1e-12);
+      checks.near("the point across", x.distance({point.x[0], 0.}), 0., 1e-14);
+    }
+}
+
 std::vector<double> pressures(const std::string &text, const unsigned int level) {
   const Pressure P = OneLevel(text, level).solve().contact.P.normal();
   return {P.begin(), P.end()};
@@ -386,6 +405,6 @@ void test_refusals(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_references, test_friction, test_patch, test_other_pairs,
-                    test_parts_of_a_file, test_brackets, test_limits, test_press_fit,
-                    test_refusals});
+                    test_parts_of_a_file, test_brackets, test_both_sides, test_limits,
+                    test_press_fit, test_refusals});
 }

@@ -45,12 +45,15 @@ struct ContactPoint {
   double g = 0.;
   std::optional<double> p_exact;
   std::optional<FrictionPoint> friction;
+  /** In a pair: the point across on the other body, and its u.n for the same normal. */
+  std::optional<std::pair<Point<dim>, double>> opposite;
 
   template <typename Archive>
   void serialize(Archive &archive, unsigned int) {
     archive &s &x &p_H &p_recovered &u &u_n &g;
     archive_optional(archive, p_exact);
     archive_optional(archive, friction);
+    archive_optional(archive, opposite);
   }
 };
 
