@@ -78,6 +78,24 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
   return Penetration{depth, {scene.geometry.sides[surface.faces()[face].side].name(), s, x}};
 }
 
+/** Returns Answer::turn_of_normals, at the middles of the pieces. */
+static double turn_of_normals(const MultiplierSpace<2> &multipliers, const Pressure &P) {
+  const ContactSurface<2> &surface = multipliers.surface();
+  double turn = 0.;
+  for (const Piece<2> &piece : surface.pieces()) {
+    const SurfaceRule<2> middle = surface.at(piece, {Point<1>(0.5)});
+    if (!piece.opposite ||
+        multipliers.value(P, piece.patch, middle.on_side[0]) >= pressing_threshold(P))
+      continue;
+    const Side<2> &other = surface.scene().geometry.sides[*surface.condition(piece).opposite];
+    const Tensor<1, 2> n = middle.normals[0];
+    const Point<2> x =
+      middle.points[0] + other.distance_along(middle.points[0], n).value_or(0.) * n;
+    turn = std::max(turn, (n + other.normal(other.arc_length(x))).norm());
+  }
+  return turn;
+}
+
 Columns<Answer> Answer::columns() {
   return {{"peak_pressure",
            [](const Answer &answer) {
@@ -134,8 +152,10 @@ Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &sce
     remove_moments(answer);
   const std::vector<SingularPlace<dim>> places = singular_places(scene);
   answer.peak_pressure = describe_peak(multipliers, P, places);
-  if constexpr (dim == 2)
+  if constexpr (dim == 2) {
     answer.zones = contact_zones(multipliers, P);
+    answer.turn_of_normals = turn_of_normals(multipliers, P);
+  }
   answer.penetration = max_penetration(space, multipliers, scene, U);
   answer.von_mises = largest_von_mises(space, scene, U, places);
   set_growth(places, multipliers, P, answer.von_mises.point, answer.von_mises);

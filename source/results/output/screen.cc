@@ -125,6 +125,13 @@ void print_verdict(const std::vector<LevelRecord> &levels, const Judge &judge,
     screen << "Warning: " << std::round(100. * strained)
            << " % of the body is strained by more than " << 100. * large_strain
            << " %: linear elasticity, which is made for small strains, does not describe this.\n";
+  constexpr double large_turn = 0.1;
+  if (const double turn = levels.empty() ? 0. : levels.back().answer.turn_of_normals;
+      turn > large_turn)
+    screen << "Warning: where the bodies press, the normals of their sides are up to "
+           << std::round(100. * turn) / 100. << " from opposite (more than " << large_turn
+           << "): the gap is that along the normals of the side named first, and forces may be "
+              "wrong by about the square of this.\n";
   if (!verdict.accuracy.empty())
     screen << "Accuracy: " << verdict.accuracy << ".\n";
   if (verdict.outcome == Outcome::not_certified)

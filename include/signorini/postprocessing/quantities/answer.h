@@ -41,6 +41,8 @@ struct Answer {
   std::vector<ContactZone> zones;
   /** The penetration; empty without a contact side. */
   std::optional<Penetration> penetration;
+  /** The largest angle of the normals of two sides to opposite where they press. */
+  double turn_of_normals = 0.;
   VonMises von_mises;
   /** The places of Output/Report. */
   std::vector<PlaceReport> reports;
