@@ -254,6 +254,33 @@ void read_exact_displacement(const ExactSolutionParameters &given, const SceneRe
     reader.components(given.displacement, dim), gradients);
 }
 
+/** Reads the body force: one for all, or one for each region. */
+template <int dim>
+void read_body_force(const Given<std::string> &given, const SceneReader<dim> &reader,
+                     Scene<dim> &scene) {
+  if (dim == 3 && !given.changed)
+    return;
+  const std::vector<std::string> &regions = scene.geometry.regions;
+  const bool differs = !regions.empty() && begins_with_a_name(given.value);
+  std::vector<std::vector<Expression<dim>>> forces(differs ? regions.size() : 1);
+  // A force that is zero needs no integrals.
+  bool is_zero = true;
+  for (const auto &[region, text] : differs
+                                      ? read_list_for(regions, given.value, given.where(), regions)
+                                      : SideTexts{{"", given.value}}) {
+    auto &force =
+      forces[differs ? std::find(regions.begin(), regions.end(), region) - regions.begin() : 0];
+    force = reader.components(text, dim, given);
+    for (const Expression<dim> &component : force)
+      is_zero = is_zero && component.is_constant() && component(Point<dim>()) == 0.;
+  }
+  if (is_zero)
+    return;
+  scene.body_force = differs
+                       ? std::make_shared<ExpressionFunction<dim>>(forces, scene.geometry.region_at)
+                       : std::make_shared<ExpressionFunction<dim>>(forces[0]);
+}
+
 } // namespace
 
 template <int dim>
@@ -277,15 +304,7 @@ Scene<dim> make_described_scene(const Parameters &parameters) {
   read_gaps(parameters, reader, scene);
   read_friction(parameters, reader, scene);
   read_exact_pressure(parameters.exact.pressure, reader, scene);
-  const Given<std::string> &body_force = parameters.load.body_force;
-  if (dim == 2 || body_force.changed) {
-    const std::vector<Expression<dim>> force = reader.components(body_force, dim);
-    // A force that is zero needs no integrals.
-    if (std::any_of(force.begin(), force.end(), [](const Expression<dim> &component) {
-          return !component.is_constant() || component(Point<dim>()) != 0.;
-        }))
-      scene.body_force = std::make_shared<ExpressionFunction<dim>>(force);
-  }
+  read_body_force(parameters.load.body_force, reader, scene);
   read_exact_displacement(parameters.exact, reader, scene);
   check_described_scene(parameters, scene);
   return scene;

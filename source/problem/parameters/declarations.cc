@@ -118,7 +118,9 @@ void Declarations::declare_boundary(BoundaryParameters &boundary) {
 
 void Declarations::declare_data(Parameters &parameters) {
   add("Load/Body force", parameters.load.body_force,
-      "Force per volume: fx; fy, in 3-D fx; fy; fz, expressions in x, y, z (force/volume).");
+      "Force per volume: fx; fy, in 3-D fx; fy; fz, expressions in x, y, z (force/volume); for "
+      "bodies "
+      "or regions of a mesh file 'upper: 0; -1 | lower: 0; 0'.");
   add("Load/Plate force", parameters.load.plate_force,
       "Force on a plate along its direction (force per thickness) by side: top: 35.");
   add(
@@ -285,10 +287,11 @@ void Declarations::declare_output(OutputParameters &output) {
 // The subsection Geometry.
 
 void Declarations::declare_geometry(GeometryParameters &geometry) {
-  add("Geometry/Bodies", geometry.bodies,
-      "Names of several bodies, separated by blanks. Every entry of Geometry may then have a value "
-      "for each, 'upper: 1 | lower: 2', and so may moduli; a side is called upper.bottom. Bodies of "
-      "one mesh file are its surfaces of these names.");
+  add(
+    "Geometry/Bodies", geometry.bodies,
+    "Names of several bodies, separated by blanks. Every entry of Geometry may then have a value "
+    "for each, 'upper: 1 | lower: 2', and so may moduli; a side is called upper.bottom. Bodies of "
+    "one mesh file are its surfaces of these names.");
   add("Geometry/Shape", geometry.shape,
       "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
       "side1, ... in the order of its vertices; a half disc (the lower half) flat and arc, a disc "

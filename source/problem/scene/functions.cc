@@ -18,6 +18,17 @@ ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values)
   , is_data_(true) {}
 
 template <int dim>
+ExpressionFunction<dim>::ExpressionFunction(
+  const std::vector<std::vector<Expression<dim>>> &values_by_region,
+  std::function<unsigned int(const Point<dim> &)> region_at)
+  : Function<dim>(values_by_region.front().size())
+  , is_data_(true)
+  , region_at_(std::move(region_at)) {
+  for (const std::vector<Expression<dim>> &values : values_by_region)
+    values_.insert(values_.end(), values.begin(), values.end());
+}
+
+template <int dim>
 ExpressionFunction<dim>::ExpressionFunction(std::vector<Expression<dim>> values,
                                             std::vector<Expression<dim>> gradients)
   : Function<dim>(values.size())
@@ -46,13 +57,15 @@ void check_magnitude(const double value, const unsigned int component, const Poi
 
 template <int dim>
 bool ExpressionFunction<dim>::is_constant() const {
-  return std::all_of(values_.begin(), values_.end(),
+  return !region_at_ &&
+         std::all_of(values_.begin(), values_.end(),
                      [](const Expression<dim> &value) { return value.is_constant(); });
 }
 
 template <int dim>
 double ExpressionFunction<dim>::value(const Point<dim> &x, const unsigned int component) const {
-  const double value = values_[component](x);
+  const unsigned int first = region_at_ ? region_at_(x) * this->n_components : 0;
+  const double value = values_[first + component](x);
   check(value, component, x);
   return value;
 }
@@ -60,6 +73,11 @@ double ExpressionFunction<dim>::value(const Point<dim> &x, const unsigned int co
 template <int dim>
 void ExpressionFunction<dim>::value_list(const Points &points, std::vector<double> &values,
                                          const unsigned int component) const {
+  if (region_at_) {
+    for (std::size_t q = 0; q < points.size(); ++q)
+      values[q] = value(points[q], component);
+    return;
+  }
   values_[component].evaluate(points, values);
   for (std::size_t q = 0; q < points.size(); ++q)
     check(values[q], component, points[q]);
@@ -69,7 +87,7 @@ template <int dim>
 void ExpressionFunction<dim>::vector_value_list(const Points &points,
                                                 std::vector<dealii::Vector<double>> &values) const {
   std::vector<double> component(points.size());
-  for (unsigned int c = 0; c < values_.size(); ++c) {
+  for (unsigned int c = 0; c < this->n_components; ++c) {
     value_list(points, component, c);
     for (std::size_t q = 0; q < points.size(); ++q)
       values[q][c] = component[q];

@@ -85,7 +85,7 @@ const std::vector<Reference> references = {
           "a: 0.3 | b: 0.25") +
      "Boundary/Contact = a.bottom | b.bottom with a.top\n"
      "Boundary/Traction = b.left: 0.0006; 0 | b.right: -0.0006; 0\n"
-     "Load/Body force = 0; y < 1 ? -0.002 : -0.006\n"
+     "Load/Body force = a: 0; -0.002 | b: 0; -0.006\n"
      "Contact/Gap = a.bottom: 0.0004*(x-0.8)^2 | b.bottom: 0\n"
      "Discretization/Patches = a.bottom: 10 | b.bottom: 5\n",
    0,

@@ -46,10 +46,13 @@ public:
   /** Makes data of the problem: values must be finite and not beyond max_magnitude (scene.h), or
    * InputError is thrown. */
   explicit ExpressionFunction(std::vector<Expression<dim>> values);
+  /** Makes data that has components of its own in each region. */
+  ExpressionFunction(const std::vector<std::vector<Expression<dim>>> &values_by_region,
+                     std::function<unsigned int(const Point<dim> &)> region_at);
   /** Makes a part of the exact solution, with given derivatives or none. */
   ExpressionFunction(std::vector<Expression<dim>> values, std::vector<Expression<dim>> gradients);
 
-  /** Returns whether no component uses a coordinate. */
+  /** Returns whether no component uses a coordinate or depends on the region. */
   bool is_constant() const;
 
   /** Returns the derivatives of a component by its own formula. */
@@ -78,6 +81,7 @@ private:
   std::vector<Expression<dim>> values_;
   std::vector<Expression<dim>> gradients_;
   bool is_data_;
+  std::function<unsigned int(const Point<dim> &)> region_at_;
 };
 
 /** Refuses a value that is not finite or beyond max_magnitude. @throws InputError */
