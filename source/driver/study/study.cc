@@ -239,11 +239,6 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene) {
                    ", allowed with it: false.");
   refuse_if(scene.has_pairs() && parameters.discretization.strategy == Strategy::hp,
             parameters.discretization.strategy, "with a pair of sides", "with it: nested");
-  const std::string of_bodies = "it is not there for several bodies, allowed: one body.";
-  if (scene.geometry.n_bodies() > 1 && !scene.plates.empty())
-    throw error_at(parameters.boundary.plates, of_bodies);
-  if (scene.geometry.n_bodies() > 1 && !scene.load_cases.empty())
-    throw error_at(parameters.load_cases.cases, of_bodies);
   refuse_if(dim == 3 && linear == LinearSolver::amesos_klu, linear, "in 3-D",
             "there: automatic, condensed, amesos_mumps, multigrid");
   refuse_if(by_cycles && linear != LinearSolver::multigrid && linear != LinearSolver::automatic,

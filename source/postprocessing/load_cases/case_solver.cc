@@ -7,8 +7,11 @@
 #include <signorini/postprocessing/load_cases/case_solver.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
+#include <signorini/postprocessing/quantities/side_forces.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/kinematics/motion_modes.h>
+
+#include <algorithm>
 
 namespace Signorini {
 namespace {
@@ -133,8 +136,11 @@ CaseResult CaseSolver::solve(const LoadCase &load_case) {
     result.escape = "it slides";
   if (!result.escape.empty())
     return result;
-  for (const Piece<2> &piece : discretization_.multipliers.surface().pieces())
-    result.contact += contact_resultant(discretization_.multipliers, P_, piece);
+  const ContactSurface<2> &surface = discretization_.surface;
+  const std::vector<unsigned int> sides = sides_of_contact_force(scene_);
+  for (const Piece<2> &piece : surface.pieces())
+    if (std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0)
+      result.contact += contact_resultant(discretization_.multipliers, P_, piece);
   if (const auto peak = peak_pressure(discretization_.multipliers, P_.normal()))
     result.peak_pressure = peak->value;
   for (const ContactZone &zone : contact_zones(discretization_.multipliers, P_.normal())) {

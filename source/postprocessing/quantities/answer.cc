@@ -137,14 +137,7 @@ Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &sce
       answer.contact_by_side.push_back(reaction);
     }
   }
-  std::vector<unsigned int> sides;
-  for (const unsigned int side : scene.contact_sides())
-    if (!scene.boundary[side].opposite)
-      sides.push_back(side);
-  // Between bodies there is no force on all of them: that of the first pair stands for it.
-  if (sides.empty())
-    sides.push_back(scene.contact_sides().front());
-  answer.contact_force = contact_force(multipliers, sides, multiplier);
+  answer.contact_force = contact_force(multipliers, sides_of_contact_force(scene), multiplier);
   answer.contact_force.side.clear();
   answer.reactions = reactions(space, scene, forces);
   answer.axisymmetric = scene.geometry.axisymmetric;

@@ -38,6 +38,17 @@ SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
 }
 
 template <int dim>
+std::vector<unsigned int> sides_of_contact_force(const Scene<dim> &scene) {
+  std::vector<unsigned int> sides;
+  for (const unsigned int side : scene.contact_sides())
+    if (!scene.boundary[side].opposite)
+      sides.push_back(side);
+  if (sides.empty())
+    sides.push_back(scene.contact_sides().front());
+  return sides;
+}
+
+template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,
                         const std::vector<unsigned int> &sides, const Multiplier &multiplier) {
   const ContactSurface<dim> &surface = multipliers.surface();
@@ -171,6 +182,7 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space, const Scen
 }
 
 INSTANTIATE_FUNCTION(side_force);
+INSTANTIATE_FUNCTION(sides_of_contact_force);
 INSTANTIATE_FUNCTION(contact_force);
 INSTANTIATE_FUNCTION(reactions);
 } // namespace Signorini

@@ -103,14 +103,14 @@ void add_side_conditions(const Side<3> &side, const Role role, Conditions<3> &co
       conditions.forbid(role, side.point({r, t}), side.normal({r, t}), 1.);
 }
 
-/** Adds what a plate forbids to a body that moves as a whole. */
-void add_plate_conditions(const Plate &plate, Conditions<2> &conditions) {
+/** Adds what a plate forbids to its body, which moves as a whole. */
+void add_plate_conditions(const Plate &plate, const unsigned int body, Conditions<2> &conditions) {
   if (!plate.drifts)
-    conditions.forbid_velocity(plate.centre, plate.across());
+    conditions.forbid_velocity(plate.centre, plate.across(), 1., body);
   if (!plate.is_pushed)
-    conditions.forbid_velocity(plate.centre, plate.direction);
+    conditions.forbid_velocity(plate.centre, plate.direction, 1., body);
   if (!plate.turns)
-    conditions.matrix(2, 2) += 1.;
+    conditions.matrix(3 * body + 2, 3 * body + 2) += 1.;
 }
 
 /** Rounds a number for messages: no -0, no 1e-17. */
@@ -240,7 +240,7 @@ std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates 
   if (plates == Plates::released)
     for (const Plate &plate : scene.plates) {
       is_released[plate.side] = true;
-      add_plate_conditions(plate, conditions);
+      add_plate_conditions(plate, scene.geometry.body_of_side(plate.side), conditions);
     }
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
     if (!is_released[i])
@@ -342,12 +342,12 @@ bool extend(std::vector<Coordinates> &basis, Coordinates x) {
   return true;
 }
 
-/** Returns the motions of the plates when the body moves as a whole. */
-std::vector<PlateMotion> follow(const RigidMotion &rigid, const std::vector<Plate> &plates) {
+/** Returns the motions of the plates when their bodies move as wholes. */
+std::vector<PlateMotion> follow(const RigidMotion &rigid, const Scene<2> &scene) {
   std::vector<PlateMotion> motions;
-  motions.reserve(plates.size());
-  for (const Plate &plate : plates) {
-    const BodyMotion &body = rigid.bodies.front();
+  motions.reserve(scene.plates.size());
+  for (const Plate &plate : scene.plates) {
+    const BodyMotion &body = rigid.bodies[scene.geometry.body_of_side(plate.side)];
     motions.push_back({plate.is_pushed ? body.velocity(plate.centre) * plate.direction : 0.,
                        plate.drifts ? body.velocity(plate.centre) * plate.across() : 0.,
                        plate.turns ? body.rotation / body.size : 0.});
@@ -392,7 +392,7 @@ FreeMotionBasis free_motions(const Scene<2> &scene) {
         x[3 * b + k] = k < 2 ? rigid.bodies[b].translation[k] : rigid.bodies[b].rotation;
     if (!extend(rigid_motions, x))
       return;
-    kind.push_back({follow(rigid, scene.plates), rigid});
+    kind.push_back({follow(rigid, scene), rigid});
     extend(plate_motions, coordinates_of(kind.back().plates, size));
   };
   for (const RigidMotion &rigid : free_rigid_motions(with_sliding_contact(scene), Plates::released))

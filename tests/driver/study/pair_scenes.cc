@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Scenes with two elastic bodies in prm/bodies, against closed forms.
 
+#include <signorini/postprocessing/load_cases/case_solver.h>
+
 #include <deal.II/base/numbers.h>
 
 #include <cmath>
@@ -44,8 +46,54 @@ void test_rigid_pin(Checks &checks) {
               5e-3 * std::abs(rigid));
 }
 
+/** A block that lies on another one, under a plate that turns; what holds the lower one is contact
+ * and a roller. */
+std::string under_a_plate(const LoadCase &factors) {
+  const auto times = [](const double factor, const std::string &text) {
+    return std::to_string(factor) + "*" + text;
+  };
+  return "Geometry/Bodies = a b\nGeometry/Lower left = a: 0, 0 | b: 0.3, 1\n"
+         "Geometry/Upper right = a: 2, 1 | b: 1.1, 1.6\nGeometry/Cells = a: 10, 4 | b: 6, 4\n"
+         "Boundary/Contact = a.bottom | b.bottom with a.top\nBoundary/Rollers = a.left\n"
+         "Boundary/Plates = b.top: 0, -1 turning\n"
+         "Contact/Gap = a.bottom: 0.0004*(x-0.8)^2 | b.bottom: 0.001*(x-0.6)^2\n"
+         "Load/Plate force = b.top: " +
+         times(factors.force, "0.01") +
+         "\nLoad/Plate moment = b.top: " + times(factors.force, "0.0005") +
+         "\nLoad/Body force = a: 0; " + times(factors.weight, "(-0.002)") + " | b: 0; " +
+         times(factors.weight, "(-0.006)") + "\n";
+}
+
+/** Equilibrium by hand, and a load case against a run of its own. */
+void test_plates_and_cases(Checks &checks) {
+  LoadCase factors;
+  factors.force = 0.5;
+  factors.weight = 2.;
+  OneLevel level(under_a_plate(LoadCase()), 2);
+  level.scene.load_cases = {factors};
+  const LevelSolution<2> solution = level.solve();
+  // Weights: 0.004 of a, 0.00288 of b. The moments are those about the origin.
+  const std::vector<SideForce> &forces = solution.record.answer.contact_by_side;
+  const auto total = [](const SideForce &force) {
+    return std::vector<double>{force.resultant.force[1], force.resultant.moment[0]};
+  };
+  checks.near("forces and moments of the plate's body", total(forces.at(1)),
+              {0.01288, 0.7 * 0.01288 - 0.0005}, 1e-10);
+  checks.near("  and of the other one", total(forces.at(0))[0], 0.01688, 1e-10);
+  CaseSolver solver(level.discretization, level.scene, solution.contact, {});
+  const CaseResult found = solver.solve(factors);
+  const LevelSolution<2> own = OneLevel(under_a_plate(factors), 2).solve();
+  checks.near("load case: P", distance(solver.multiplier().normal(), own.contact.P.normal()), 0.,
+              1e-11);
+  const PlateMotion motion = own.record.motions.plates.at(0).motion;
+  checks.near("load case: plate and force",
+              {found.plates.at(0).travel, found.plates.at(0).rotation, found.contact.force[1]},
+              {motion.travel, motion.rotation, own.record.answer.contact_force.resultant.force[1]},
+              1e-10);
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {test_hertz, test_rigid_pin});
+  return run_tests(argc, argv, {test_hertz, test_rigid_pin, test_plates_and_cases});
 }

@@ -395,8 +395,6 @@ void test_refusals(Checks &checks) {
   refuses("no second name", blocks + "Boundary/Contact = a.bottom with\n",
           "the names of two sides");
   refuses("graded meshes", pressed + "Discretization/Strategy = hp\n", "with a pair of sides");
-  refuses("plates", blocks + pair + "Boundary/Plates = a.top: 0, -1\nLoad/Plate force = a.top: 1\n",
-          "not there for several bodies");
   refuses("a body that nothing presses", blocks + pair + "Boundary/Traction = a.top: 0; 0.01\n",
           "along (0, 1), of 'a'");
 }

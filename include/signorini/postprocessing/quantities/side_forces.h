@@ -32,6 +32,11 @@ template <int dim>
 SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
                      const Point<dim> &centre, double scale);
 
+/** Returns the contact sides whose force together is told: those on the rigid foundation, or where
+ * there is none that of the first pair, because between bodies there is no force on all of them. */
+template <int dim>
+std::vector<unsigned int> sides_of_contact_force(const Scene<dim> &scene);
+
 /** Returns ∫ p_H n, with friction ∫ p_H n + q_H t, over contact sides, with the name of a single
  * one. The line of action is given by its point nearest to the centre of pressure, which lies on a
  * straight side. */
