@@ -92,8 +92,45 @@ void test_plates_and_cases(Checks &checks) {
               1e-10);
 }
 
+const std::string revolved = "Material/Plane state = axisymmetric\nGeometry/Bodies = a b\n";
+
+/** Bodies of revolution: Lame's press fit between smooth planes, and Hertz' ball on a block. */
+void test_revolution(Checks &checks) {
+  std::vector<double> errors;
+  for (const unsigned int level : {2, 3}) {
+    const LevelSolution<2> fit =
+      OneLevel(
+        revolved +
+          "Geometry/Lower left = a: 1, 0 | b: 0.5, 0\nGeometry/Upper right = a: 2, 1 | b: 1, 1\n"
+          "Geometry/Cells = a: 4, 4 | b: 2, 3\nMaterial/Young's modulus = a: 1 | b: 5\n"
+          "Boundary/Contact = a.left with b.right\n"
+          "Boundary/Rollers = a.top a.bottom b.top b.bottom\nContact/Gap = -0.01\n",
+        level)
+        .solve();
+    // Plane strain: u = (1 + nu) r p/E ((1 - 2 nu) r^2 + s^2)/|s^2 - r^2|, s the free radius.
+    const double exact = 0.01 / (1.3 * (0.4 + 4.) / 3. + 1.3 / 5. * (0.4 + 0.25) / 0.75);
+    for (const double p : fit.contact.P.normal())
+      checks.near("press fit: uniform", p, fit.contact.P.normal()[0], 1e-11);
+    errors.push_back(std::abs(fit.contact.P.normal()[0] + exact) / exact);
+  }
+  checks.between("press fit: order", std::log2(errors[0] / errors[1]), 1.8, 2.2);
+  checks.between("press fit: error", errors[1], 0., 2e-4);
+  const StudyResult<2> ball = solve(
+    revolved + "Geometry/Shape = a: polygon | b: rectangle\n"
+               "Geometry/Vertices = a: 0,0; arc 0,1 ccw; 1,1; 0,1\nGeometry/Mesh size = a: 0.25\n"
+               "Geometry/Lower left = b: 0, -1\nGeometry/Upper right = b: 1, 0\n"
+               "Geometry/Cells = b: 8, 8\nBoundary/Plates = a.side1: 0, -1\n"
+               "Boundary/Contact = a.side0 with b.top\nBoundary/Clamped = b.bottom\n"
+               "Load/Plate force = a.side1: 4/3/1.82*0.2^3\n",
+    levels(2, 4));
+  const double radius = last(ball, "contact_length"), H = ball.levels.back().sizes.H;
+  checks.near("ball: radius of contact", radius, 0.2, 0.5 * H);
+  const double peak = 2. * 0.2 / (1.82 * PI);
+  checks.near("ball: peak", ball.levels.back().answer.peak_pressure->mean, peak, 0.03 * peak);
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {test_hertz, test_rigid_pin, test_plates_and_cases});
+  return run_tests(argc, argv,
+                   {test_hertz, test_rigid_pin, test_plates_and_cases, test_revolution});
 }
