@@ -384,14 +384,6 @@ void test_refusals(Checks &checks) {
           "do not face each other");
   const std::string blocks = bodies("a: 0, 0 | b: 0, -1", "a: 1, 1 | b: 1, 0", "2, 2", "1", "0.3") +
                              "Boundary/Clamped = b.bottom\n";
-  write_parts("parts.msh", 0.);
-  for (const auto &[names, sentence] :
-       {std::pair("a b c", "found no surface 'c' for this body, allowed: a, b"),
-        std::pair("a c", "found the surface 'b', allowed: those of the bodies a, c")})
-    refuses(std::string("bodies ") + names,
-            std::string("Geometry/Bodies = ") + names +
-              "\nGeometry/Shape = file\nGeometry/File = parts.msh\n",
-            sentence);
   refuses("no second name", blocks + "Boundary/Contact = a.bottom with\n",
           "the names of two sides");
   refuses("graded meshes", pressed + "Discretization/Strategy = hp\n", "with a pair of sides");

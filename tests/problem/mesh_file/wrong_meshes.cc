@@ -205,8 +205,35 @@ void test_good_meshes(Checks &checks) {
                 read(change(version_2, {{"4 3 2 0 1 2", "4 3 2 9 1 2"}})).regions ==
                   std::vector<std::string>({"9", "rest"}));
 }
+
+/** Surfaces of the file that are bodies, or regions of bodies. */
+void test_parts(Checks &checks) {
+  const auto part = [](const std::string &names, const std::string &body,
+                       const std::vector<std::string> &bodies) {
+    FileMesh mesh = read_gmsh(
+      change(version_2,
+             {{"Names\n2", names}, {"0 1 1 2 5 4", "3 1 1 2 5 4"}, {"0 1 2 3", "4 1 2 3"}}),
+      "a.msh");
+    keep_part(mesh, body, bodies);
+    return make_geometry(mesh, {}, "");
+  };
+  const std::string two = "Names\n4\n2 3 \"a\"\n2 4 \"b\"",
+                    steel = "Names\n4\n2 3 \"a.soft\"\n2 4 \"a.hard\"";
+  const Geometry<2> right = part(two, "b", {"a", "b"});
+  checks.near("the second square", right.lower[0], 1., 1e-15);
+  checks.that("the line of the first one is left out",
+              right.side_names() == std::vector<std::string>({"rest"}));
+  checks.that("regions of a body",
+              part(steel, "a", {"a", "b"}).regions == std::vector<std::string>({"hard", "soft"}));
+  checks.refuses("a.msh: found the surface 'b', allowed: those of the bodies a, c.", [&] {
+    part(two, "a", {"a", "c"});
+  });
+  checks.refuses("a.msh: found no surface 'c' for this body, allowed: a, b.", [&] {
+    part(two, "c", {"a", "b", "c"});
+  });
+}
 } // namespace
 
 int main() {
-  return run_tests({test_good_meshes, test_wrong_meshes, test_arcs});
+  return run_tests({test_good_meshes, test_wrong_meshes, test_arcs, test_parts});
 }
