@@ -171,8 +171,16 @@ Parameters parse_parameters(const std::string &text, const std::string &file_nam
   for (const std::string &name : bodies)
     parameters.bodies.push_back(read_body(name, bodies, assignments, constants, parameters));
   for (Assignment &assignment : assignments) {
-    if (assignment.path.rfind(geometry_section, 0) == 0 &&
-        !values_by_body(assignment.value, bodies).empty()) {
+    const auto values = assignment.path.rfind(geometry_section, 0) == 0
+                          ? values_by_body(assignment.value, bodies)
+                          : std::map<std::string, std::string>();
+    if (!values.empty()) {
+      std::vector<std::string> files;
+      for (const auto &[body, file] : values)
+        if (assignment.path == mesh_file_path)
+          files.push_back(body + ": " + find_file(file, folder));
+      if (!files.empty())
+        assignment.value = join(files, " | ");
       declarations.assign_by_body(assignment);
       continue;
     }
