@@ -21,8 +21,8 @@ constexpr double penalty = 1e6;
 /** What is rounding of balances, relative to the largest trace, and where it may be if that does
  * not fall. */
 constexpr double rounding = 1e-14, near_rounding = 1e-12;
-/** The least energy of forces on balances, relative to their squares with the weights. Below it no
- * stress answers: the loads cannot be carried. */
+/** The least part of a direction that falls, in the norm of the weights. Below it no stress
+ * answers: the loads cannot be carried. */
 constexpr double least_answer = 1e-9;
 
 /** Returns the weights of the squares of what is lacking of the balances of cells, three for each,
@@ -213,21 +213,22 @@ double minimise(const std::vector<CellFit> &fits, const Vector &work, Tractions 
     moved += change;
     Vector fall(lacking);
     fall -= problem.lacking(moved, scale);
-    const double answer = direction * fall;
-    if (step > 0 && !(answer > least_answer * problem.square(direction)))
+    const double answer = direction * fall, of_fall = problem.weighted(fall) * fall;
+    if (step > 0 && !(of_fall > least_answer * least_answer * problem.square(direction)))
       break;
+    // By equilibrium alone of_fall <= answer: more is rounding, from which no direction may follow.
+    const bool restarts = step == 0 || of_fall > answer;
     // Penalties alone answer by less than their forces: shorter steps are rounding.
-    const double length = step > 0 ? std::max(1., (direction * lacking) / answer) : 1.;
+    const double length = restarts ? 1. : std::max(1., (direction * lacking) / answer);
     x.add(length, change);
     multipliers.add(length, direction);
     lacking.add(-length, fall);
     const double last = std::exchange(relative, scale > 0. ? lacking.linfty_norm() / scale : 0.);
-    if (step > 0 && relative <= (relative > 0.5 * last ? near_rounding : rounding))
+    const bool falls = relative <= 0.5 * last;
+    if (step > 0 && (relative <= (falls ? rounding : near_rounding) || (restarts && !falls)))
       break;
     const Vector weighted = problem.weighted(lacking);
-    // Squares hardly see small cells: close to rounding each direction is new.
-    const bool keeps = step > 0 && relative > near_rounding;
-    direction.sadd(keeps ? std::max(0., -length * (weighted * fall) / last_square) : 0., 1.,
+    direction.sadd(restarts ? 0. : std::max(0., -length * (weighted * fall) / last_square), 1.,
                    weighted);
     last_square = weighted * lacking;
   }

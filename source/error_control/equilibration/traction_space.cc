@@ -40,9 +40,7 @@ FullMatrix<double> make_restriction(const unsigned int degree, const double from
 std::optional<SharedPart> part_of(const TractionEdge &edge, const unsigned int number,
                                   const TractionEdge &shared) {
   constexpr double sliver = 1e-10;
-  // Points of the other body lie beside the edge, or beyond its ends.
-  const auto along = [&edge](const Point<2> &x) { return edge.line.arc_length(x) / edge.length(); };
-  double start = along(shared.point(0.)), end = along(shared.point(1.));
+  double start = edge.position_of(shared.point(0.)), end = edge.position_of(shared.point(1.));
   double shared_from = 0., shared_to = 1.;
   if (start > end) {
     std::swap(start, end);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bounded.h"
+#include "error_control/hp/graded.h"
 #include "study_helpers.h"
 #include "tests.h"
 
@@ -94,6 +95,19 @@ void rounding(Checks &checks) {
   checks.between("contact part", last(result, "bound_contact"), 0., 1e-10);
 }
 
+/** Rounding of the force of a plate weighs more than cells that are 1e-9 of it. */
+void plate_and_small_cells(Checks &checks) {
+  MeshPlan plan = uniform_plan(1, 4);
+  plan.singularities = {corner({-1., 1.}, 30.), corner({1., 1.}, 30.)};
+  const GradedLevel level("Geometry/Lower left = -1, 0\nGeometry/Cells = 2, 1\n"
+                          "Boundary/Plates = top: 0, -1\nLoad/Plate force = top: 0.01\n"
+                          "Boundary/Contact = bottom\nContact/Gap = 0.02*x^2\n"
+                          "Discretization/Target error = 1e-9\n",
+                          plan);
+  checks.between("plate and small cells", level.solve().record.bound->relative.value_or(1.), 0.,
+                 0.05);
+}
+
 /** A line through corners of cells crosses no edge, and the modulus jumps inside nevertheless. */
 void moduli_on_diagonals(Checks &checks) {
   const auto contact_part = [](const std::string &slope) {
@@ -109,7 +123,7 @@ void moduli_on_diagonals(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(
-    argc, argv,
-    {orders, missed_contact, held_corners, contact_force, solvers, rounding, moduli_on_diagonals});
+  return run_tests(argc, argv,
+                   {orders, missed_contact, held_corners, contact_force, solvers, rounding,
+                    plate_and_small_cells, moduli_on_diagonals});
 }

@@ -43,13 +43,13 @@ struct TractionEdge {
   double length() const {
     return line.length();
   }
-  /** Returns the point at a position; position_of() returns the position of a point of the edge. */
+  /** Returns the point at a position; position_of() returns the position of a point of the edge, or
+   * of its projection where the point lies beside the edge or beyond its ends. */
   Point<2> point(const double position) const {
     return line.point(position * length());
   }
   double position_of(const Point<2> &x) const {
-    return line.is_flat() && !is_shared ? line.start().distance(x) / length()
-                                        : line.arc_length(x) / length();
+    return line.arc_length(x) / length();
   }
   /** Returns the forces and moments of the coefficients of a boundary edge. */
   std::vector<Tensor<1, 3>> resultants(const Geometry<2> &geometry, const Point<2> &about) const {
