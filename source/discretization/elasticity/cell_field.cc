@@ -2,6 +2,7 @@
 // Functions on a cell, evaluated by sums along one direction after the other.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/base/instructions.h>
 #include <signorini/discretization/elasticity/cell_field.h>
 
 #include <deal.II/base/aligned_vector.h>
@@ -21,8 +22,9 @@ struct Padded {
 /** Computes Σ_k A_qk v_k along one direction of an array, in which @p stride entries of the
  * directions before follow one another. */
 template <typename Vector>
-void along(const FullMatrix<double> &A, const Vector *v, const std::size_t stride,
-           const std::size_t n_blocks, Vector *sums) {
+SIGNORINI_INLINE inline void along(const FullMatrix<double> &A, const Vector *v,
+                                   const std::size_t stride, const std::size_t n_blocks,
+                                   Vector *sums) {
   const std::size_t n = A.n();
   for (std::size_t block = 0; block < n_blocks; ++block, v += n * stride)
     for (std::size_t q = 0; q < A.m(); ++q) {
@@ -66,8 +68,11 @@ void evaluate_products(const std::vector<Tensor<1, dim>> &nodal_values,
     const std::size_t new_size = n_blocks * values.m() * stride;
     sums.resize_fast((d + 2) * new_size);
     // Those along this direction first: it is that of the field.
-    along(lines[d]->derivatives, fields.data(), stride, n_blocks, sums.data() + (d + 1) * new_size);
-    along(values, fields.data(), stride, (d + 1) * n_blocks, sums.data());
+    run(instructions_of_this_machine(), [&](auto) SIGNORINI_INLINE {
+      along(lines[d]->derivatives, fields.data(), stride, n_blocks,
+            sums.data() + (d + 1) * new_size);
+      along(values, fields.data(), stride, (d + 1) * n_blocks, sums.data());
+    });
     fields.swap(sums);
     stride *= values.m();
     size = new_size;

@@ -30,12 +30,12 @@ class Distance {
 public:
   using CellIterator = typename DoFHandler<dim>::active_cell_iterator;
 
-  // Products of functions of degree two or four per direction: three or five points are exact on
-  // parallelograms.
+  // Three points are exact on parallelograms for products of functions of degree two per direction.
+  // Those of degree four are smooth on a quarter of their length, and only compared.
   Distance(const DisplacementSpace<dim> &space, const Scene<dim> *const scene,
            const std::vector<const Displacement *> &displacements, const unsigned int fine)
     : scene_(scene)
-    , map_(space.mesh().mapping(), no_element_, QGauss<dim>((space.element().degree << fine) + 1),
+    , map_(space.mesh().mapping(), no_element_, QGauss<dim>(2 * space.element().degree + 1),
            update_inverse_jacobians | update_JxW_values | update_quadrature_points) {
     if (scene != nullptr)
       energy_.emplace(*scene);

@@ -85,8 +85,8 @@ std::array<double, 3> principal_stresses(const Stress3D &given) {
     if (a == 0.)
       continue;
     const double theta = (stress[q][q] - stress[p][p]) / (2. * a),
-                 t = std::copysign(1., theta) / (std::abs(theta) + std::hypot(theta, 1.)),
-                 c = 1. / std::hypot(t, 1.), s = t * c;
+                 t = std::copysign(1., theta) / (std::abs(theta) + std::sqrt(theta * theta + 1.)),
+                 c = 1. / std::sqrt(t * t + 1.), s = t * c;
     stress[p][p] -= t * a;
     stress[q][q] += t * a;
     stress[p][q] = 0.;

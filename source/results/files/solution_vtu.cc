@@ -30,6 +30,7 @@ public:
     , U_(U)
     , bound_(bound)
     , is_recovered_(space.max_element_degree() == 1 && space.mesh().has_parents()) {
+    cells_.cells.reserve(space.mesh().triangulation().n_active_cells());
     for (unsigned int number = 0; number < space.elements().size(); ++number)
       add_cells(number);
   }
@@ -47,8 +48,8 @@ private:
     const unsigned int n = dim == 3 ? 1 : is_recovered_ ? 2 : element.degree;
     const Quadrature<dim> points = QIterated<dim>(QTrapezoid<1>(), n);
     FEValues<dim> values(space_.mesh().mapping(), element, points,
-                         update_values | update_gradients | update_inverse_jacobians |
-                           update_quadrature_points);
+                         update_values | update_quadrature_points |
+                           (is_recovered_ ? update_inverse_jacobians : update_gradients));
     std::optional<PatchInterpolation<dim>> interpolation;
     if (is_recovered_)
       interpolation.emplace(space_, U_, points, best_interpolation(space_, U_));
@@ -61,7 +62,8 @@ private:
         continue;
       values.reinit(cell);
       values[vector].get_function_values(U_.entries(), u.values);
-      values[vector].get_function_gradients(U_.entries(), u.gradients);
+      if (!is_recovered_)
+        values[vector].get_function_gradients(U_.entries(), u.gradients);
       add_cell(cell, n, values, u, interpolation ? interpolation->evaluate(cell, values) : u);
     }
   }
@@ -73,24 +75,26 @@ private:
     const Point<dim> middle = cell->center();
     const bool has_regions = !scene_.geometry.regions.empty();
     const double region = has_regions ? scene_.geometry.region_at(middle) : 0.;
-    std::vector<VtuFields> fields(u.values.size());
-    for (unsigned int q = 0; q < fields.size(); ++q) {
-      add_vector("displacement", u.values[q], fields[q]);
+    fields_.resize(u.values.size());
+    for (unsigned int q = 0; q < fields_.size(); ++q) {
+      VtuFields &fields = fields_[q];
+      fields.clear();
+      add_vector("displacement", u.values[q], fields);
       if (dim == 2 && is_recovered_)
-        add_vector("recovered_displacement", recovered.values[q], fields[q]);
+        add_vector("recovered_displacement", recovered.values[q], fields);
       const Point<dim> &x = values.quadrature_point(q);
       add_stress(x, middle, field_.strain(cell, x, recovered.values[q], recovered.gradients[q]),
-                 fields[q]);
+                 fields);
       if (has_regions)
-        fields[q].emplace_back("region", region);
+        fields.emplace_back("region", region);
       if (!bound_.mesh.empty())
-        fields[q].insert(fields[q].end(), {{"bound_mesh", bound_.mesh[index]},
-                                           {"bound_oscillation", bound_.oscillation[index]},
-                                           {"bound_lift", bound_.lift[index]}});
+        fields.insert(fields.end(), {{"bound_mesh", bound_.mesh[index]},
+                                     {"bound_oscillation", bound_.oscillation[index]},
+                                     {"bound_lift", bound_.lift[index]}});
       if (space_.max_element_degree() > 1)
-        fields[q].emplace_back("degree", cell->get_fe().degree);
+        fields.emplace_back("degree", cell->get_fe().degree);
     }
-    cells_.add(n, values.get_quadrature_points(), fields);
+    cells_.add(n, values.get_quadrature_points(), fields_);
   }
 
   static void add_vector(const char *const name, const Tensor<1, dim> &vector, VtuFields &fields) {
@@ -134,6 +138,8 @@ private:
   /** Whether stresses come from the patch interpolation. */
   bool is_recovered_;
   VtuCells<dim> cells_;
+  /** Those of the points of a cell. */
+  std::vector<VtuFields> fields_;
 };
 } // namespace
 

@@ -128,17 +128,6 @@ SIGNORINI_INLINE inline void multiply_batches(LevelVector<dim, Number> &y,
 }
 } // namespace
 
-Instructions instructions_of_this_machine() {
-#ifdef __x86_64__
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw"))
-    return Instructions::avx512;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    return Instructions::avx2;
-#endif
-  return Instructions::basic;
-}
-
 template <int dim, typename Number>
 PointRule<dim, Number>::PointRule(const unsigned int n_points_per_direction) {
   const QGauss<dim> gauss(n_points_per_direction);

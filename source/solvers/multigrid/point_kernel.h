@@ -1,46 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/instructions.h>
 #include <signorini/solvers/multigrid/cell_operator.h>
 
 #include <cstring>
 
-/** The bodies of kernels are inlined into functions that are compiled for several instruction sets.
- */
-#define SIGNORINI_INLINE __attribute__((always_inline))
-
 namespace Signorini {
-#ifdef __x86_64__
-template <typename Kernel>
-__attribute__((target("avx2,fma"))) void run_avx2(const Kernel &kernel) {
-  kernel(std::integral_constant<int, 32>());
-}
-#ifdef __clang__
-#define SIGNORINI_WIDTH
-#else
-#define SIGNORINI_WIDTH ",prefer-vector-width=512"
-#endif
-template <typename Kernel>
-__attribute__((target("avx512f,avx512vl,avx512dq,avx512bw,avx2,fma" SIGNORINI_WIDTH))) void
-run_avx512(const Kernel &kernel) {
-  kernel(std::integral_constant<int, 64>());
-}
-#endif
-
-/** Calls kernel(bytes of a vector register) compiled for an instruction set: the kernel is a lambda
- * that is always inlined. */
-template <typename Kernel>
-void run(const Instructions instructions, const Kernel &kernel) {
-#ifdef __x86_64__
-  if (instructions == Instructions::avx512)
-    return run_avx512(kernel);
-  if (instructions == Instructions::avx2)
-    return run_avx2(kernel);
-#endif
-  (void)instructions;
-  kernel(std::integral_constant<int, 16>());
-}
-
 /** A vector that fills a register of @p bytes. */
 template <typename Number, int bytes>
 struct Wide {

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/instructions.h>
 #include <signorini/solvers/multigrid/block_grid.h>
 
 #include <memory>
 #include <vector>
 
 namespace Signorini {
-/** The instruction sets of processors; each kernel exists for all of them. */
-enum class Instructions { basic, avx2, avx512 };
-
-/** Returns the best instruction set of this processor. */
-Instructions instructions_of_this_machine();
-
 /** Gauss' rule on the reference cell, with the same number of points in each direction. */
 template <int dim, typename Number>
 struct PointRule {
