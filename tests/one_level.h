@@ -21,6 +21,16 @@ inline Signorini::Scene<2> scene_of(const std::string &text) {
   return Signorini::make_scene<2>(Signorini::parse_parameters(parameter_file(text), "test"));
 }
 
+/** Returns all ranks for a level that they can share, else each one alone. */
+template <int dim>
+MPI_Comm ranks_for(const Signorini::Scene<dim> &scene, const unsigned int level) {
+  const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD);
+  const bool can_share =
+    scene.geometry.distortion == 0. && !scene.is_held_by_contact &&
+    level > Signorini::level_of_subtrees(scene.geometry.n_coarse_cells, dim, n_ranks);
+  return can_share ? MPI_COMM_WORLD : MPI_COMM_SELF;
+}
+
 /** A scene from the text of a parameter file or of its entries (scene_text.h) and overrides, and
  * its discretization on one level. */
 struct OneLevel {
@@ -28,7 +38,7 @@ struct OneLevel {
            const std::vector<std::string> &overrides = {})
     : parameters(Signorini::parse_parameters(parameter_file(text), "test", overrides))
     , scene(Signorini::make_scene<2>(parameters))
-    , discretization(parameters, scene, level, MPI_COMM_WORLD) {}
+    , discretization(parameters, scene, level, ranks_for(scene, level)) {}
   /** On the mesh of a plan. */
   OneLevel(const std::string &text, const Signorini::MeshPlan &plan)
     : parameters(Signorini::parse_parameters(parameter_file(text), "test"))

@@ -22,7 +22,7 @@ const std::string elastic = "subsection Material\nset Young's modulus = 2.5\n"
 struct System {
   System(const std::string &text, const unsigned int level)
     : scene(scene_of(text))
-    , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
+    , mesh(scene.geometry, level, level, ranks_for(scene, level))
     , space(mesh, scene)
     , system(assemble_linear_system(space, scene, 3)) {}
 
@@ -133,7 +133,7 @@ double largest_on_side(const System &body, const Displacement &U, const unsigned
   double largest = 0.;
   for (const auto &cell : body.space.dofs().active_cell_iterators())
     for (const auto &face : cell->face_iterators())
-      if (face->at_boundary() && face->boundary_id() == side)
+      if (cell->is_locally_owned() && face->at_boundary() && face->boundary_id() == side)
         for (unsigned int v = 0; v < 2; ++v) {
           const Point<2> u(U[face->vertex_dof_index(v, 0)], U[face->vertex_dof_index(v, 1)]);
           largest = std::max(largest, std::abs((u - expected) * direction));

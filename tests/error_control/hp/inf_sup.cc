@@ -26,7 +26,8 @@ const std::string square = "subsection Boundary\nset Clamped = top\nset Contact 
 
 double measure(const OneLevel &level) {
   return measure_inf_sup(level.space(), level.multipliers(), level.discretization.condensed_D,
-                         LinearSolver::automatic);
+                         LinearSolver::automatic)
+    .both;
 }
 
 /** beta depends neither on the mesh nor on the degree. An independent program in Python measured

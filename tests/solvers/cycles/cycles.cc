@@ -18,7 +18,7 @@ void compare(Checks &checks, const std::string &name, const Iterated<dim> &itera
   options.tolerance = 1e-8;
   options.stationarity = 1e-8;
   const ContactIterationResult result = iterated.solve(options);
-  dealii::Vector<double> x(iterated.A.size());
+  DualVector x = iterated.A.make_vector();
   const unsigned int linear =
     conjugate_gradients(iterated.A, x, iterated.contact.residual(x, result.P));
   checks.that("no MINRES", result.converged && !result.stalled);

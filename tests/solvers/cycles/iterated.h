@@ -21,28 +21,27 @@ struct Iterated {
     const Signorini::Displacement k = space.prescribed(scene);
     Signorini::DualVector r = assemble_right_hand_side(space, scene, 2).loads;
     r -= internal_forces(space, scene, k).forces;
-    r = space.condense(r);
-    f = dealii::Vector<double>(r.begin(), r.end());
+    f = space.condense(r);
     gap -= D.transpose_product(k);
   }
   Iterated(const Iterated &) = delete;
 
   Signorini::ContactIterationResult
   solve(const Signorini::ContactIterationOptions &options = {}) const {
-    return solve_contact_by_cycles(contact, dealii::Vector<double>(A.size()),
-                                   dealii::Vector<double>(gap.size()), options);
+    return solve_contact_by_cycles(contact, A.make_vector(), dealii::Vector<double>(gap.size()),
+                                   options);
   }
   /** U = T U_free + k. */
-  Signorini::Displacement complete(const dealii::Vector<double> &U_free) const {
+  Signorini::Displacement complete(const Signorini::DualVector &U_free) const {
     Signorini::Displacement free = space.zero();
-    for (unsigned int i = 0; i < U_free.size(); ++i)
-      free(i) = U_free[i];
+    std::copy(U_free.begin(), U_free.end(), free.begin());
     return space.complete(free);
   }
 
   const Signorini::DisplacementSpace<dim> &space;
   Signorini::StiffnessMultigrid<dim> A;
-  dealii::Vector<double> f, gap;
+  Signorini::DualVector f;
+  dealii::Vector<double> gap;
   std::shared_ptr<const Signorini::BoundaryModel> model;
   Signorini::ContactSystem contact;
 };

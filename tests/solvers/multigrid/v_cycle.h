@@ -22,16 +22,19 @@ struct HeldBody {
            const unsigned int level,
            const Signorini::StrainOperator strain = Signorini::StrainOperator::symmetric_gradient)
     : scene(std::move(given_scene))
-    , mesh(scene.geometry, coarsest_level, level, MPI_COMM_WORLD)
+    , mesh(scene.geometry, coarsest_level, level, ranks_for(scene, level))
     , space(mesh, scene, strain)
     , multigrid(space, scene) {}
   HeldBody(const HeldBody &) = delete;
 
   /** Numbers without pattern at free degrees of freedom. */
-  dealii::Vector<double> random_vector(const unsigned int seed) const {
-    dealii::Vector<double> values = RandomNumbers(seed).vector(space.dofs().n_dofs());
-    space.constraints().set_zero(values);
-    return values;
+  Signorini::DualVector random_vector(const unsigned int seed) const {
+    const dealii::Vector<double> values = RandomNumbers(seed).vector(space.dofs().n_dofs());
+    Signorini::DualVector own = multigrid.make_vector();
+    for (const auto i : own.locally_owned_elements())
+      if (!space.constraints().is_constrained(i))
+        own(i) = values[i];
+    return own;
   }
 
   Signorini::Scene<dim> scene;
@@ -43,18 +46,17 @@ struct HeldBody {
 /** How many steps of conjugate gradients, preconditioned by the V-cycle, make the residual 1e-8 of
  * what it was; 500 if they fail. */
 inline unsigned int conjugate_gradients(const Signorini::StiffnessOperator &A,
-                                        dealii::Vector<double> &x,
-                                        const dealii::Vector<double> &b) {
+                                        Signorini::DualVector &x, const Signorini::DualVector &b) {
   struct VCycle {
     const Signorini::StiffnessOperator &A;
-    void vmult(dealii::Vector<double> &z, const dealii::Vector<double> &r) const {
+    void vmult(Signorini::DualVector &z, const Signorini::DualVector &r) const {
       A.precondition(z, r);
     }
   };
   dealii::SolverControl control(500, 1e-8 * b.l2_norm());
   x = 0.;
   try {
-    dealii::SolverCG<dealii::Vector<double>>(control).solve(A, x, b, VCycle{A});
+    dealii::SolverCG<Signorini::DualVector>(control).solve(A, x, b, VCycle{A});
   } catch (const dealii::SolverControl::NoConvergence &) {
   }
   return control.last_step();

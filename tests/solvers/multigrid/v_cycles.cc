@@ -14,8 +14,8 @@ const std::string held = "subsection Boundary\nset Clamped = top\nset Contact = 
 
 template <int dim>
 unsigned int n_steps(const HeldBody<dim> &body) {
-  dealii::Vector<double> x(body.space.dofs().n_dofs());
-  const dealii::Vector<double> b = body.random_vector(5);
+  const DualVector b = body.random_vector(5);
+  DualVector x(b);
   return conjugate_gradients(body.multigrid, x, b);
 }
 
@@ -24,7 +24,7 @@ void memory(Checks &checks, const std::string &name, const Scene<dim> &scene,
             const unsigned int level, const double lower, const double upper) {
   const HeldBody<dim> body(scene, level, level);
   checks.between(name + ": bytes per unknown",
-                 static_cast<double>(body.multigrid.memory()) / body.multigrid.size(), lower,
+                 static_cast<double>(body.multigrid.memory()) / body.space.dofs().n_dofs(), lower,
                  upper);
 }
 

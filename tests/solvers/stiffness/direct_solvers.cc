@@ -28,7 +28,7 @@ std::vector<LinearSolver> solvers() {
 struct System {
   System(Scene<2> given_scene, const unsigned int level)
     : scene(std::move(given_scene))
-    , mesh(scene.geometry, level, level, MPI_COMM_WORLD)
+    , mesh(scene.geometry, level, level, ranks_for(scene, level))
     , space(mesh, scene)
     , A(std::move(assemble_linear_system(space, scene, 3).matrix)) {}
 
@@ -145,7 +145,7 @@ void singular(Checks &checks, const std::string &body, const System &system) {
 
 /** What a value of Linear solver means on these ranks. */
 void choice(Checks &checks) {
-  const System system(scene_of(clamped), 2);
+  const System system(scene_of(clamped), 3);
   const auto automatic = factorise(system.A, 1., LinearSolver::automatic);
   checks.that("automatic is condensed on one rank only",
               (dynamic_cast<const CondensedInverse *>(automatic.get()) != nullptr) == one_rank());
