@@ -10,24 +10,6 @@
 #include <signorini/solvers/methods/contact_method.h>
 
 namespace Signorini {
-template <int dim>
-bool is_shared(const Parameters &parameters, const Scene<dim> &scene, const SolverChoice &solvers,
-               const unsigned int level, const unsigned int n_ranks) {
-  const bool scene_fits =
-    scene.friction == Friction::none && scene.load_cases.empty() && scene.plates.empty() &&
-    !scene.is_held_by_contact && scene.geometry.n_bodies() == 1 && !scene.has_pairs() &&
-    scene.geometry.distortion == 0. && !parameters.output.compliance && !parameters.output.lemmas;
-  // The bound needs the whole body.
-  const bool has_bound = dim == 2 && parameters.output.bound != WantedBound::none;
-  const bool solver_fits = solvers.is_by_cycles() || solvers.linear == LinearSolver::amesos_mumps;
-  // Below its root a subtree has at least 4^dim cells.
-  constexpr unsigned int min_depth = 2;
-  return n_ranks > 1 && scene_fits && solver_fits && !has_bound &&
-         level >= min_depth + level_of_subtrees(scene.geometry.n_coarse_cells, dim, n_ranks);
-}
-
-INSTANTIATE_FUNCTION(is_shared);
-
 namespace {
 template <int dim>
 class NestedSequence final : public Sequence<dim> {

@@ -43,6 +43,22 @@ double target_error(const DiscretizationParameters &given) {
                                                                     : given.target_error.value;
 }
 
+/** Returns what several ranks do; nothing of a single one. */
+template <int dim>
+std::string describe_ranks(const Parameters &parameters, const Scene<dim> &scene,
+                           const unsigned int n_ranks) {
+  const DiscretizationParameters &given = parameters.discretization;
+  if (n_ranks == 1)
+    return "";
+  std::string shared = "every process solves all levels alone";
+  if (given.strategy != Strategy::hp)
+    for (unsigned int level = given.finest_level + 1; level-- > given.coarsest_level;)
+      if (is_shared(parameters, scene, choose_solvers(parameters, scene, level), level, n_ranks))
+        shared = "they share the levels from " + std::to_string(level) + " on" +
+                 (level > given.coarsest_level ? ", and each solves those before alone" : "");
+  return "Processes " + std::to_string(n_ranks) + ", " + shared + "\n\n";
+}
+
 template <int dim>
 class Study {
 public:
@@ -60,6 +76,8 @@ public:
     print_scene(parameters_, scene_,
                 choose_solvers(parameters_, scene_, parameters_.discretization.finest_level),
                 judge_, report_.screen);
+    report_.screen << describe_ranks(parameters_, scene_,
+                                     Utilities::MPI::n_mpi_processes(communicator_));
     const bool graded = parameters_.discretization.strategy == Strategy::hp;
     report_.screen << screen_legend(graded) << "\n" << screen_header(graded) << std::endl;
     try {

@@ -84,6 +84,22 @@ SolverChoice choose_solvers(const Parameters &parameters, const Scene<dim> &scen
 }
 
 template <int dim>
+bool is_shared(const Parameters &parameters, const Scene<dim> &scene, const SolverChoice &solvers,
+               const unsigned int level, const unsigned int n_ranks) {
+  const bool scene_fits =
+    scene.friction == Friction::none && scene.load_cases.empty() && scene.plates.empty() &&
+    !scene.is_held_by_contact && scene.geometry.n_bodies() == 1 && !scene.has_pairs() &&
+    scene.geometry.distortion == 0. && !parameters.output.compliance && !parameters.output.lemmas;
+  // The bound needs the whole body.
+  const bool has_bound = dim == 2 && parameters.output.bound != WantedBound::none;
+  const bool solver_fits = solvers.is_matrix_free() || solvers.linear == LinearSolver::amesos_mumps;
+  // Below its root a subtree has at least 4^dim cells.
+  constexpr unsigned int min_depth = 2;
+  return n_ranks > 1 && scene_fits && solver_fits && !has_bound &&
+         level >= min_depth + level_of_subtrees(scene.geometry.n_coarse_cells, dim, n_ranks);
+}
+
+template <int dim>
 std::unique_ptr<ContactMethod<dim>> make_contact_method(const Parameters &parameters,
                                                         const Scene<dim> &scene,
                                                         const SolverChoice &choice) {
@@ -93,6 +109,7 @@ std::unique_ptr<ContactMethod<dim>> make_contact_method(const Parameters &parame
 }
 
 INSTANTIATE_FUNCTION(choose_solvers);
+INSTANTIATE_FUNCTION(is_shared);
 INSTANTIATE_FUNCTION(make_contact_method);
 
 // The memory that a level needs.
@@ -178,7 +195,10 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters, const Scene<dim> &sc
   : n_coarse_cells_(scene.geometry.n_coarse_cells)
   , n_given_patches_(n_given_patches(scene))
   , n_components_(scene.friction == Friction::none ? 1. : dim)
+  , parameters_(parameters)
+  , scene_(scene)
   , given_(parameters.discretization)
+  , n_ranks_(Utilities::MPI::n_mpi_processes(communicator))
   , judged_(judged_level(given_))
   , solvers_(choose_solvers(parameters, scene, parameters.discretization.finest_level))
   , condensed_(resolve(solvers_.linear, 1) == LinearSolver::condensed)
@@ -234,10 +254,12 @@ double MemoryLimit<dim>::n_patches(const unsigned int level) const {
 
 template <int dim>
 double MemoryLimit<dim>::needed(const unsigned int level) const {
+  const double share =
+    is_shared(parameters_, scene_, solvers_, level, n_ranks_) ? 1. / n_ranks_ : 1.;
   if (solvers_.is_matrix_free())
-    return bytes_without_factor<dim>(n_cells(level));
+    return share * bytes_without_factor<dim>(n_cells(level));
   const double degree = given_.element == Element::q2 ? 2. : 1.;
-  return sparse_bytes<dim>(n_nodes(level)) +
+  return share * sparse_bytes<dim>(n_nodes(level)) +
          dense_bytes(n_components_ * n_patches(level),
                      dim * std::pow(degree, dim - 1.) * n_contact_faces(level), condensed_);
 }

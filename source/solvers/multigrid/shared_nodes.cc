@@ -14,11 +14,9 @@ namespace {
 using NodesByRank = std::map<unsigned int, std::vector<NodeNumber>>;
 
 /** Returns the nodes that both ranks have, in the order of their numbers. */
-NodesByRank find_shared(const std::vector<types::global_dof_index> &numbers,
+NodesByRank find_shared(const std::vector<std::pair<types::global_dof_index, NodeNumber>> &nodes,
                         const std::set<types::subdomain_id> &neighbours, MPI_Comm communicator) {
-  std::map<types::global_dof_index, NodeNumber> mine;
-  for (NodeNumber node = 0; node < numbers.size(); ++node)
-    mine.emplace(numbers[node], node);
+  const std::map<types::global_dof_index, NodeNumber> mine(nodes.begin(), nodes.end());
   std::vector<types::global_dof_index> sorted;
   for (const auto &[number, node] : mine)
     sorted.push_back(number);
@@ -34,9 +32,9 @@ NodesByRank find_shared(const std::vector<types::global_dof_index> &numbers,
 }
 } // namespace
 
-SharedNodes::SharedNodes(const std::vector<types::global_dof_index> &numbers,
+SharedNodes::SharedNodes(const std::vector<std::pair<types::global_dof_index, NodeNumber>> &nodes,
                          const std::set<types::subdomain_id> &neighbours, MPI_Comm communicator)
-  : SharedNodes(communicator, find_shared(numbers, neighbours, communicator)) {}
+  : SharedNodes(communicator, find_shared(nodes, neighbours, communicator)) {}
 
 SharedNodes::SharedNodes(MPI_Comm communicator, NodesByRank nodes)
   : communicator_(communicator)
@@ -61,13 +59,6 @@ SharedNodes SharedNodes::coarsen(const std::vector<NodeNumber> &identities) cons
       if (const auto found = coarse_nodes.find(node); found != coarse_nodes.end())
         coarse[rank].push_back(found->second);
   return {communicator_, std::move(coarse)};
-}
-
-std::pair<unsigned int, std::size_t> SharedNodes::traffic() const {
-  std::size_t n_nodes = 0;
-  for (const auto &[rank, nodes] : nodes_)
-    n_nodes += nodes.size();
-  return {static_cast<unsigned int>(nodes_.size()), n_nodes};
 }
 
 template <int n_components, typename Number>

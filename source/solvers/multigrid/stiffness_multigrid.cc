@@ -94,11 +94,26 @@ std::vector<types::global_dof_index> at(const std::vector<types::global_dof_inde
   return selected;
 }
 
-/** Returns the ranks whose cells have vertices of own cells. */
+/** Returns the shared nodes of the finest level. @param numbers of its nodes in the whole mesh. */
 template <int dim>
-std::set<types::subdomain_id> neighbours_of(const Mesh<dim> &mesh) {
-  return dynamic_cast<const parallel::TriangulationBase<dim> &>(mesh.triangulation())
-    .ghost_owners();
+SharedNodes shared_nodes(const DisplacementSpace<dim> &space,
+                         const std::vector<NodeNumber> &identities,
+                         const std::vector<types::global_dof_index> &numbers) {
+  if (!space.mesh().is_shared())
+    return {};
+  // Rows of other ranks, and own ones that others read.
+  const auto rows = space.make_vector().get_partitioner();
+  std::vector<bool> may_be_shared(rows->locally_owned_size(), false);
+  may_be_shared.resize(may_be_shared.size() + rows->n_ghost_indices(), true);
+  for (const auto &[begin, end] : rows->import_indices())
+    std::fill(may_be_shared.begin() + begin, may_be_shared.begin() + end, true);
+  std::vector<std::pair<types::global_dof_index, NodeNumber>> nodes;
+  for (NodeNumber node = 0; node < numbers.size(); ++node)
+    if (may_be_shared[identities[node] * dim])
+      nodes.emplace_back(numbers[node], node);
+  const auto &mesh =
+    dynamic_cast<const parallel::TriangulationBase<dim> &>(space.mesh().triangulation());
+  return {nodes, mesh.ghost_owners(), space.mesh().communicator()};
 }
 
 /** Returns the conditions of the next coarser level: its nodes keep those of the finer one. */
@@ -184,9 +199,7 @@ StiffnessMultigrid<dim>::StiffnessMultigrid(const DisplacementSpace<dim> &space,
   const Mesh<dim> &mesh = space.mesh();
   std::vector<types::global_dof_index> numbers = numbers_of(space, K_->grid->identities);
   levels_.emplace_back(*K_, conditions_of(space, numbers),
-                       mesh.is_shared()
-                         ? SharedNodes(numbers, neighbours_of(mesh), mesh.communicator())
-                         : SharedNodes());
+                       shared_nodes(space, K_->grid->identities, numbers));
   auto last = add_coarser_levels(K_);
   if (mesh.is_shared()) {
     for (std::size_t l = 1; l < levels_.size(); ++l)

@@ -33,7 +33,7 @@ no_half_files() {
     case $file in
       *.csv) awk -F, 'NR == 1 { n = NF } NF != n { exit 1 } END { exit NR == 0 }' "$file" &&
         [ -z "$(tail -c 1 "$file")" ] ;;
-      *.vtu | *.pvd) tail -n 2 "$file" | grep -q '</VTKFile>' ;;
+      *.vtu | *.pvtu | *.pvd) tail -n 2 "$file" | grep -q '</VTKFile>' ;;
       *.json) [ "$(head -n 1 "$file")$(tail -n 1 "$file")" = '{}' ] ;;
       *.prm) [ "$(tail -n 1 "$file")" = end ] ;;
       *.mtx) head -n 1 "$file" | grep -q '^%%MatrixMarket' ;;

@@ -47,22 +47,22 @@ void sums(Checks &checks) {
   const unsigned int n_ranks = dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD),
                      rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);
   // Every rank has the nodes 0 and 10 r, ..., 10 r + 10.
-  std::vector<dealii::types::global_dof_index> numbers = {0};
+  std::vector<std::pair<dealii::types::global_dof_index, NodeNumber>> nodes = {{0, 0}};
   for (unsigned int i = rank == 0 ? 1 : 0; i <= 10; ++i)
-    numbers.push_back(10 * rank + i);
+    nodes.emplace_back(10 * rank + i, nodes.size());
   std::set<dealii::types::subdomain_id> others;
   for (unsigned int r = 0; r < n_ranks; ++r)
     if (r != rank)
       others.insert(r);
-  const SharedNodes shared(numbers, others, MPI_COMM_WORLD);
-  LevelVector<2, float> ones(numbers.size());
+  const SharedNodes shared(nodes, others, MPI_COMM_WORLD);
+  LevelVector<2, float> ones(nodes.size());
   for (auto &component : ones)
     component.fill(1.F);
   shared.add(ones);
-  for (unsigned int i = 0; i < numbers.size(); ++i) {
-    const bool between = numbers[i] % 10 == 0 && numbers[i] > 0 && numbers[i] < 10 * n_ranks;
-    const double expected = numbers[i] == 0 ? n_ranks : between ? 2. : 1.;
-    checks.near("sharers of node " + std::to_string(numbers[i]), {ones[0][i], ones[1][i]},
+  for (const auto &[number, i] : nodes) {
+    const bool between = number % 10 == 0 && number > 0 && number < 10 * n_ranks;
+    const double expected = number == 0 ? n_ranks : between ? 2. : 1.;
+    checks.near("sharers of node " + std::to_string(number), {ones[0][i], ones[1][i]},
                 {expected, expected}, 0.);
   }
   checks.near("nodes of lower ranks", shared.n_foreign(), rank == 0 ? 0. : 2., 0.);

@@ -19,11 +19,6 @@ struct StudyContext {
   const Judge &judge;
 };
 
-/** Returns whether ranks share a level; else every rank solves it alone. */
-template <int dim>
-bool is_shared(const Parameters &parameters, const Scene<dim> &scene, const SolverChoice &solvers,
-               unsigned int level, unsigned int n_ranks);
-
 /** The meshes of a study, one after the other, each started from the solution on the one before. */
 template <int dim>
 class Sequence {

@@ -149,6 +149,15 @@ template <int dim>
 SolverChoice choose_solvers(const Parameters &parameters, const Scene<dim> &scene,
                             unsigned int level);
 
+/** Returns whether several ranks share a level with these solvers; else every rank solves it alone.
+ * V-cycles and amesos_mumps are there for shared levels of one body without friction, plates and
+ * load cases, where every rank gets at least eight subtrees of 4^dim cells. A bound needs the whole
+ * body.
+ */
+template <int dim>
+bool is_shared(const Parameters &parameters, const Scene<dim> &scene, const SolverChoice &solvers,
+               unsigned int level, unsigned int n_ranks);
+
 /** Solves (5) on a level: A U - D P = f, P in K, W = Dᵀ U - G in the dual cone of K at P. */
 template <int dim>
 class ContactMethod {
@@ -190,8 +199,8 @@ std::optional<dealii::Vector<double>> solve_on_other_patches(const ContactSoluti
  * Refuses levels that cannot fit into memory before hours of work end in the kernel's out-of-memory
  * killer, which leaves no message. Compares a low estimate for a direct factorisation and for the
  * dense matrices on the contact boundary with the memory that this process may have: that of the
- * machine, or less where RLIMIT_AS or a control group limits it. V-cycles
- * are held against an estimate without a factor.
+ * machine, or less where RLIMIT_AS or a control group limits it. The ranks on a machine share it,
+ * and each has its part of a shared level. V-cycles are held against an estimate without a factor.
  */
 template <int dim>
 class MemoryLimit {
@@ -222,7 +231,10 @@ private:
   double n_given_patches_;
   /** The unknowns of a patch. */
   double n_components_;
+  const Parameters &parameters_;
+  const Scene<dim> &scene_;
   const DiscretizationParameters &given_;
+  unsigned int n_ranks_;
   /** The level that is checked first. */
   unsigned int judged_;
   /** The solvers, and whether the factor holds the dense Schur complement of the contact unknowns.

@@ -25,10 +25,10 @@ public:
   SharedNodes() = default;
   /**
    * Finds the nodes of this rank that neighbours have, too. Collective.
-   * @param numbers of the nodes of this rank in the whole mesh.
+   * @param nodes that may be shared, with their numbers in the whole mesh.
    * @param neighbours the ranks with which this one may share nodes.
    */
-  SharedNodes(const std::vector<types::global_dof_index> &numbers,
+  SharedNodes(const std::vector<std::pair<types::global_dof_index, NodeNumber>> &nodes,
               const std::set<types::subdomain_id> &neighbours, MPI_Comm communicator);
 
   /** Returns the shared nodes of a coarser level, whose identities are nodes of this one. */
@@ -52,9 +52,6 @@ public:
   MPI_Comm communicator() const {
     return communicator_;
   }
-
-  /** Returns the number of messages that add() sends, and of the nodes in them. */
-  std::pair<unsigned int, std::size_t> traffic() const;
 
 private:
   /** Keeps the nodes that some rank shares. */
