@@ -48,6 +48,8 @@ enum class Outcome {
 } // namespace
 
 void agree(MPI_Comm communicator, const std::function<void()> &work) {
+  if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+    return work();
   Outcome outcome = Outcome::success;
   std::string message;
   try {

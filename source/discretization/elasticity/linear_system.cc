@@ -227,7 +227,7 @@ LinearSystem<dim> begin_system(const DisplacementSpace<dim> &space, const Scene<
                               space.make_vector(),
                               space.make_vector(),
                               {}};
-  agree(communicator, [&]() { system.applied = add_loads(space, scene, n_points, system.loads); });
+  system.applied = add_loads(space, scene, n_points, system.loads);
   system.loads.compress(VectorOperation::add);
   for (Resultant<dim> &resultant : system.applied)
     resultant = sum_over_ranks(resultant, communicator);
@@ -241,8 +241,7 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
                                          const Scene<dim> &scene, const unsigned int n_points) {
   LinearSystem<dim> system = begin_system(space, scene, n_points, make_matrix(space));
   DualVector reduction = space.make_vector();
-  agree(space.mesh().communicator(),
-        [&]() { add_stiffness(space, scene, system.matrix, reduction); });
+  add_stiffness(space, scene, system.matrix, reduction);
   system.matrix.compress(VectorOperation::add);
   reduction.compress(VectorOperation::add);
   system.f.add(system.unit, reduction);

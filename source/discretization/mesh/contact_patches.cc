@@ -268,6 +268,7 @@ template <>
 SurfaceRule<2> ContactSurface<2>::at(const Piece<2> &piece,
                                      const std::vector<Point<1>> &positions) const {
   std::vector<Point<1>> arc_lengths;
+  arc_lengths.reserve(positions.size());
   for (const Point<1> &r : positions)
     arc_lengths.emplace_back((1. - r[0]) * piece.lower[0] + r[0] * piece.upper[0]);
   SurfaceRule<2> rule = points_at(piece, side(patches_[piece.patch]), arc_lengths);

@@ -156,6 +156,7 @@ std::vector<ContactFace<dim>> share(const std::vector<ContactFace<dim>> &own,
     return std::tie(a.first, a.second.face_no) < std::tie(b.first, b.second.face_no);
   });
   std::vector<ContactFace<dim>> sorted;
+  sorted.reserve(faces.size());
   for (const auto &[id, face] : faces)
     sorted.push_back(face);
   return sorted;

@@ -107,6 +107,7 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
   if (!differ)
     return read_one_material(given, reader, geometry);
   std::vector<std::shared_ptr<const Material<dim>>> materials;
+  materials.reserve(regions.size());
   for (const std::string &region : regions)
     materials.push_back(read_one_material(parts[region], reader, geometry));
   return make_piecewise(materials, geometry.region_at, geometry.inner_point());

@@ -123,6 +123,7 @@ void sort_cells(FileMesh &mesh) {
   std::stable_sort(order.begin(), order.end(),
                    [&](const unsigned int a, const unsigned int b) { return keys[a] < keys[b]; });
   std::vector<FileElement> sorted;
+  sorted.reserve(order.size());
   for (const unsigned int i : order)
     sorted.push_back(mesh.cells[i]);
   mesh.cells = std::move(sorted);

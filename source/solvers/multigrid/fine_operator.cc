@@ -3,6 +3,7 @@
 
 #include "fine_operator.h"
 
+#include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/elasticity/cell_stiffness.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
@@ -242,7 +243,7 @@ CellOperator<dim, double> make_fine_operator(const DisplacementSpace<dim> &space
                                        dim);
       }),
     n_points_of_assembly);
-  MatrixFiller<dim>(space, scene, cells, K).fill();
+  agree(space.mesh().communicator(), [&]() { MatrixFiller<dim>(space, scene, cells, K).fill(); });
   return K;
 }
 

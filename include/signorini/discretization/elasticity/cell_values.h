@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/base/errors.h>
 #include <signorini/base/parallel.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
@@ -37,15 +38,18 @@ std::vector<Cells<dim>> chunks_of_owned_cells(const DisplacementSpace<dim> &spac
 
 /** Calls consume(integrate(chunk)) for the cells of this rank, with all threads given. The chunks
  * are the same for any number of threads, none depends on another (FEValues reads the cell before),
- * and they are consumed in order: so the digits are the same, too. */
+ * and they are consumed in order: so the digits are the same, too. Collective: if data has no value
+ * on one rank, all of them throw. */
 template <typename Result, int dim>
 void integrate_by_chunks(const DisplacementSpace<dim> &space,
                          const std::function<Result(const Cells<dim> &)> &integrate,
                          const std::function<void(const Result &)> &consume) {
   const std::vector<Cells<dim>> chunks = chunks_of_owned_cells(space);
-  produce_in_parallel<Result>(
-    n_available_threads(), chunks.size(), [&](const std::size_t i) { return integrate(chunks[i]); },
-    consume);
+  agree(space.mesh().communicator(), [&]() {
+    produce_in_parallel<Result>(
+      n_available_threads(), chunks.size(),
+      [&](const std::size_t i) { return integrate(chunks[i]); }, consume);
+  });
 }
 
 /** The FEValues of cells (@p rule_dim = dim) or FEFaceValues with Gauss' rules, one object for
