@@ -15,6 +15,14 @@
 
 namespace Signorini {
 namespace {
+/** Returns no conditions, on the degrees of freedom of the cells of this rank and next to them. */
+template <int dim>
+AffineConstraints<double> no_conditions(const DoFHandler<dim> &dofs) {
+  IndexSet relevant;
+  DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+  return AffineConstraints<double>(relevant);
+}
+
 /** Returns the conditions of clamped, prescribed and roller sides for u_h. */
 template <int dim>
 AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh, const DoFHandler<dim> &dofs,
@@ -31,9 +39,7 @@ AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh, const DoFH
     else if (condition.role == Role::roller)
       rollers.insert(i);
   }
-  IndexSet relevant;
-  DoFTools::extract_locally_relevant_dofs(dofs, relevant);
-  AffineConstraints<double> conditions(relevant);
+  AffineConstraints<double> conditions = no_conditions(dofs);
   VectorTools::interpolate_boundary_values(mesh.mapping(), dofs, displacements, conditions);
   // Where a roller meets a clamped or prescribed side, the entries above stay.
   if (!rollers.empty())
@@ -128,7 +134,7 @@ IndexSet held_dofs(const AffineConstraints<double> &conditions,
  */
 template <int dim>
 AffineConstraints<double> continuity_conditions(const DoFHandler<dim> &dofs) {
-  AffineConstraints<double> conditions;
+  AffineConstraints<double> conditions = no_conditions(dofs);
   if (dofs.get_triangulation().has_hanging_nodes() || dofs.get_fe_collection().size() > 1)
     DoFTools::make_hanging_node_constraints(dofs, conditions);
   conditions.close();
@@ -201,7 +207,7 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
     if (scene.is_held_by_contact) {
       pins_ = choose_pins(dofs_, scene, essential);
       constraints_without_pins_ = merge(essential_conditions(mesh_, dofs_, scene), continuity_);
-      AffineConstraints<double> conditions(essential.get_local_lines());
+      AffineConstraints<double> conditions = no_conditions(dofs_);
       conditions.merge(essential);
       for (const Pin &pin : pins_)
         conditions.add_line(pin.dof);

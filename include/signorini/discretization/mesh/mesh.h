@@ -34,7 +34,8 @@ CellId identity_of(const CellAccessor<dim, dim> &cell) {
       root = root->parent();
     tree = root->index();
   }
-  const auto children = cell.id().get_child_indices();
+  const CellId id = cell.id();
+  const auto children = id.get_child_indices();
   return {static_cast<types::coarse_cell_id>(tree),
           std::vector<std::uint8_t>(children.begin(), children.end())};
 }
