@@ -18,6 +18,7 @@ NodesByRank find_shared(const std::vector<std::pair<types::global_dof_index, Nod
                         const std::set<types::subdomain_id> &neighbours, MPI_Comm communicator) {
   const std::map<types::global_dof_index, NodeNumber> mine(nodes.begin(), nodes.end());
   std::vector<types::global_dof_index> sorted;
+  sorted.reserve(mine.size());
   for (const auto &[number, node] : mine)
     sorted.push_back(number);
   std::map<unsigned int, std::vector<types::global_dof_index>> sent;

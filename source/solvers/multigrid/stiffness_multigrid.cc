@@ -80,6 +80,7 @@ std::vector<types::global_dof_index> numbers_of(const DisplacementSpace<dim> &sp
                                                 const std::vector<NodeNumber> &identities) {
   const auto rows = space.make_vector().get_partitioner();
   std::vector<types::global_dof_index> numbers;
+  numbers.reserve(identities.size());
   for (const NodeNumber identity : identities)
     numbers.push_back(rows->local_to_global(identity * dim) / dim);
   return numbers;
@@ -89,6 +90,7 @@ std::vector<types::global_dof_index> numbers_of(const DisplacementSpace<dim> &sp
 std::vector<types::global_dof_index> at(const std::vector<types::global_dof_index> &numbers,
                                         const std::vector<NodeNumber> &identities) {
   std::vector<types::global_dof_index> selected;
+  selected.reserve(identities.size());
   for (const NodeNumber node : identities)
     selected.push_back(numbers[node]);
   return selected;
