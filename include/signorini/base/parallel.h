@@ -3,11 +3,14 @@
 
 #include <signorini/base/dealii.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <cstddef>
 #include <deque>
 #include <functional>
 #include <future>
 #include <optional>
+#include <vector>
 
 namespace Signorini {
 /**
@@ -51,6 +54,15 @@ void produce_in_parallel(const unsigned int n_threads, const std::size_t n,
  */
 void work_on_ranges(unsigned int n_threads, std::size_t n,
                     const std::function<void(std::size_t, std::size_t)> &work);
+
+/** Returns the vectors of all ranks, one behind the other. Collective. */
+template <typename T>
+std::vector<T> collect(const std::vector<T> &mine, MPI_Comm communicator) {
+  std::vector<T> all;
+  for (const std::vector<T> &of_rank : Utilities::MPI::all_gather(communicator, mine))
+    all.insert(all.end(), of_rank.begin(), of_rank.end());
+  return all;
+}
 
 /** Stores an optional value in an archive of Boost, or loads it into an empty one. */
 template <typename Archive, typename T>

@@ -131,25 +131,20 @@ template <int dim>
 std::vector<ContactFace<dim>> share(const std::vector<ContactFace<dim>> &own,
                                     MPI_Comm communicator) {
   std::vector<std::pair<CellId, ContactFace<dim>>> faces;
-  using Record = std::tuple<CellId::binary_type, unsigned int, unsigned int, std::vector<double>>;
+  using Record =
+    std::tuple<CellId::binary_type, unsigned int, unsigned int, std::vector<Point<dim>>>;
   std::vector<Record> records;
-  for (const ContactFace<dim> &face : own) {
-    std::vector<double> places;
-    for (const Point<dim> &x : face.vertices)
-      for (unsigned int d = 0; d < dim; ++d)
-        places.push_back(x[d]);
+  for (const ContactFace<dim> &face : own)
     records.emplace_back(identity_of(*face.cell).template to_binary<dim>(), face.face_no, face.side,
-                         places);
-  }
+                         std::vector<Point<dim>>(face.vertices.begin(), face.vertices.end()));
   const auto all = Utilities::MPI::all_gather(communicator, records);
   for (unsigned int rank = 0; rank < all.size(); ++rank)
     for (std::size_t i = 0; i < all[rank].size(); ++i) {
-      const auto &[id, face_no, side, places] = all[rank][i];
+      const auto &[id, face_no, side, vertices] = all[rank][i];
       ContactFace<dim> face = {{}, face_no, side, {}};
       if (rank == Utilities::MPI::this_mpi_process(communicator))
         face.cell = own[i].cell;
-      for (std::size_t k = 0; k < places.size(); ++k)
-        face.vertices[k / dim][k % dim] = places[k];
+      std::copy(vertices.begin(), vertices.end(), face.vertices.begin());
       faces.emplace_back(CellId(id), face);
     }
   std::sort(faces.begin(), faces.end(), [](const auto &a, const auto &b) {
@@ -260,8 +255,7 @@ void ContactSurface<dim>::find_opposite(const Piece<dim> &piece, SurfaceRule<dim
       const double middle = 0.5 * (span.start + span.end);
       for (std::size_t q = 0; q < rule.size(); ++q) {
         const Point<2> &x = rule.points[q];
-        const double d = other.distance_along(x, rule.normals[q]).value_or(0.);
-        double s = other.arc_length(x + d * rule.normals[q]);
+        double s = other.arc_length(other.across(x, rule.normals[q]));
         if (other.is_closed())
           s += other.length() * std::round((middle - s) / other.length());
         rule.on_opposite.push_back(span.parameter(s));

@@ -6,7 +6,6 @@
 #include <signorini/discretization/mesh/mesh.h>
 
 #include <deal.II/base/geometry_info.h>
-#include <deal.II/base/mpi.h>
 #include <deal.II/distributed/shared_tria.h>
 #include <deal.II/distributed/tria.h>
 #include <deal.II/fe/mapping_q.h>
@@ -209,7 +208,6 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level
   : triangulation_(make_triangulation<dim>(communicator))
   , subtree_level_(level_of_subtrees(geometry.n_coarse_cells, dim,
                                      Utilities::MPI::n_mpi_processes(communicator)))
-  , is_shared_(Utilities::MPI::n_mpi_processes(communicator) > 1)
   , curved_(geometry.curved)
   , is_graded_(false)
   , axisymmetric_(geometry.axisymmetric)
@@ -219,7 +217,7 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level
   , uniform_levels_(level) {
   const unsigned int first = std::min(coarsest_level, level);
   geometry.make_coarse_mesh(*triangulation_);
-  if (is_shared_) {
+  if (is_shared()) {
     AssertThrow(geometry.distortion == 0. && level > subtree_level_, ExcNotImplemented());
     triangulation_->refine_global(subtree_level_);
     dynamic_cast<parallel::distributed::Triangulation<dim> &>(*triangulation_).repartition();
@@ -241,7 +239,6 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int base_level,
                 const unsigned int mapping_degree)
   : triangulation_(make_triangulation<dim>(MPI_COMM_SELF))
   , subtree_level_(0)
-  , is_shared_(false)
   , curved_(geometry.curved)
   , is_graded_(true)
   , axisymmetric_(geometry.axisymmetric)

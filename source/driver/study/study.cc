@@ -43,20 +43,20 @@ double target_error(const DiscretizationParameters &given) {
                                                                     : given.target_error.value;
 }
 
-/** Returns what several ranks do; nothing of a single one. */
+/** Returns which levels several ranks share, as a line of the screen; empty on a single rank. */
 template <int dim>
 std::string describe_ranks(const Parameters &parameters, const Scene<dim> &scene,
                            const unsigned int n_ranks) {
   const DiscretizationParameters &given = parameters.discretization;
   if (n_ranks == 1)
     return "";
-  std::string shared = "every process solves all levels alone";
+  std::string shared = "each solves all levels alone";
   if (given.strategy != Strategy::hp)
     for (unsigned int level = given.finest_level + 1; level-- > given.coarsest_level;)
       if (is_shared(parameters, scene, choose_solvers(parameters, scene, level), level, n_ranks))
         shared = "they share the levels from " + std::to_string(level) + " on" +
-                 (level > given.coarsest_level ? ", and each solves those before alone" : "");
-  return "Processes " + std::to_string(n_ranks) + ", " + shared + "\n\n";
+                 (level > given.coarsest_level ? "; each solves those before alone" : "");
+  return "Processes " + std::to_string(n_ranks) + ": " + shared + "\n\n";
 }
 
 template <int dim>
@@ -108,7 +108,7 @@ private:
     const Progress progress = [&, name = sequence_->name_of_next()](const std::string &stage) {
       report_.progress(name + ": " + stage + text_to_go(clock_.begin_stage(stage, now())));
     };
-    // Levels that every rank solves alone end in the same way on all of them.
+    // A level that each rank solves alone may fail on one of them: then all stop.
     LevelResult<dim> level;
     agree(communicator_, [&]() { level = sequence_->solve_next(progress); });
     LevelRecord &record = level.solution.record;

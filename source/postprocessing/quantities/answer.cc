@@ -2,6 +2,7 @@
 // The answer of one level, put together.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/base/parallel.h>
 #include <signorini/discretization/elasticity/trace_values.h>
 #include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/quantities/answer.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace Signorini {
 namespace {
@@ -65,9 +67,7 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
     for (std::size_t q = 0; q < rule.size(); ++q)
       take_larger({piece.face, depths[q], dim == 2 ? rule.on_side[q][0] : 0., rule.points[q]});
   }
-  std::vector<Depth> all;
-  for (const auto &of_rank : Utilities::MPI::all_gather(surface.communicator(), largest))
-    all.insert(all.end(), of_rank.begin(), of_rank.end());
+  std::vector<Depth> all = collect(largest, surface.communicator());
   std::sort(all.begin(), all.end(),
             [](const Depth &a, const Depth &b) { return std::get<0>(a) < std::get<0>(b); });
   largest.clear();
@@ -89,9 +89,8 @@ static double turn_of_normals(const MultiplierSpace<2> &multipliers, const Press
       continue;
     const Side<2> &other = surface.scene().geometry.sides[*surface.condition(piece).opposite];
     const Tensor<1, 2> n = middle.normals[0];
-    const Point<2> x =
-      middle.points[0] + other.distance_along(middle.points[0], n).value_or(0.) * n;
-    turn = std::max(turn, (n + other.normal(other.arc_length(x))).norm());
+    const double s = other.arc_length(other.across(middle.points[0], n));
+    turn = std::max(turn, (n + other.normal(s)).norm());
   }
   return turn;
 }

@@ -8,8 +8,6 @@
 #include <signorini/results/files/solution_vtu.h>
 #include <signorini/results/files/tables.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <boost/serialization/string.hpp>
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
@@ -147,8 +145,7 @@ public:
         if (piece.opposite) {
           const Tensor<1, dim> n = rule.normals[q];
           const auto &other = surface_.scene().geometry.sides[*condition.opposite];
-          point.opposite = {point.x + other.distance_along(point.x, n).value_or(0.) * n,
-                            (u[q] - closing[q]) * n};
+          point.opposite = {other.across(point.x, n), (u[q] - closing[q]) * n};
         }
       if (condition.exact_pressure != nullptr)
         point.p_exact = condition.exact_pressure->value(point.x);
@@ -222,12 +219,12 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                        {points.begin(), middle},
                        {middle, points.end()}});
   }
-  TracedContact<dim> all;
-  for (const TracedContact<dim> &of_rank : Utilities::MPI::gather(surface.communicator(), contact))
-    all.insert(all.end(), of_rank.begin(), of_rank.end());
-  std::stable_sort(all.begin(), all.end(),
+  if (!space.mesh().is_shared())
+    return contact;
+  contact = collect(contact, surface.communicator());
+  std::stable_sort(contact.begin(), contact.end(),
                    [](const auto &a, const auto &b) { return a.face < b.face; });
-  return all;
+  return contact;
 }
 
 /** Returns whether some piece may touch another body. */

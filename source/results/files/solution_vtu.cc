@@ -35,8 +35,8 @@ public:
       add_cells(number);
   }
 
-  const VtuCells<dim> &cells() const {
-    return cells_;
+  VtuCells<dim> take_cells() {
+    return std::move(cells_);
   }
 
 private:
@@ -148,7 +148,7 @@ VtuCells<dim> write_solution_vtu(std::ostream &stream, const DisplacementSpace<d
                                  const Scene<dim> &scene, const Displacement &U,
                                  const BoundFields &bound, const unsigned int number) {
   const DataOutBase::VtkFlags flags(number, number, false, DataOutBase::VtkFlags::best_speed);
-  VtuCells<dim> cells = BodyFields<dim>(space, scene, U, bound).cells();
+  VtuCells<dim> cells = BodyFields<dim>(space, scene, U, bound).take_cells();
   DataOutBase::write_vtu_header(stream, flags);
   DataOutBase::write_vtu_main(cells.cells, cells.names, cells.ranges(), flags, stream);
   DataOutBase::write_vtu_footer(stream);

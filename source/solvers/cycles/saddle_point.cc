@@ -190,9 +190,11 @@ public:
 
   void vmult(BlockVector &y, const BlockVector &x) const {
     system_.A.vmult(y.block(0), x.block(0));
-    const Vector minus_U_n = minus(system_.condensed_D.transpose_product(x.block(0)));
-    system_.condensed_D.add_product(spread(minus(on_all_ranks(x.block(1)))), y.block(0));
-    set_on_first_rank(y.block(1), restricted(minus_U_n));
+    Vector minus_P = spread(on_all_ranks(x.block(1)));
+    minus_P *= -1.;
+    system_.condensed_D.add_product(minus_P, y.block(0));
+    set_on_first_rank(y.block(1), restricted(system_.condensed_D.transpose_product(x.block(0))));
+    y.block(1) *= -1.;
   }
 
   /** Returns the entries of the set. */
@@ -226,11 +228,6 @@ public:
   };
 
 private:
-  static Vector minus(Vector values) {
-    values *= -1.;
-    return values;
-  }
-
   const ContactSystem &system_;
   Indices set_;
   double scale_;

@@ -197,18 +197,19 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters, const Scene<dim> &sc
   , n_components_(scene.friction == Friction::none ? 1. : dim)
   , parameters_(parameters)
   , scene_(scene)
-  , given_(parameters.discretization)
   , n_ranks_(Utilities::MPI::n_mpi_processes(communicator))
-  , judged_(judged_level(given_))
+  , judged_(judged_level(parameters.discretization))
   , solvers_(choose_solvers(parameters, scene, parameters.discretization.finest_level))
   , condensed_(resolve(solvers_.linear, 1) == LinearSolver::condensed)
   , available_(available_bytes(communicator)) {
-  const bool may_stop_early = given_.target_error > 0.;
+  const bool may_stop_early = parameters_.discretization.target_error > 0.;
   const unsigned int level = judged_;
   const auto refuse_if_huge = [&]() {
     if (needed(level) < available_)
       return;
-    throw InputError((may_stop_early ? given_.coarsest_level : given_.finest_level).where() +
+    throw InputError((may_stop_early ? parameters_.discretization.coarsest_level
+                                     : parameters_.discretization.finest_level)
+                       .where() +
                      ": found '" + std::to_string(level) + "', but " + describe(level) +
                      ", allowed: levels that fit into the " + describe_available() + ".");
   };
@@ -237,7 +238,8 @@ double MemoryLimit<dim>::n_cells(const unsigned int level) const {
 
 template <int dim>
 double MemoryLimit<dim>::n_nodes(const unsigned int level) const {
-  return (given_.element == Element::q2 ? std::pow(2., dim) : 1.) * n_cells(level);
+  return (parameters_.discretization.element == Element::q2 ? std::pow(2., dim) : 1.) *
+         n_cells(level);
 }
 
 template <int dim>
@@ -249,7 +251,8 @@ template <int dim>
 double MemoryLimit<dim>::n_patches(const unsigned int level) const {
   return n_given_patches_ > 0
            ? n_given_patches_
-           : std::floor(n_contact_faces(level) / std::pow(given_.patch_ratio.value, dim - 1.));
+           : std::floor(n_contact_faces(level) /
+                        std::pow(parameters_.discretization.patch_ratio.value, dim - 1.));
 }
 
 template <int dim>
@@ -258,7 +261,7 @@ double MemoryLimit<dim>::needed(const unsigned int level) const {
     is_shared(parameters_, scene_, solvers_, level, n_ranks_) ? 1. / n_ranks_ : 1.;
   if (solvers_.is_matrix_free())
     return share * bytes_without_factor<dim>(n_cells(level));
-  const double degree = given_.element == Element::q2 ? 2. : 1.;
+  const double degree = parameters_.discretization.element == Element::q2 ? 2. : 1.;
   return share * sparse_bytes<dim>(n_nodes(level)) +
          dense_bytes(n_components_ * n_patches(level),
                      dim * std::pow(degree, dim - 1.) * n_contact_faces(level), condensed_);

@@ -4,8 +4,8 @@
 #include "replicated_level.h"
 
 #include <signorini/base/instantiate.h>
+#include <signorini/base/parallel.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/utilities.h>
 
 #include <boost/serialization/vector.hpp>
@@ -14,15 +14,6 @@
 
 namespace Signorini {
 namespace {
-/** Returns the vectors of all ranks one behind the other. */
-template <typename T>
-std::vector<T> collect(const std::vector<T> &mine, MPI_Comm communicator) {
-  std::vector<T> all;
-  for (const std::vector<T> &of_rank : Utilities::MPI::all_gather(communicator, mine))
-    all.insert(all.end(), of_rank.begin(), of_rank.end());
-  return all;
-}
-
 /** The cells of a level. */
 struct CellTable {
   /** The number of each cell on the whole level, the nodes of its vertices, and the entries of its
@@ -76,7 +67,7 @@ ReplicatedLevel<dim> replicate(const CellOperator<dim, double> &K,
   std::vector<types::global_dof_index> sorted = cell_nodes;
   std::sort(sorted.begin(), sorted.end());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  const auto rank_of = [&sorted](const types::global_dof_index number) {
+  const auto index_of = [&sorted](const types::global_dof_index number) {
     return static_cast<NodeNumber>(std::lower_bound(sorted.begin(), sorted.end(), number) -
                                    sorted.begin());
   };
@@ -85,7 +76,7 @@ ReplicatedLevel<dim> replicate(const CellOperator<dim, double> &K,
     row_of_cell[cells[row]] = row;
   const auto grid = std::make_shared<const BlockGrid<dim>>(
     mesh.triangulation().n_cells(0), n, [&](const std::size_t cell, const unsigned int v) {
-      return rank_of(cell_nodes[row_of_cell[cell] * n_vertices + v]);
+      return index_of(cell_nodes[row_of_cell[cell] * n_vertices + v]);
     });
   ReplicatedLevel<dim> level = {Operator(grid, 1), {}, {}};
   level.K.store_matrices();
@@ -100,9 +91,9 @@ ReplicatedLevel<dim> replicate(const CellOperator<dim, double> &K,
   for (const auto &[node, T] : conditions)
     given.emplace_back(numbers[node], T);
   for (const auto &[number, T] : collect(given, communicator))
-    level.conditions.emplace(node_of[rank_of(number)], T);
+    level.conditions.emplace(node_of[index_of(number)], T);
   for (const types::global_dof_index number : numbers)
-    level.nodes.push_back(node_of[rank_of(number)]);
+    level.nodes.push_back(node_of[index_of(number)]);
   return level;
 }
 

@@ -4,6 +4,7 @@
 #include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/geometry.h>
 
+#include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria_base.h>
 #include <deal.II/fe/mapping.h>
 #include <deal.II/grid/cell_id.h>
@@ -112,7 +113,7 @@ public:
   }
   /** Returns whether several ranks share the mesh. */
   bool is_shared() const {
-    return is_shared_;
+    return Utilities::MPI::n_mpi_processes(communicator()) > 1;
   }
   /** Returns the cell with an identity; this rank must have it. */
   typename Triangulation<dim>::cell_iterator cell_at(const CellId &identity) const {
@@ -152,7 +153,7 @@ private:
 
   std::unique_ptr<parallel::TriangulationBase<dim>> triangulation_;
   unsigned int subtree_level_;
-  bool is_shared_, curved_, is_graded_, axisymmetric_;
+  bool curved_, is_graded_, axisymmetric_;
   Point<dim> lower_;
   double size_;
   std::unique_ptr<const Mapping<dim>> mapping_, unit_mapping_;

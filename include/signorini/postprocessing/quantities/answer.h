@@ -41,7 +41,8 @@ struct Answer {
   std::vector<ContactZone> zones;
   /** The penetration; empty without a contact side. */
   std::optional<Penetration> penetration;
-  /** The largest angle of the normals of two sides to opposite where they press. */
+  /** The largest |n_1 + n_2| of the unit normals of two sides where they press: the angle by which
+   * they are not opposite. */
   double turn_of_normals = 0.;
   VonMises von_mises;
   /** The places of Output/Report. */

@@ -32,8 +32,8 @@ template <int dim>
 SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
                      const Point<dim> &centre, double scale);
 
-/** Returns the contact sides whose force together is told: those on the rigid foundation, or where
- * there is none that of the first pair, because between bodies there is no force on all of them. */
+/** Returns the contact sides over which the contact force is summed: those on the rigid foundation.
+ * Forces between bodies cancel, so where all sides are in pairs it is the first side alone. */
 template <int dim>
 std::vector<unsigned int> sides_of_contact_force(const Scene<dim> &scene);
 

@@ -138,6 +138,10 @@ public:
    * vector @p n meets the curve; negative behind x. Segments and circles go on beyond their ends.
    * None where it does not meet it. */
   std::optional<double> distance_along(const Point<2> &x, const Tensor<1, 2> &n) const;
+  /** Returns the point at that distance; x where the line misses the curve. */
+  Point<2> across(const Point<2> &x, const Tensor<1, 2> &n) const {
+    return x + distance_along(x, n).value_or(0.) * n;
+  }
 
   /** Returns all s in [from, to], sorted, at which the curve, continued beyond its ends, meets the
    * line m.x = position with the unit normal @p m; none for a line along a segment. */

@@ -86,7 +86,7 @@ struct ContactPiece {
 template <int dim>
 using TracedContact = std::vector<ContactPiece<dim>>;
 
-/** Returns the contact boundary for tables and files, on rank 0. Collective. @param boundary the
+/** Returns the contact boundary for tables and files. Collective. @param boundary the
  * gap and the exact pressure of every side. */
 template <int dim>
 TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,

@@ -233,7 +233,6 @@ private:
   double n_components_;
   const Parameters &parameters_;
   const Scene<dim> &scene_;
-  const DiscretizationParameters &given_;
   unsigned int n_ranks_;
   /** The level that is checked first. */
   unsigned int judged_;
