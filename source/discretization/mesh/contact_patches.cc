@@ -56,24 +56,35 @@ double longest_of(const std::vector<FaceSpan> &spans) {
   return longest;
 }
 
-/** Returns the ends of groups of @p ratio intervals within [lower, upper]; groups end at corners of
- * the side, and the last one is the longer one. */
-std::vector<double> groups_of(const std::vector<FaceSpan> &spans, const unsigned int ratio,
+/** Returns the ends of groups of @p ratio intervals within [lower, upper]. Groups end at corners of
+ * the side, and the last one is the longer one. An interval that lies there in part belongs to the
+ * group of its neighbour, and a group grows until an end of the @p others, if there are any, lies
+ * inside: else it had no interior node of the other mesh. */
+std::vector<double> groups_of(const std::vector<FaceSpan> &spans,
+                              const std::vector<FaceSpan> &others, const unsigned int ratio,
                               const double lower, const double upper, const Curve &curve) {
   std::vector<double> ends = {lower};
   std::vector<double> starts;
   const double sliver = 1e-10 * (upper - lower);
   for (const FaceSpan &span : spans)
-    if (span.start > lower + sliver && span.start < upper - sliver)
+    if (span.start >= lower - sliver && span.end <= upper + sliver)
       starts.push_back(span.start);
+  if (!starts.empty())
+    starts.erase(starts.begin());
   starts.push_back(upper);
+  const auto holds_node = [&](const double from, const double to) {
+    return others.empty() || std::any_of(others.begin(), others.end(), [&](const FaceSpan &other) {
+             return other.start > from + sliver && other.start < to - sliver;
+           });
+  };
   for (std::size_t begin = 0, end = 0; begin < starts.size(); begin = end) {
     // The faces begin..end-1 lie before the next corner; starts[k] is where face k ends.
     do
       ++end;
     while (end < starts.size() && !curve.has_corner(starts[end - 1]));
     for (std::size_t k = begin + ratio; k + ratio <= end; k += ratio)
-      ends.push_back(starts[k - 1]);
+      if (holds_node(ends.back(), starts[k - 1]) && holds_node(starts[k - 1], starts[end - 1]))
+        ends.push_back(starts[k - 1]);
     ends.push_back(starts[end - 1]);
   }
   return ends;
@@ -97,7 +108,8 @@ std::vector<double> ends_of_patches(const SideFaces &faces, const Curve &curve,
   const bool fine_suffices =
     3. * ratio * std::min(own, other) >= 4. * (1. - 1e-10) * std::max(own, other);
   const bool takes_own = faces.opposite.empty() || own_is_finer == fine_suffices;
-  return groups_of(takes_own ? faces.own : faces.opposite, ratio, faces.lower, faces.upper, curve);
+  return groups_of(takes_own ? faces.own : faces.opposite, takes_own ? faces.opposite : faces.own,
+                   ratio, faces.lower, faces.upper, curve);
 }
 
 /** The smallest number of points on graded parts: with fewer, a square root between two graded

@@ -99,9 +99,9 @@ Columns<ContactRow<dim>> contact_columns(const bool has_friction, const bool has
                        }});
   };
   for (unsigned int d = 0; d < dim && has_pairs; ++d)
-    add_opposite(std::string(1, "xyz"[d]), [d](const auto &opposite) { return opposite.first[d]; });
+    add_opposite(std::string(1, "xyz"[d]), [d](const auto &opposite) { return opposite.x[d]; });
   if (has_pairs)
-    add_opposite("u_n", [](const auto &opposite) { return opposite.second; });
+    add_opposite("u_n", [](const auto &opposite) { return opposite.u_n; });
   return columns;
 }
 
@@ -145,7 +145,8 @@ public:
         if (piece.opposite) {
           const Tensor<1, dim> n = rule.normals[q];
           const auto &other = surface_.scene().geometry.sides[*condition.opposite];
-          point.opposite = {other.across(point.x, n), (u[q] - closing[q]) * n};
+          const Tensor<1, 2> u_opposite = u[q] - closing[q];
+          point.opposite = {other.across(point.x, n), u_opposite, u_opposite * n};
         }
       if (condition.exact_pressure != nullptr)
         point.p_exact = condition.exact_pressure->value(point.x);
@@ -256,43 +257,59 @@ void add_friction(const char *const name, const double number, const Tensor<1, 3
 }
 } // namespace
 
+/** Returns the fields of a point that both sides of a pair have in common. */
+template <int dim>
+static VtuFields common_fields(const ContactPoint<dim> &point) {
+  VtuFields fields = {{"contact_pressure", positive_in_compression(point.p_H)},
+                      {"recovered_contact_pressure", positive_in_compression(point.p_recovered)},
+                      {"normal_displacement", point.u_n},
+                      {"gap", point.g},
+                      {"opening", point.g - point.u_n}};
+  if (const auto &friction = point.friction) {
+    add_friction<dim>("friction_traction", friction->q_H, friction->traction, fields);
+    fields.emplace_back("friction_limit", friction->s_H);
+    add_friction<dim>("slip", friction->slip, friction->slip_vector, fields);
+    fields.emplace_back("friction_state", friction->state);
+  }
+  return fields;
+}
+
 template <int dim>
 void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
                        const std::vector<double> &bound) {
   VtuCells<dim - 1> cells;
   const bool with_opposite = has_pairs(contact);
   constexpr unsigned int n_corners = GeometryInfo<dim - 1>::vertices_per_cell;
+  /** Adds the corners of one side, which may touch another one. */
+  const auto add_side = [&](const ContactPiece<dim> &piece, const std::size_t first,
+                            const bool is_second) {
+    const double own = piece.side_number, other = piece.opposite ? *piece.opposite : -1.;
+    std::vector<Point<dim>> points;
+    std::vector<VtuFields> fields;
+    for (unsigned int v = 0; v < n_corners; ++v) {
+      const ContactPoint<dim> &point = piece.corners[first + v];
+      points.push_back(is_second ? point.opposite->x : point.x);
+      const Tensor<1, dim> &u = is_second ? point.opposite->u : point.u;
+      VtuFields all = {{"displacement", u[0]},
+                       {"displacement", u[1]},
+                       {"displacement", dim == 3 ? u[dim - 1] : 0.},
+                       {"patch", piece.patch},
+                       {"side", is_second ? other : own}};
+      if (with_opposite)
+        all.emplace_back("opposite", is_second ? own : other);
+      if (!bound.empty())
+        all.emplace_back("bound_contact", bound[piece.face]);
+      const VtuFields common = common_fields(point);
+      all.insert(all.end(), common.begin(), common.end());
+      fields.push_back(std::move(all));
+    }
+    cells.add(1, points, fields);
+  };
   for (const ContactPiece<dim> &piece : contact)
     for (std::size_t first = 0; first + n_corners <= piece.corners.size(); ++first) {
-      std::vector<Point<dim>> points;
-      std::vector<VtuFields> fields;
-      for (unsigned int v = 0; v < n_corners; ++v) {
-        const ContactPoint<dim> &point = piece.corners[first + v];
-        points.push_back(point.x);
-        fields.push_back(
-          {{"displacement", point.u[0]},
-           {"displacement", point.u[1]},
-           {"displacement", dim == 3 ? point.u[dim - 1] : 0.},
-           {"contact_pressure", positive_in_compression(point.p_H)},
-           {"recovered_contact_pressure", positive_in_compression(point.p_recovered)},
-           {"normal_displacement", point.u_n},
-           {"gap", point.g},
-           {"opening", point.g - point.u_n},
-           {"patch", piece.patch},
-           {"side", piece.side_number}});
-        if (with_opposite)
-          fields.back().emplace_back("opposite",
-                                     piece.opposite ? static_cast<double>(*piece.opposite) : -1.);
-        if (const auto &friction = point.friction) {
-          add_friction<dim>("friction_traction", friction->q_H, friction->traction, fields.back());
-          fields.back().emplace_back("friction_limit", friction->s_H);
-          add_friction<dim>("slip", friction->slip, friction->slip_vector, fields.back());
-          fields.back().emplace_back("friction_state", friction->state);
-        }
-        if (!bound.empty())
-          fields.back().emplace_back("bound_contact", bound[piece.face]);
-      }
-      cells.add(1, points, fields);
+      add_side(piece, first, false);
+      if (piece.opposite)
+        add_side(piece, first, true);
     }
   DataOutBase::VtkFlags flags;
   // The same run gives the same file.

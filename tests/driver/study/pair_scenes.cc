@@ -31,6 +31,17 @@ void test_hertz(Checks &checks) {
   checks.near("half width", 0.5 * answer.zones.front().length, a, 0.25 * H);
   checks.near("turn of the normals", answer.turn_of_normals, a / R, H / R);
 }
+
+/** The lower arc ends inside of faces of the upper one, and its faces are not equally long: all
+ * patches hold nodes of both sides. */
+void test_narrow_arc(Checks &checks) {
+  for (const char *radius : {"R2=4.5", "R2=8"}) {
+    const StudyResult<2> result =
+      solve_file(folder + "hertz.prm", {"w=0.8", radius, "Discretization/Finest level=2"});
+    checks.that("a narrow arc is stable", !result.levels.back().sizes.unstable);
+  }
+}
+
 /** A pin that hardly yields is the rigid one of prm/plate_with_hole.prm, whose patches are half as
  * long. */
 void test_rigid_pin(Checks &checks) {
@@ -131,6 +142,7 @@ void test_revolution(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv,
-                   {test_hertz, test_rigid_pin, test_plates_and_cases, test_revolution});
+  return run_tests(
+    argc, argv,
+    {test_hertz, test_narrow_arc, test_rigid_pin, test_plates_and_cases, test_revolution});
 }

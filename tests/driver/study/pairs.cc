@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <sstream>
 
 #include "one_level.h"
+#include "results/files/vtu_reader.h"
 #include "study_helpers.h"
 #include "tests.h"
 
@@ -290,14 +292,26 @@ void test_both_sides(Checks &checks) {
       "Contact/Gap = x^2/4 - 0.25\n",
     3);
   const LevelSolution<2> solution = level.solve();
-  for (const ContactPiece<2> &piece :
-       trace_contact(level.space(), level.multipliers(), level.scene.boundary, solution.contact.U,
-                     solution.contact.P))
+  const TracedContact<2> contact =
+    trace_contact(level.space(), level.multipliers(), level.scene.boundary, solution.contact.U,
+                  solution.contact.P);
+  for (const ContactPiece<2> &piece : contact)
     for (const ContactPoint<2> &point : piece.rows) {
-      const auto &[x, u_n] = point.opposite.value();
-      checks.near("half of the closing", u_n, -0.5 * point.u_n, 1e-12);
-      checks.near("the point across", x.distance({point.x[0], 0.}), 0., 1e-14);
+      const OppositePoint<2> &other = point.opposite.value();
+      checks.near("half of the closing", other.u_n, -0.5 * point.u_n, 1e-12);
+      checks.near("the point across", other.x.distance({point.x[0], 0.}), 0., 1e-14);
     }
+  // The curve of every piece is followed by that of the other side, its mirror image.
+  std::ostringstream vtu;
+  write_contact_vtu<2>(vtu, contact, {});
+  const PointField u = read_vtu_field(vtu.str(), "displacement"),
+                   side = read_vtu_field(vtu.str(), "side"),
+                   opposite = read_vtu_field(vtu.str(), "opposite");
+  checks.that("curves of both sides", u.size() == 4 * contact.size());
+  for (std::size_t k = 0; k + 3 < u.size(); k += 4) {
+    checks.near("mirrored curves", {u[k + 2][0], u[k + 2][1]}, {u[k][0], -u[k][1]}, 1e-7);
+    checks.that("names of both sides", side[k] == opposite[k + 2] && side[k + 2] == opposite[k]);
+  }
 }
 
 std::vector<double> pressures(const std::string &text, const unsigned int level) {
@@ -384,6 +398,8 @@ void test_refusals(Checks &checks) {
           "do not face each other");
   const std::string blocks = bodies("a: 0, 0 | b: 0, -1", "a: 1, 1 | b: 1, 0", "2, 2", "1", "0.3") +
                              "Boundary/Clamped = b.bottom\n";
+  for (const auto &[names, found] : {std::pair("a a", "'a' twice"), {"a a.b", "'a.b', allowed"}})
+    refuses("names of bodies", "Geometry/Bodies = " + std::string(names) + "\n", found);
   refuses("no second name", blocks + "Boundary/Contact = a.bottom with\n",
           "the names of two sides");
   refuses("graded meshes", pressed + "Discretization/Strategy = hp\n", "with a pair of sides");

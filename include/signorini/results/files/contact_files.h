@@ -31,6 +31,20 @@ struct FrictionPoint {
   }
 };
 
+/** The point of the other side of a pair that lies across on the normal of the first one: its
+ * displacement u, and u.n for that normal (length). */
+template <int dim>
+struct OppositePoint {
+  Point<dim> x;
+  Tensor<1, dim> u;
+  double u_n = 0.;
+
+  template <typename Archive>
+  void serialize(Archive &archive, unsigned int) {
+    archive &x &u &u_n;
+  }
+};
+
 /** The fields at one point of the contact boundary. Pressures are those of the formulas, sigma_n:
  * negative in compression. */
 template <int dim>
@@ -45,8 +59,7 @@ struct ContactPoint {
   double g = 0.;
   std::optional<double> p_exact;
   std::optional<FrictionPoint> friction;
-  /** In a pair: the point across on the other body, and its u.n for the same normal. */
-  std::optional<std::pair<Point<dim>, double>> opposite;
+  std::optional<OppositePoint<dim>> opposite;
 
   template <typename Archive>
   void serialize(Archive &archive, unsigned int) {
@@ -100,7 +113,7 @@ void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact);
 
 /**
  * Writes contact-LL.vtu: pressures (positive in compression), displacement, gap and opening along
- * the contact boundary.
+ * the contact boundary. Both sides of a pair have a curve, with their own displacement.
  * @param bound of every contact face; empty if there is none.
  */
 template <int dim>
