@@ -80,10 +80,13 @@ std::array<double, 3> principal_stresses(const Stress3D &given) {
   // Jacobi's rotations keep all digits where eigenvalues are equal. LAPACK takes ten times as long,
   // which is half of the time of writing a VTU file, and deal.II's do not link with clang++.
   Stress3D stress = given;
-  for (unsigned int k = 0; k < 30; ++k) {
+  // An entry below rounding of the tensor changes no eigenvalue.
+  const double rounding = 1e-17 * given.norm();
+  for (unsigned int k = 0, n_small = 0; k < 30 && n_small < 3; ++k) {
     const unsigned int r = k % 3, p = (r + 1) % 3, q = (r + 2) % 3;
     const double a = stress[p][q], x = stress[r][p], y = stress[r][q];
-    if (a == 0.)
+    n_small = std::abs(a) <= rounding ? n_small + 1 : 0;
+    if (n_small > 0)
       continue;
     const double theta = (stress[q][q] - stress[p][p]) / (2. * a),
                  t = std::copysign(1., theta) / (std::abs(theta) + std::sqrt(theta * theta + 1.)),

@@ -128,8 +128,23 @@ void bound(Checks &checks) {
     read_vtu_field(body_vtu(level, solution.contact.U, BoundFields()), "bound_mesh").empty());
 }
 
+/** A large body is written in pieces, which have all of its cells. */
+void pieces(Checks &checks) {
+  const OneLevel level(held, 7);
+  const std::string vtu =
+    body_vtu(level, Displacement(level.space().dofs().n_dofs()), BoundFields());
+  unsigned int n_pieces = 0, n_cells = 0;
+  const std::string count = "NumberOfCells=\"";
+  for (std::size_t at = vtu.find(count); at != std::string::npos; at = vtu.find(count, at + 1)) {
+    ++n_pieces;
+    n_cells += std::stoul(vtu.substr(at + count.size()));
+  }
+  checks.that("several pieces, and every cell in four parts",
+              n_pieces == 2 &&
+                n_cells == 4 * level.space().mesh().triangulation().n_active_cells());
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {stresses, bound});
+  return run_tests(argc, argv, {stresses, bound, pieces});
 }

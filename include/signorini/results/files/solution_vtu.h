@@ -71,18 +71,18 @@ struct VtuCells {
  * cell, where there is one. In 2-D cells are divided into four where T^{2h} exists; cells of a
  * degree p > 1 are divided into p x p, get the stress of u_h, and have the field "degree". In 3-D
  * the file contains u_h and stresses at the corners of the cells, where the patch interpolation is
- * u_h. A rank writes its own cells. Collective.
- * @return the cells and their fields.
+ * u_h. A rank writes its own cells, at most 8192 in a piece of the file. Collective.
+ * @return the fields, without cells.
  */
 template <int dim>
 VtuCells<dim> write_solution_vtu(std::ostream &stream, const DisplacementSpace<dim> &space,
                                  const Scene<dim> &scene, const Displacement &U,
                                  const BoundFields &bound, unsigned int number);
 
-/** Writes a .pvtu that lists the files of all ranks, which have the fields of @p cells. */
+/** Writes a .pvtu that lists the files of all ranks, which have these @p fields. */
 template <int dim>
 void write_pvtu(std::ostream &stream, const std::vector<std::string> &files,
-                const VtuCells<dim> &cells);
+                const VtuCells<dim> &fields);
 
 /** Writes a .pvd that lists one file per level; the level takes the place of time. */
 void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::string>> &files);
