@@ -7,11 +7,8 @@
 #include <signorini/solvers/multigrid/stiffness_multigrid.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/sparse_matrix.h>
 
 #include <cmath>
 #include <limits>
@@ -214,7 +211,8 @@ StiffnessMultigrid<dim>::StiffnessMultigrid(const DisplacementSpace<dim> &space,
     levels_.emplace_back(copy.K, std::move(copy.conditions), SharedNodes());
     last = add_coarser_levels(std::make_shared<const CellOperator<dim, double>>(std::move(copy.K)));
   }
-  factorise(*last);
+  coarsest_inverse_ = std::make_unique<const CoarsestInverse<dim>>(*last, levels_.back().conditions,
+                                                                   mesh.triangulation());
 }
 
 template <int dim>
@@ -237,57 +235,12 @@ StiffnessMultigrid<dim>::add_coarser_levels(std::shared_ptr<const CellOperator<d
 }
 
 template <int dim>
-void StiffnessMultigrid<dim>::factorise(const CellOperator<dim, double> &K) {
-  constexpr unsigned int n_dofs = CellOperator<dim, double>::n_dofs;
-  const unsigned int n = dim * K.grid->n_nodes();
-  AffineConstraints<double> constraints;
-  for (const auto &[node, T] : levels_.back().conditions)
-    for (int c = 0; c < dim; ++c)
-      if (T[c][c] == 0.) {
-        constraints.add_line(node * dim + c);
-        for (int e = 0; e < dim; ++e)
-          if (T[c][e] != 0.)
-            constraints.add_entry(node * dim + c, node * dim + e, T[c][e]);
-      }
-  constraints.close();
-  const auto dofs_of = [&](const std::size_t cell) {
-    const auto nodes = K.grid->nodes(cell);
-    std::vector<types::global_dof_index> dofs(n_dofs);
-    for (unsigned int i = 0; i < n_dofs; ++i)
-      dofs[i] = nodes[i / dim] * dim + i % dim;
-    return dofs;
-  };
-  DynamicSparsityPattern couplings(n, n);
-  for (std::size_t cell = 0; cell < K.grid->n_cells; ++cell)
-    constraints.add_entries_local_to_global(dofs_of(cell), couplings);
-  SparsityPattern pattern;
-  pattern.copy_from(couplings);
-  SparseMatrix<double> A(pattern);
-  std::vector<double> buffer;
-  FullMatrix<double> K_cell(n_dofs);
-  for (std::size_t cell = 0; cell < K.grid->n_cells; ++cell) {
-    const double *const entries = K.entries(cell / n_lanes, buffer) + cell % n_lanes;
-    for (unsigned int i = 0; i < n_dofs; ++i)
-      for (unsigned int j = 0; j < n_dofs; ++j)
-        K_cell(i, j) = entries[lower(i, j) * n_lanes];
-    constraints.distribute_local_to_global(K_cell, dofs_of(cell), A);
-  }
-  try {
-    coarsest_inverse_.initialize(A);
-  } catch (const ExceptionBase &) {
-    throw ComputationError("The matrix of the coarsest multigrid level is singular, by rounding: "
-                           "the body is very slender, or its moduli differ much; Solver/Linear "
-                           "solver = condensed factorises instead.");
-  }
-}
-
-template <int dim>
 void StiffnessMultigrid<dim>::solve_coarsest(MultigridLevel<dim> &level) const {
   transform(level.b, level.conditions, true);
   dealii::Vector<double> u(dim * level.K.grid->n_nodes());
   for (unsigned int i = 0; i < u.size(); ++i)
     u[i] = level.b[i % dim][i / dim];
-  coarsest_inverse_.solve(u);
+  coarsest_inverse_->solve(u);
   for (unsigned int i = 0; i < u.size(); ++i)
     level.x[i % dim][i / dim] = static_cast<float>(u[i]);
   transform(level.x, level.conditions, false);

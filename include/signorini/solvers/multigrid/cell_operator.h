@@ -4,10 +4,16 @@
 #include <signorini/base/instructions.h>
 #include <signorini/solvers/multigrid/block_grid.h>
 
+#include <map>
 #include <memory>
 #include <vector>
 
 namespace Signorini {
+/** The essential conditions of nodes that are not free: T in u = T u_free. Columns of constrained
+ * components are zero, and T_cc = 1 for the others. */
+template <int dim>
+using ConstrainedNodes = std::map<NodeNumber, Tensor<2, dim>>;
+
 /** Gauss' rule on the reference cell, with the same number of points in each direction. */
 template <int dim, typename Number>
 struct PointRule {

@@ -4,22 +4,15 @@
 #include <signorini/discretization/elasticity/displacement_space.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/multigrid/cell_operator.h>
+#include <signorini/solvers/multigrid/coarsest_inverse.h>
 #include <signorini/solvers/multigrid/shared_nodes.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
-#include <deal.II/lac/sparse_direct.h>
-
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace Signorini {
-/** The essential conditions of nodes that are not free: T in u = T u_free. Columns of constrained
- * components are zero, and T_cc = 1 for the others. */
-template <int dim>
-using ConstrainedNodes = std::map<NodeNumber, Tensor<2, dim>>;
-
 /** One level of the V-cycle, in single precision. */
 template <int dim>
 struct MultigridLevel {
@@ -86,7 +79,6 @@ private:
   /** Makes coarser levels from the last one as long as that has many nodes. @return the last. */
   std::shared_ptr<const CellOperator<dim, double>>
   add_coarser_levels(std::shared_ptr<const CellOperator<dim, double>> K);
-  void factorise(const CellOperator<dim, double> &K);
   void solve_coarsest(MultigridLevel<dim> &level) const;
   /** Does the V-cycle of a level by that of its copy on every rank. */
   void cycle_on_copy(unsigned int l) const;
@@ -107,7 +99,7 @@ private:
   /** The level that is followed by its copy on every rank, and the nodes of this rank there. */
   std::optional<unsigned int> copied_level_;
   std::vector<NodeNumber> nodes_of_copy_;
-  SparseDirectUMFPACK coarsest_inverse_;
+  std::unique_ptr<const CoarsestInverse<dim>> coarsest_inverse_;
 };
 
 /** The tolerance of solves whose error must be negligible. */

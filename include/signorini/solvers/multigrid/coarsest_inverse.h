@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/solvers/multigrid/cell_operator.h>
+
+#include <deal.II/grid/tria.h>
+#include <deal.II/lac/sparse_direct.h>
+#include <deal.II/lac/sparse_matrix.h>
+#include <deal.II/lac/trilinos_precondition.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+#include <vector>
+
+namespace Signorini {
+/**
+ * The inverse of the matrix of the coarsest level: factors, or, for many nodes in space, where
+ * factors have some n^{4/3} numbers, conjugate gradients with a cycle of Trilinos' algebraic
+ * multigrid (ML) in each step.
+ */
+template <int dim>
+class CoarsestInverse {
+public:
+  /**
+   * Assembles the matrix of free displacements.
+   * @param mesh whose coarse cells those of K are, where there are many of them.
+   * @throws ComputationError if it cannot be factorised.
+   */
+  CoarsestInverse(const CellOperator<dim, double> &K, const ConstrainedNodes<dim> &conditions,
+                  const Triangulation<dim> &mesh);
+
+  /** Replaces forces by displacements; the components of a node follow each other. */
+  void solve(dealii::Vector<double> &u) const;
+
+private:
+  void assemble(const CellOperator<dim, double> &K, const ConstrainedNodes<dim> &conditions);
+  /** Prepares cycles that represent the given motions, which have small energies. */
+  void prepare_cycle(std::vector<double> motions);
+
+  SparsityPattern pattern_;
+  SparseMatrix<double> A_;
+  bool is_factorised_;
+  SparseDirectUMFPACK factors_;
+  /** What the cycle refers to. */
+  std::vector<double> motions_;
+  TrilinosWrappers::SparseMatrix A_of_cycle_;
+  TrilinosWrappers::PreconditionAMG cycle_;
+};
+} // namespace Signorini
