@@ -20,74 +20,198 @@
 
 namespace Signorini {
 namespace {
-/** Seconds for each unknown of nested levels, by doc/measured/cost_levels.csv. */
-constexpr double seconds_per_unknown = 9e-6;
+/** The time of the stages in microseconds for each unknown, on a machine with two cores. */
+constexpr double time_of_level = 25., time_of_errors = 25., time_of_case = 1.5;
+/** That of the bound: bodies of straight sides and constant moduli, others, and these at the
+ * degrees that graded meshes reach. */
+constexpr double time_of_bound[] = {10., 20., 100.};
 
 /** Returns "-1 to 2", or one number. */
-std::string range(const SideSamples &samples, const unsigned int component) {
-  double low = samples.values[0][component], high = low;
-  for (const std::vector<double> &values : samples.values) {
-    low = std::min(low, values[component]);
-    high = std::max(high, values[component]);
-  }
+std::string range(double low, double high) {
+  const double rounding = 1e-12 * std::max(std::abs(low), std::abs(high));
+  low = std::abs(low) <= rounding ? 0. : low;
+  high = std::abs(high) <= rounding ? 0. : high;
   return number_text(low) + (low < high ? " to " + number_text(high) : "");
 }
 
-/** Returns what is prescribed on a side: "gap 0 to 0.1". */
-std::string data_of(const Scene<2> &scene, const unsigned int side, const SideSamples &samples) {
+/** Returns the range of a component of a function at some points, nothing where there is none. */
+template <int dim>
+std::string range(const FunctionPointer<dim> &function, const std::vector<Point<dim>> &points,
+                  const unsigned int component = 0) {
+  double low = function->value(points[0], component), high = low;
+  for (const Point<dim> &x : points) {
+    low = std::min(low, function->value(x, component));
+    high = std::max(high, function->value(x, component));
+  }
+  return range(low, high);
+}
+
+/** Returns the ranges of all components, "x: 0, y: -1 to 2". */
+template <int dim>
+std::string ranges(const FunctionPointer<dim> &function, const std::vector<Point<dim>> &points) {
+  std::vector<std::string> texts;
+  for (unsigned int c = 0; c < function->n_components; ++c)
+    texts.push_back(std::string(1, "xyz"[c]) + ": " + range<dim>(function, points, c));
+  return join(texts, ", ");
+}
+
+/** Returns the motion of a plate: "plate, force 2 along (0, -1), turning". */
+std::string motion_of(const Plate &plate, const double thickness) {
+  return (plate.is_pushed ? "plate, force " + number_text(plate.force * thickness)
+                          : "plate, travel " + number_text(plate.travel)) +
+         " along (" + number_text(plate.direction[0]) + ", " + number_text(plate.direction[1]) +
+         ")" +
+         (plate.drifts ? ", force across " + number_text(plate.cross_force * thickness) : "") +
+         (plate.turns ? ", turning" : "");
+}
+
+/** Returns what is prescribed on a side: "gap 0 to 0.1, friction coefficient 0.3". */
+template <int dim>
+std::string data_of(const Scene<dim> &scene, const unsigned int side,
+                    const std::vector<Point<dim>> &points) {
   for (const Plate &plate : scene.plates)
     if (plate.side == side)
-      return (plate.is_pushed
-                ? "plate, force " + number_text(plate.force * scene.geometry.thickness)
-                : "plate, travel " + number_text(plate.travel)) +
-             " along (" + number_text(plate.direction[0]) + ", " + number_text(plate.direction[1]) +
-             ")" +
-             (plate.drifts
-                ? ", force across " + number_text(plate.cross_force * scene.geometry.thickness)
-                : "") +
-             (plate.turns ? ", turning" : "");
-  if (samples.values[0].empty())
-    return "";
-  const auto opposite = scene.boundary[side].opposite;
-  const std::string with = opposite ? ", with " + scene.geometry.sides[*opposite].name() : "";
-  return samples.values[0].size() == 1 ? "gap " + range(samples, 0) + with
-                                       : "x: " + range(samples, 0) + ", y: " + range(samples, 1);
+      return motion_of(plate, scene.geometry.thickness);
+  const BoundaryCondition<dim> &condition = scene.boundary[side];
+  if (condition.role != Role::contact)
+    return condition.data == nullptr ? "" : ranges<dim>(condition.data, points);
+  std::string text = "gap " + range<dim>(condition.data, points);
+  if (condition.opposite)
+    text += ", with " + scene.geometry.sides[*condition.opposite].name();
+  if (condition.friction != nullptr)
+    text +=
+      (scene.friction == Friction::coulomb ? ", friction coefficient " : ", friction bound ") +
+      range<dim>(condition.friction, points);
+  if (condition.shift != nullptr)
+    text += ", foundation moves " + (condition.shift->n_components == 1
+                                       ? range<dim>(condition.shift, points)
+                                       : ranges<dim>(condition.shift, points));
+  return text;
 }
 
 /** Prints a line for every side. */
-void print_sides(const Scene<2> &scene, std::ostream &screen) {
-  const auto point = [rounding = 1e-12 * scene.geometry.diameter()](const Point<2> &x) {
-    const auto text = [&](const double c) { return number_text(std::abs(c) < rounding ? 0. : c); };
-    return "(" + text(x[0]) + ", " + text(x[1]) + ")";
+template <int dim>
+void print_sides(const Scene<dim> &scene, std::ostream &screen) {
+  const auto point = [rounding = 1e-12 * scene.geometry.diameter()](const Point<dim> &x) {
+    std::vector<std::string> texts;
+    for (unsigned int d = 0; d < dim; ++d)
+      texts.push_back(number_text(std::abs(x[d]) < rounding ? 0. : x[d]));
+    return "(" + join(texts, ", ") + ")";
   };
   std::size_t width = 12;
-  for (const Side<2> &side : scene.geometry.sides)
+  for (const Side<dim> &side : scene.geometry.sides)
     width = std::max(width, side.name().size() + 2);
   const auto columns = static_cast<int>(width);
   screen << std::left << std::setw(columns) << "side" << std::setw(14) << "role" << std::setw(20)
-         << "from" << std::setw(20) << "to" << std::setw(10) << "length"
+         << "from" << std::setw(20) << "to" << std::setw(10) << (dim == 2 ? "length" : "area")
          << "data\n";
   for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
-    const Side<2> &side = scene.geometry.sides[i];
-    const SideSamples samples = sample_side(scene, i);
+    const Side<dim> &side = scene.geometry.sides[i];
+    const SideSamples<dim> samples = sample_side(scene, i);
+    double measure = 1.;
+    if constexpr (dim == 2)
+      measure = side.length();
+    else
+      measure = side.lengths()[0] * side.lengths()[1];
     screen << std::setw(columns) << side.name() << std::setw(14) << word_for(scene.boundary[i].role)
            << std::setw(20) << point(samples.points.front()) << std::setw(20)
-           << point(samples.points.back()) << std::setw(10) << number_text(side.length())
-           << data_of(scene, i, samples) << "\n";
+           << point(samples.points.back()) << std::setw(10) << number_text(measure)
+           << data_of(scene, i, samples.points) << "\n";
   }
   screen << "\n";
+}
+
+/** Returns the factors of the load cases that differ from those of the scene: "53: slide -1 to 1".
+ */
+std::string describe_cases(const std::vector<LoadCase> &cases) {
+  std::vector<std::string> texts;
+  const auto add = [&](const char *name, const double of_scene, const auto &value) {
+    const auto [low, high] =
+      std::minmax_element(cases.begin(), cases.end(), [&](const LoadCase &a, const LoadCase &b) {
+        return value(a) < value(b);
+      });
+    if (value(*low) != of_scene || value(*high) != of_scene)
+      texts.push_back(name + (" " + range(value(*low), value(*high))));
+  };
+  for (const auto &[name, factor] :
+       {std::pair("force", &LoadCase::force), std::pair("cross", &LoadCase::cross),
+        std::pair("weight", &LoadCase::weight), std::pair("travel", &LoadCase::travel),
+        std::pair("slide", &LoadCase::slide), std::pair("gap", &LoadCase::gap)})
+    add(name, 1., [part = factor](const LoadCase &c) { return c.*part; });
+  for (const unsigned int d : {0U, 1U})
+    add(d == 0 ? "shift x" : "shift y", 0., [d](const LoadCase &c) { return c.shift[d]; });
+  return std::to_string(cases.size()) + (texts.empty() ? "" : ": " + join(texts, ", "));
+}
+
+/** Returns what acts on the whole body. */
+template <int dim>
+SceneNotes notes_on(const Parameters &parameters, const Scene<dim> &scene, const Mesh<dim> &mesh) {
+  SceneNotes notes;
+  if (scene.friction != Friction::none) {
+    std::string line = "Friction: " + to_text(scene.friction);
+    for (const unsigned int i : scene.contact_sides())
+      line += ", " + scene.geometry.sides[i].name() + " " +
+              range<dim>(scene.boundary[i].friction, sample_side(scene, i).points);
+    notes.lines.push_back(line);
+  }
+  if (const Entry &given = parameters.contact.foundation; given.is_given)
+    notes.lines.push_back("Foundation: " + parameters.contact.foundation.value +
+                          (scene.foundation_position.norm() > 0.
+                             ? ", moved by " + parameters.contact.foundation_position.value
+                             : ""));
+  if (scene.body_force != nullptr) {
+    std::vector<Point<dim>> points;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      points.push_back(cell->center());
+    notes.body_force.resize(dim);
+    for (unsigned int d = 0; d < dim; ++d)
+      for (const Point<dim> &x : points)
+        notes.body_force[d] += scene.body_force->value(x, d) / points.size();
+    notes.lines.push_back("Body force: " + ranges<dim>(scene.body_force, points));
+  }
+  if (!scene.load_cases.empty())
+    notes.lines.push_back("Load cases: " + describe_cases(scene.load_cases));
+  return notes;
+}
+
+/** Returns the microseconds that a run needs for each unknown. */
+template <int dim>
+double time_of_unknown(const Parameters &parameters, const Scene<dim> &scene) {
+  const bool has_bound =
+    dim == 2 && parameters.output.bound != WantedBound::none && !scene.geometry.axisymmetric;
+  const bool is_easy = !scene.geometry.curved && scene.material->is_constant();
+  const bool is_graded = parameters.discretization.strategy == Strategy::hp;
+  return time_of_level +
+         (has_bound ? time_of_bound[is_easy     ? 0
+                                    : is_graded ? 2
+                                                : 1]
+                    : 0.) +
+         (scene.exact_displacement != nullptr ? time_of_errors : 0.);
 }
 
 /** Returns what a run may cost. */
 template <int dim>
 std::string cost_of(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator) {
-  if (parameters.discretization.strategy == Strategy::hp)
-    return "graded meshes of 1e4 to 1e5 unknowns and 1 to 30 s for most scenes, at most " +
-           std::to_string(parameters.discretization.maximum_unknowns) + " unknowns";
+  constexpr double time_of_start = 0.3, time_of_mesh = 0.05;
+  const auto describe = [&](const double all, const double finest, const double n_meshes) {
+    const double seconds = time_of_start + n_meshes * time_of_mesh +
+                           1e-6 * (all * time_of_unknown(parameters, scene) +
+                                   finest * scene.load_cases.size() * time_of_case);
+    return number_text(std::ceil(seconds * 10.) / 10.) + " s";
+  };
+  const DiscretizationParameters &given = parameters.discretization;
+  if (given.strategy == Strategy::hp) {
+    // Most runs take five meshes.
+    const double finest = 2e4, all = 6e4;
+    return "graded meshes of 1e4 to 1e5 unknowns, at most " +
+           std::to_string(given.maximum_unknowns) + "; for most scenes about " +
+           describe(all, finest, 5.) + ", up to three times more or less";
+  }
   const MemoryLimit<dim> limit(parameters, scene, communicator);
-  const double n = limit.n_unknowns(), all = n / (1. - std::pow(0.5, dim));
+  const double n = limit.n_unknowns(), ratio = std::pow(0.5, dim),
+               n_levels = given.finest_level - given.coarsest_level + 1.;
   return limit.forecast() + "; about " + number_text(n) + " unknowns and " +
-         number_text(std::ceil(all * seconds_per_unknown * 10.) / 10.) + " s";
+         describe(n * (1. - std::pow(ratio, n_levels)) / (1. - ratio), n, n_levels);
 }
 } // namespace
 
@@ -100,8 +224,10 @@ void show_scene(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm 
               judge_of(parameters, scene), report.screen);
   const std::string cost = cost_of(parameters, scene, communicator);
   const Mesh<dim> mesh(scene.geometry, given.coarsest_level, given.coarsest_level, MPI_COMM_SELF);
-  if constexpr (dim == 2)
-    print_sides(scene, report.screen);
+  const SceneNotes notes = notes_on(parameters, scene, mesh);
+  print_sides(scene, report.screen);
+  for (const std::string &line : notes.lines)
+    report.screen << line << ".\n";
   report.screen << "First mesh: " << mesh.triangulation().n_global_active_cells() << " cells.\n"
                 << "Cost: " << cost << ".\n";
   if constexpr (dim == 2)
@@ -109,7 +235,7 @@ void show_scene(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm 
       if (Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
       write_file(report.directory / "scene.json", [&](std::ostream &stream) {
-        write_scene_json(stream, scene, mesh.triangulation());
+        write_scene_json(stream, scene, mesh.triangulation(), notes);
       });
       const std::string missing = draw_pictures(report.directory, "--scene");
       report.screen << "Picture: "

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // scene.json: what is known of a scene before it is solved.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 #include <signorini/results/files/scene_json.h>
 
@@ -9,15 +10,32 @@
 #include "answer_json.h"
 
 namespace Signorini {
-SideSamples sample_side(const Scene<2> &scene, const unsigned int side) {
+namespace {
+/** Returns the coordinates of equally spaced points of a side, its ends included. */
+std::vector<double> places_on(const Side<2> &side) {
   constexpr unsigned int n_intervals = 64;
-  const Side<2> &curve = scene.geometry.sides[side];
-  const FunctionPointer<2> &data = scene.boundary[side].data;
-  SideSamples samples;
-  for (unsigned int i = 0; i <= n_intervals; ++i) {
-    const double s = i * curve.length() / n_intervals;
-    samples.points.push_back(curve.point(s));
-    samples.normals.push_back(curve.normal(s));
+  std::vector<double> places(n_intervals + 1);
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    places[i] = i * side.length() / n_intervals;
+  return places;
+}
+std::vector<Point<2>> places_on(const Side<3> &side) {
+  constexpr unsigned int n_intervals = 8;
+  std::vector<Point<2>> places;
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    for (unsigned int j = 0; j <= n_intervals; ++j)
+      places.emplace_back(i * side.lengths()[0] / n_intervals, j * side.lengths()[1] / n_intervals);
+  return places;
+}
+} // namespace
+
+template <int dim>
+SideSamples<dim> sample_side(const Scene<dim> &scene, const unsigned int side) {
+  const FunctionPointer<dim> &data = scene.boundary[side].data;
+  SideSamples<dim> samples;
+  for (const auto &s : places_on(scene.geometry.sides[side])) {
+    samples.points.push_back(scene.geometry.sides[side].point(s));
+    samples.normals.push_back(scene.geometry.sides[side].normal(s));
     samples.values.emplace_back();
     if (data != nullptr)
       for (unsigned int c = 0; c < data->n_components; ++c)
@@ -26,11 +44,16 @@ SideSamples sample_side(const Scene<2> &scene, const unsigned int side) {
   return samples;
 }
 
+INSTANTIATE_FUNCTION(sample_side);
+
 void write_scene_json(std::ostream &stream, const Scene<2> &scene,
-                      const Triangulation<2> &first_mesh) {
-  Json json = {{"sides", Json::array()}, {"cells", Json::array()}};
+                      const Triangulation<2> &first_mesh, const SceneNotes &notes) {
+  Json json = {{"sides", Json::array()},
+               {"cells", Json::array()},
+               {"notes", notes.lines},
+               {"body_force", notes.body_force}};
   for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
-    const SideSamples samples = sample_side(scene, i);
+    const SideSamples<2> samples = sample_side(scene, i);
     Json side = {{"name", scene.geometry.sides[i].name()},
                  {"role", word_for(scene.boundary[i].role)}};
     if (const auto opposite = scene.boundary[i].opposite)

@@ -63,6 +63,18 @@ test_check() {
   check "  its file" grep -q '"role":"contact"' shown/scene.json
   check "  nothing is solved" [ ! -e shown/convergence.csv ]
   check "  earlier results stay" [ "$(cat shown/answer.json)" = old ]
+  printf 'set Dimension = 3\nsubsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n' >shown/box.prm
+  printf 'subsection Load\nset Body force = 0; 0; -0.1*x\nend\n' >>shown/box.prm
+  printf 'subsection Contact\nset Friction = coulomb\nset Friction coefficient = 0.1+x\nend\n' >>shown/box.prm
+  run 0 shown/box.prm --check --output shown
+  check "  sides in space" grep -q '^bottom  *contact .* (1, 1, 0)  *1  *gap 0, friction coefficient 0.1 to 1.1$' stdout
+  check "  friction" says 'Friction: coulomb, bottom 0.1 to 1.1.'
+  check "  the body force" says 'Body force: x: 0, y: 0, z: -0.0875 to -0.0125.'
+  printf 'subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n' >shown/flat.prm
+  printf 'subsection Contact\nset Foundation = circle 0.5,-1 radius 1\nend\n' >>shown/flat.prm
+  run 0 shown/flat.prm --check --output shown --set 'Load cases/Cases=gap 0 to 2 in 5 cases | shift y 0.1'
+  check "  foundations and load cases" says 'Load cases: 6: gap 0 to 2, shift y 0 to 0.1.'
+  check "  in the file, too" grep -qF '"notes":["Foundation: circle 0.5,-1 radius 1",' shown/scene.json
   rm -r shown
 }
 
