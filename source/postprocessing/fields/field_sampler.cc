@@ -7,6 +7,8 @@
 #include <deal.II/fe/fe_nothing.h>
 #include <deal.II/fe/fe_q.h>
 
+#include <cmath>
+
 namespace Signorini {
 namespace {
 const UpdateFlags sample_flags =
@@ -99,7 +101,8 @@ const std::vector<FieldSample<dim>> &FieldSampler<dim>::evaluate(const Cell &cel
   for (unsigned int q = 0; q < samples_.size(); ++q) {
     const Point<dim> &x = values.quadrature_point(q);
     samples_[q] = {x, values.get_quadrature().point(q), u.values[q],
-                   field_.strain(cell, x, u.values[q], u.gradients[q])};
+                   field_.strain(cell, x, u.values[q], u.gradients[q]),
+                   (u.gradients[q] - transpose(u.gradients[q])).norm() / std::sqrt(8.)};
   }
   return samples_;
 }

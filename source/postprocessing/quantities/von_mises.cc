@@ -192,18 +192,19 @@ namespace {
 struct CellResults {
   /** The largest stress of all points, and of those away from singular places. */
   FieldMaximum all, away;
-  /** The measure of the cells, and that of those with large strains. */
-  double measure = 0., strained = 0.;
+  /** The measure of the cells, and that of those with large strains and with large rotations. */
+  double measure = 0., strained = 0., turned = 0.;
 
   void add(const CellResults &other) {
     take_larger(other.all, all);
     take_larger(other.away, away);
     measure += other.measure;
     strained += other.strained;
+    turned += other.turned;
   }
   template <typename Archive>
   void serialize(Archive &archive, const unsigned int /*version*/) {
-    archive &all &away &measure &strained;
+    archive &all &away &measure &strained &turned;
   }
 };
 
@@ -237,6 +238,8 @@ CellResults results_of(const Cells<dim> &cells, const SampledField<dim> &field,
     results.measure += measure;
     if (is_large(samples[0].strain.in_body))
       results.strained += measure;
+    if (samples[0].rotation > large_rotation)
+      results.turned += measure;
     const MeshAt mesh = mesh_at(field.space, cell);
     for (unsigned int q = at_nodes ? 1 : 0; q < samples.size(); ++q)
       try {
@@ -279,6 +282,7 @@ VonMises largest_von_mises(const DisplacementSpace<dim> &space, const Scene<dim>
   if (!places.empty())
     stress.away = results.away;
   stress.strained_share = results.strained / results.measure;
+  stress.turned_share = results.turned / results.measure;
   return stress;
 }
 

@@ -223,6 +223,7 @@ Json answer_of(const std::vector<LevelRecord> &levels, const StudyVerdict &verdi
     {"von_mises",
      maximum_of<FieldMaximum>(levels, [](const Answer &a) { return std::optional(a.von_mises); })},
     {"strained_share", answer.von_mises.strained_share},
+    {"turned_share", answer.von_mises.turned_share},
     {"energy",
      {{"value", finest.certificate.energy},
       {"lower", bound.energy_lower},

@@ -47,9 +47,26 @@ std::string describe_partition(const DiscretizationParameters &given) {
   return "H = " + std::to_string(given.patch_ratio) + " h";
 }
 
-/** The largest share of strongly strained material without a warning. Near singular stresses, or
- * under a small contact zone, the share is smaller. */
-constexpr double tolerated_strained_share = 0.01;
+/** The largest share of strongly strained or turned material without a warning. Near singular
+ * stresses, or under a small contact zone, the share is smaller. */
+constexpr double tolerated_share = 0.01;
+
+/** Warns where much of the body is strained or turns so much that linear elasticity does not hold.
+ * A scene with an exact solution is a test of the linear equations. */
+void warn_of_large_gradients(const LevelRecord &finest, std::ostream &screen) {
+  if (finest.displacement_errors || finest.pressure_errors)
+    return;
+  const VonMises &found = finest.answer.von_mises;
+  const auto warn = [&](const double share, const std::string &what) {
+    if (share > tolerated_share)
+      screen << "Warning: " << std::round(100. * share) << " % of the body " << what
+             << ", does not describe this.\n";
+  };
+  warn(found.strained_share, "is strained by more than " + number_text(100. * large_strain) +
+                               " %: linear elasticity, which is made for small strains");
+  warn(found.turned_share, "turns by more than " + number_text(large_rotation) +
+                             " rad: linear elasticity, which is made for small rotations");
+}
 
 /** Returns a description of the sequence of meshes. */
 std::string describe_meshes(const Parameters &parameters, const Judge &judge) {
@@ -117,14 +134,8 @@ void print_verdict(const std::vector<LevelRecord> &levels, const Judge &judge,
       screen << "Projected SOR: of " << finest.dual.iterations
              << " sweeps, the increment alone was small after " << *finest.dual.increment_iterations
              << ".\n";
+    warn_of_large_gradients(finest, screen);
   }
-  const double strained = levels.empty() ? 0. : levels.back().answer.von_mises.strained_share;
-  // A scene with an exact solution is a test of the linear equations.
-  if (strained > tolerated_strained_share && !levels.back().displacement_errors &&
-      !levels.back().pressure_errors)
-    screen << "Warning: " << std::round(100. * strained)
-           << " % of the body is strained by more than " << 100. * large_strain
-           << " %: linear elasticity, which is made for small strains, does not describe this.\n";
   constexpr double large_turn = 0.1;
   if (const double turn = levels.empty() ? 0. : levels.back().answer.turn_of_normals;
       turn > large_turn)

@@ -174,6 +174,13 @@ void von_mises_stress(Checks &checks) {
   checks.near("its place", found.point.distance({1., 0.}), 0., 1e-13);
   // x/2 is above 0.1 behind x = 0.2, in three of four columns of cells.
   checks.near("half of the shear is a principal strain", found.strained_share, 0.75, 1e-13);
+  checks.near("half of it is a rotation", found.turned_share, 0.75, 1e-13);
+  const VonMises turned = largest_von_mises(
+    bending.space(), bending.scene, nodal_values(bending.space(), [](const dealii::Point<2> &x) {
+      return Vector2({-0.11 * x[1], 0.11 * x[0]});
+    }));
+  checks.near("a rotation", turned.turned_share, 1., 0.);
+  checks.near("strains nothing", turned.strained_share + turned.value, 0., 1e-13);
 }
 } // namespace
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace Signorini {
-/** The displacement and the strain at a point of a cell. */
+/** The displacement, the strain and the rotation at a point of a cell. */
 template <int dim>
 struct FieldSample {
   Point<dim> x;
@@ -18,6 +18,8 @@ struct FieldSample {
   Point<dim> unit;
   Tensor<1, dim> u;
   Strain<dim> strain;
+  /** The angle |W| of the rotation, 2 |W|² = W:W with W = (∇u - ∇uᵀ)/2 (radians, small). */
+  double rotation = 0.;
 };
 
 /** What samples are taken of: a solution. */

@@ -102,12 +102,15 @@ struct VonMises : FieldMaximum {
   /** The largest stress away from all SingularPlace, where there are any. */
   std::optional<FieldMaximum> away;
   /** The share of the body (area, volume) in cells with a principal strain above large_strain in
-   * their middle. */
-  double strained_share = 0.;
+   * their middle, and that in cells that turn by more than large_rotation there. */
+  double strained_share = 0., turned_share = 0.;
 };
 
 /** The limit of small strains: theories of small strains err by about as much as the strain. */
 constexpr double large_strain = 0.1;
+/** The limit of small rotations (radians): one by θ is seen as a strain of θ²/2, and an angle by
+ * about θ² too large. */
+constexpr double large_rotation = 0.1;
 
 /**
  * Returns the largest stress at the points of FieldSampler::at_nodes() of every cell. Points at
