@@ -248,6 +248,11 @@ void DisplacementSpace<dim>::distribute_without_pins(Displacement &w) const {
   set_constrained(constraints_without_pins(), w);
 }
 
+template <int dim>
+void DisplacementSpace<dim>::make_continuous(Displacement &v) const {
+  set_constrained(continuity_, v);
+}
+
 namespace {
 /** Adds the rows of constrained degrees of freedom to those that they follow, and clears them. */
 void carry(const AffineConstraints<double> &constraints, DualVector &functional) {

@@ -13,8 +13,9 @@
 
 namespace Signorini {
 namespace {
-/** Calls work(cell, K, U) with the matrix of every cell of this rank and the values of U there, as
- * long as it returns true. */
+/** Calls work(cell, K, U) with the matrix of every cell of this rank where U does not vanish, and
+ * the values of U there, as long as it returns true. Prescribed displacements vanish in most cells.
+ */
 template <int dim, typename Work>
 void for_each_cell(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                    const Displacement &U, const Work &work) {
@@ -24,7 +25,7 @@ void for_each_cell(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
     if (cell->is_locally_owned()) {
       on_cell.reinit(cell->get_fe().n_dofs_per_cell());
       cell->get_dof_values(U, on_cell);
-      if (!work(cell, stiffness(cell), on_cell))
+      if (!on_cell.all_zero() && !work(cell, stiffness(cell), on_cell))
         return;
     }
 }
@@ -37,9 +38,6 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const S
   dealii::Vector<double> forces, magnitudes;
   double energy = 0.;
   for_each_cell(space, scene, U, [&](const auto &cell, const FullMatrix<double> &K, auto &on_cell) {
-    // Prescribed displacements vanish in most cells.
-    if (on_cell.all_zero())
-      return true;
     forces.reinit(on_cell.size());
     magnitudes.reinit(on_cell.size());
     K.vmult(forces, on_cell);

@@ -80,6 +80,7 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
         contact.U = solver.displacement();
         contact.P = solver.multiplier();
         Scene<2> moved = with_plates_moved(scene_of_case(scene, load_case), result.plates);
+        result.reactions = solver.reactions(contact.U);
         result.reports = solver.report(contact.U);
         if (load_case.has_fields)
           use_fields(result.number, moved, contact.U, contact.P);

@@ -7,7 +7,6 @@
 #include <signorini/postprocessing/load_cases/case_solver.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
-#include <signorini/postprocessing/quantities/side_forces.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/kinematics/motion_modes.h>
 
@@ -41,6 +40,7 @@ CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &
   , C_(make_compliance(*contact_.inverse, discretization_.condensed_D))
   , B_(contact_.modes.couple(discretization_.D))
   , G_(discretization_.assemble_gap_of(scene_))
+  , reactions_(discretization_.space, scene_)
   , slip_(discretization_.multipliers.n_multipliers()) {
   for (const LoadKind kind : {LoadKind::force, LoadKind::weight, LoadKind::travel, LoadKind::cross})
     if (has_load(scene_, kind))
@@ -86,14 +86,18 @@ FrictionSummary CaseSolver::finish_step(const dealii::Vector<double> &F) {
   return summary;
 }
 
+DualVector CaseSolver::loads_of(const LoadCase &load_case) const {
+  DualVector loads = discretization_.space.make_vector();
+  for (const LoadResponse &response : responses_)
+    loads.add(share_of(load_case, response.kind), response.loads);
+  return loads;
+}
+
 bool CaseSolver::slides(const LoadCase &load_case) const {
   if (contact_.modes.unseen.empty())
     return false;
-  DualVector loads = discretization_.space.zero();
-  for (const LoadResponse &response : responses_)
-    loads.add(share_of(load_case, response.kind), response.loads);
   const std::vector<Plate> plates = plates_of_case(scene_.plates, load_case);
-  return contact_.modes.driven_unseen(plates, loads).has_value();
+  return contact_.modes.driven_unseen(plates, loads_of(load_case)).has_value();
 }
 
 CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {
@@ -150,6 +154,12 @@ CaseResult CaseSolver::solve(const LoadCase &load_case) {
   result.active = summarise_contact(discretization_.multipliers, P_.normal()).active;
   result.plates = contact_.modes.plate_motions(plates_of_case(scene_.plates, load_case), q_);
   return result;
+}
+
+std::vector<std::pair<std::string, double>> CaseSolver::reactions(const Displacement &U) const {
+  DualVector forces = loads_of(last_);
+  discretization_.D.add_product(P_.values(), forces);
+  return reactions_.of(U, forces);
 }
 
 std::vector<PlaceReport> CaseSolver::report(const Displacement &U) const {

@@ -10,6 +10,7 @@
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -83,7 +84,7 @@ namespace {
 template <int dim>
 struct HeldNode {
   Point<dim> point;
-  Tensor<1, dim> reaction;
+  std::array<types::global_dof_index, dim> dofs;
   std::set<unsigned int> sides;
 };
 
@@ -94,8 +95,7 @@ bool holds(const Role role) {
 /** Returns the held nodes of this rank by their first degree of freedom. */
 template <int dim>
 std::map<types::global_dof_index, HeldNode<dim>> held_nodes(const DisplacementSpace<dim> &space,
-                                                            const Scene<dim> &scene,
-                                                            const NodalForces &forces) {
+                                                            const Scene<dim> &scene) {
   std::map<types::global_dof_index, HeldNode<dim>> nodes;
   NodePositions<dim> positions(space);
   std::vector<types::global_dof_index> indices;
@@ -112,12 +112,12 @@ std::map<types::global_dof_index, HeldNode<dim>> held_nodes(const DisplacementSp
         for (unsigned int k = 0; k < points.size(); ++k) {
           const unsigned int first = element.component_to_system_index(0, k);
           if (!element.has_support_on_face(first, f) ||
-              !forces.residual.in_local_range(indices[first]))
+              !space.locally_owned().is_element(indices[first]))
             continue;
           HeldNode<dim> &node = nodes[indices[first]];
           node.point = points[k];
           for (unsigned int c = 0; c < dim; ++c)
-            node.reaction[c] = forces.residual(indices[element.component_to_system_index(c, k)]);
+            node.dofs[c] = indices[element.component_to_system_index(c, k)];
           node.sides.insert(face->boundary_id());
         }
       }
@@ -127,12 +127,12 @@ std::map<types::global_dof_index, HeldNode<dim>> held_nodes(const DisplacementSp
 /** Adds the reaction of a node to the sides that hold it: to rollers its projection on their
  * normals, to others equal shares of the rest. */
 template <int dim>
-void divide(const HeldNode<dim> &node, const Scene<dim> &scene,
+void divide(const HeldNode<dim> &node, const Tensor<1, dim> &reaction, const Scene<dim> &scene,
             std::map<unsigned int, Resultant<dim>> &by_side) {
   std::vector<unsigned int> rollers, others;
   for (const unsigned int side : node.sides)
     (scene.boundary[side].role == Role::roller ? rollers : others).push_back(side);
-  Tensor<1, dim> rest = node.reaction;
+  Tensor<1, dim> rest = reaction;
   if (const unsigned int n = rollers.size()) {
     // Σ λ_i n_i with n_j.Σ λ_i n_i = n_j.R, where normals are parallel in equal shares.
     std::vector<Tensor<1, dim>> normals;
@@ -143,7 +143,7 @@ void divide(const HeldNode<dim> &node, const Scene<dim> &scene,
     LAPACKFullMatrix<double> products(n, n);
     dealii::Vector<double> components(n), lambda(n);
     for (unsigned int i = 0; i < n; ++i) {
-      components[i] = normals[i] * node.reaction;
+      components[i] = normals[i] * reaction;
       for (unsigned int j = 0; j < n; ++j)
         products(i, j) = normals[i] * normals[j];
     }
@@ -169,8 +169,12 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space, const Scen
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
     if (holds(scene.boundary[i].role))
       by_side[i] = {};
-  for (const auto &[dof, node] : held_nodes(space, scene, forces))
-    divide(node, scene, by_side);
+  for (const auto &[dof, node] : held_nodes(space, scene)) {
+    Tensor<1, dim> reaction;
+    for (unsigned int c = 0; c < dim; ++c)
+      reaction[c] = forces.residual(node.dofs[c]);
+    divide(node, reaction, scene, by_side);
+  }
   const double scale = forces.largest();
   std::vector<SideForce> result;
   for (const auto &[number, part] : by_side) {
@@ -179,6 +183,37 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space, const Scen
                                 side.centre(), scale));
   }
   return result;
+}
+
+ReactionFunctionals::ReactionFunctionals(const DisplacementSpace<2> &space, const Scene<2> &scene) {
+  std::map<unsigned int, std::array<Displacement, 2>> v;
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+    if (holds(scene.boundary[i].role))
+      v[i] = {{space.zero(), space.zero()}};
+  for (const auto &[dof, node] : held_nodes(space, scene))
+    for (unsigned int c = 0; c < 2; ++c) {
+      std::map<unsigned int, Resultant<2>> by_side;
+      Tensor<1, 2> unit;
+      unit[c] = 1.;
+      divide(node, unit, scene, by_side);
+      for (const auto &[side, part] : by_side)
+        for (unsigned int d = 0; d < 2; ++d)
+          v[side][d](node.dofs[c]) = part.force[d];
+    }
+  for (auto &[side, components] : v)
+    for (unsigned int d = 0; d < 2; ++d) {
+      space.make_continuous(components[d]);
+      functionals_.push_back({scene.geometry.sides[side].name() + "_" + "xy"[d], components[d],
+                              internal_forces(space, scene, components[d]).forces});
+    }
+}
+
+std::vector<std::pair<std::string, double>>
+ReactionFunctionals::of(const Displacement &U, const DualVector &forces) const {
+  std::vector<std::pair<std::string, double>> values;
+  for (const Functional &functional : functionals_)
+    values.emplace_back(functional.name, U * functional.stiffness - functional.v * forces);
+  return values;
 }
 
 INSTANTIATE_FUNCTION(side_force);

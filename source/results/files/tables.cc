@@ -163,16 +163,27 @@ void write_rows(std::ostream &stream, const std::string &header,
 // cases.csv: force against travel, zone against force.
 
 namespace {
-/** Returns the columns of the reports, in quotation marks: names of places may contain commas. */
-Columns<CaseResult> report_columns(const std::vector<CaseResult> &cases) {
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+
+NamedNumbers reactions_of(const CaseResult &result) {
+  return result.reactions;
+}
+NamedNumbers extremes_of(const CaseResult &result) {
+  return named_extremes(result.reports);
+}
+
+/** Returns the columns of numbers that the cases have names for. */
+Columns<CaseResult> named_columns(const std::vector<CaseResult> &cases,
+                                  NamedNumbers (*const numbers_of)(const CaseResult &),
+                                  const std::string &before, const std::string &after) {
   Columns<CaseResult> columns;
-  const auto reported = std::find_if(cases.begin(), cases.end(),
-                                     [](const CaseResult &c) { return !c.reports.empty(); });
-  if (reported != cases.end())
-    for (const auto &extreme : named_extremes(reported->reports))
+  const auto known = std::find_if(cases.begin(), cases.end(),
+                                  [&](const CaseResult &c) { return !numbers_of(c).empty(); });
+  if (known != cases.end())
+    for (const auto &named : numbers_of(*known))
       columns.push_back(
-        {'"' + extreme.first + '"', [name = extreme.first](const CaseResult &c) {
-           const auto numbers = named_extremes(c.reports);
+        {before + named.first + after, [name = named.first, numbers_of](const CaseResult &c) {
+           const NamedNumbers numbers = numbers_of(c);
            const auto number = std::find_if(numbers.begin(), numbers.end(),
                                             [&](const auto &n) { return n.first == name; });
            return number != numbers.end() ? std::optional(number->second) : std::nullopt;
@@ -181,7 +192,7 @@ Columns<CaseResult> report_columns(const std::vector<CaseResult> &cases) {
 }
 
 /** Returns the columns: first the loads, then the answers, which an escape leaves empty. */
-Columns<CaseResult> case_columns(const bool has_friction) {
+Columns<CaseResult> case_columns(const std::vector<CaseResult> &cases) {
   using Case = CaseResult;
   const auto of_plate = [](double PlateMotion::*const part) {
     return [part](const Case &c) {
@@ -212,23 +223,24 @@ Columns<CaseResult> case_columns(const bool has_friction) {
                        }});
   columns.push_back({"cross", [](const Case &c) { return c.load_case.cross; }});
   columns.push_back({"estimate", &Case::estimate});
-  if (has_friction) {
+  for (const Column<Case> &column : named_columns(cases, reactions_of, "reaction_", ""))
+    columns.push_back(column);
+  if (std::any_of(cases.begin(), cases.end(), [](const Case &c) { return c.friction; })) {
     columns.push_back({"level", &Case::level});
     columns.push_back({"slide", [](const Case &c) { return c.load_case.slide; }});
     for (const Column<Case> &column : columns_of(&Case::friction))
       if (column.name != "q_l2" && column.name != "critical_friction_factor")
         columns.push_back(column);
   }
+  // Names of places may contain commas.
+  for (const Column<Case> &column : named_columns(cases, extremes_of, "\"", "\""))
+    columns.push_back(column);
   return columns;
 }
 } // namespace
 
 void write_cases_csv(std::ostream &stream, const std::vector<CaseResult> &cases) {
-  const bool has_friction =
-    std::any_of(cases.begin(), cases.end(), [](const CaseResult &c) { return c.friction; });
-  Columns<CaseResult> columns = case_columns(has_friction);
-  for (const Column<CaseResult> &column : report_columns(cases))
-    columns.push_back(column);
+  const Columns<CaseResult> columns = case_columns(cases);
   stream << "case," << csv_header(columns) << ",state\n";
   for (const CaseResult &result : cases)
     stream << result.number << "," << csv_row(columns, result) << ","

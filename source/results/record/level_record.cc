@@ -97,6 +97,8 @@ void multiply_forces(const double thickness, LevelRecord &record) {
 void multiply_forces(const double thickness, CaseResult &result) {
   result.contact.force *= thickness;
   result.contact.moment *= thickness;
+  for (auto &[name, force] : result.reactions)
+    force *= thickness;
   if (result.friction)
     multiply(thickness, result.friction->tangential_force, result.friction->dissipation);
 }

@@ -13,6 +13,8 @@
 using namespace Signorini;
 
 namespace {
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+
 /** A block: a plate on the left, a traction and its weight press it; the right side is moved. */
 std::string block(const LoadCase &load_case) {
   std::ostringstream text;
@@ -52,6 +54,15 @@ void compare(Checks &checks, const std::string &name, const std::string &foundat
                 {result.plates.at(0).travel, result.plates.at(0).drift,
                  result.plates.at(0).rotation, result.contact.force[0], result.contact.force[1]},
                 {motion.travel, motion.drift, motion.rotation, force[0], force[1]}, 1e-10);
+    NamedNumbers expected;
+    for (const SideForce &reaction : own.record.answer.reactions)
+      for (unsigned int d = 0; d < 2; ++d)
+        expected.emplace_back(reaction.side + "_" + "xy"[d], reaction.resultant.force[d]);
+    const NamedNumbers found = solver.reactions(own.contact.U);
+    checks.that(at + ": reactions", found.size() == expected.size());
+    for (std::size_t r = 0; r < found.size(); ++r)
+      checks.near(at + ": " + expected[r].first + " as " + found[r].first, found[r].second,
+                  expected[r].second, 1e-10);
     checks.near(at + ": peak", result.peak_pressure, peak ? peak->value : 0., 1e-8);
   }
 }

@@ -185,6 +185,8 @@ public:
    * functional is the same on continuous functions. Reactions are then at supports and nowhere
    * else. */
   void carry_to_masters(DualVector &functional) const;
+  /** Sets the values of degrees of freedom that only keep a function continuous. */
+  void make_continuous(Displacement &v) const;
   /** Returns one of the mesh's cells with its degrees of freedom. */
   typename DoFHandler<dim>::active_cell_iterator dof_cell(const CellIterator &cell) const;
   /** Returns the degrees of freedom of one of the mesh's cells. */

@@ -5,12 +5,14 @@
 #include <signorini/discretization/elasticity/resultant.h>
 #include <signorini/postprocessing/quantities/friction.h>
 #include <signorini/postprocessing/quantities/place_report.h>
+#include <signorini/postprocessing/quantities/side_forces.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/methods/contact_method.h>
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Signorini {
@@ -38,6 +40,9 @@ struct CaseResult {
   std::optional<FrictionSummary> friction;
   /** The estimated relative error in the energy norm, where it is wanted. */
   std::optional<double> estimate;
+  /** The forces of clamped, prescribed and roller sides on the body, "left_x", ... (force per
+   * thickness). */
+  std::vector<std::pair<std::string, double>> reactions;
   /** The places of Output/Report. */
   std::vector<PlaceReport> reports;
   unsigned int iterations = 0;
@@ -80,6 +85,8 @@ public:
   }
   /** Returns U of the last case by one more solve. Collective. */
   Displacement displacement() const;
+  /** Returns the reactions of the last case, whose displacement is given. */
+  std::vector<std::pair<std::string, double>> reactions(const Displacement &U) const;
   /** Returns the report of the last case, whose displacement is given. Collective. */
   std::vector<PlaceReport> report(const Displacement &U) const;
 
@@ -101,6 +108,8 @@ private:
   dealii::Vector<double> gap_of(const LoadCase &load_case) const;
   /** Summarises friction, and remembers the slip of a step. */
   FrictionSummary finish_step(const dealii::Vector<double> &F);
+  /** Returns the loads of a case. */
+  DualVector loads_of(const LoadCase &load_case) const;
   /** Returns whether the loads of a case drive a motion that contact does not resist. */
   bool slides(const LoadCase &load_case) const;
   /**
@@ -118,6 +127,7 @@ private:
   FullMatrix<double> B_;
   dealii::Vector<double> G_;
   std::vector<LoadResponse> responses_;
+  ReactionFunctionals reactions_;
   /** The singular places, for reports. */
   std::vector<SingularPlace<2>> singular_places_;
   LoadCase last_;

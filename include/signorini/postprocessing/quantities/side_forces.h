@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Signorini {
@@ -57,4 +58,26 @@ SideForce contact_force(const MultiplierSpace<dim> &multipliers,
 template <int dim>
 std::vector<SideForce> reactions(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                                  const NodalForces &forces);
+
+/** The forces of reactions() as functionals of the solution, each r(u) = a(u, v) - f(v) - ∫ p_H v.n
+ * with a fixed v in the space without essential conditions: for many loads on one body. */
+class ReactionFunctionals {
+public:
+  /** Integrates a(., v) on the cells beside held sides. */
+  ReactionFunctionals(const DisplacementSpace<2> &space, const Scene<2> &scene);
+
+  /** Returns the components of all held sides, "left_x", ... (force per thickness).
+   * @param forces loads and contact forces at all degrees of freedom. */
+  std::vector<std::pair<std::string, double>> of(const Displacement &U,
+                                                 const DualVector &forces) const;
+
+private:
+  struct Functional {
+    std::string name;
+    Displacement v;
+    /** The values a(φ_j, v). */
+    DualVector stiffness;
+  };
+  std::vector<Functional> functionals_;
+};
 } // namespace Signorini
