@@ -359,6 +359,26 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
   sliding.P = found.qp.P;
   return slides ? std::optional(sliding) : std::nullopt;
 }
+
+/** Returns the motion in which all patches open, if the loads drive one where there is no friction:
+ * once it has begun, nothing touches. */
+std::optional<Vector> departure(const FreeMotions &motions, const AdmissibleSet &K,
+                                const double stiffness) {
+  FreeMotions normal = motions;
+  normal.B = Matrix(K.n_normal(), motions.B.n());
+  for (unsigned int i = 0; i < normal.B.m(); ++i)
+    for (unsigned int j = 0; j < normal.B.n(); ++j)
+      normal.B(i, j) = motions.B(i, j);
+  const std::optional<Vector> v =
+    ReducedMotions(normal, AdmissibleSet::nonpositive(K.n_normal()), stiffness).escape;
+  Vector closing(K.n_normal());
+  if (v)
+    normal.B.vmult(closing, *v);
+  const double small = 1e-8 * closing.linfty_norm();
+  return std::all_of(closing.begin(), closing.end(), [small](const double x) { return x < -small; })
+           ? v
+           : std::nullopt;
+}
 } // namespace
 
 MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C, const Vector &F,
@@ -413,6 +433,8 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
     } else
       result.qp =
         solve_dual_problem(C, F, K, sliding ? sliding->P : result.qp.P, options, reduced.balances);
+    if (!result.qp.converged && !result.escape)
+      result.escape = departure(motions, K, stiffness);
   }
   if (reduced.balances.size() > 0)
     reduced.T.vmult(result.q, result.qp.z);

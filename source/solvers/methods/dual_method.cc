@@ -67,12 +67,14 @@ double typical_stiffness(const FreeMotions &motions) {
   return stiffness > 0. ? stiffness : 1.;
 }
 
-/** Returns whether forces at points of the contact boundary can balance the loads. */
+/** Returns whether forces at points of the contact boundary can balance the loads, and those in the
+ * middles of patches cannot. */
 bool points_balance(const Discretization<2> &discretization, const MotionModes<2> &modes,
                     const FreeMotions &motions) {
   const PointMotions at_points = with_forces_at_points(motions, discretization, modes);
-  return !ReducedMotions(at_points.motions, at_points.admissible, typical_stiffness(motions))
-            .escape;
+  const double stiffness = typical_stiffness(motions);
+  return ReducedMotions(motions, discretization.K, stiffness).escape &&
+         !ReducedMotions(at_points.motions, at_points.admissible, stiffness).escape;
 }
 
 /** Refuses loads that drive a motion along which contact sides slide. @throws InputError always. */

@@ -375,6 +375,20 @@ void test_loads_in_balance(Checks &checks) {
                   0., 1e-14);
 }
 
+/** A wedge that friction could lock, but nothing presses: Newton's method finds no states. */
+void test_departure(Checks &checks) {
+  checks.throws<InputError>("a wedge that is pulled out of its slope", "it lifts off", []() {
+    OneLevel("Geometry/Shape = polygon\n"
+             "Geometry/Vertices = 0,0; 1,0; 1.2,1; 0,1\n"
+             "Boundary/Rollers = side3\nBoundary/Contact = side1\n"
+             "Boundary/Traction = side2: 0; 0.01\n"
+             "Contact/Friction = coulomb\n"
+             "Contact/Friction coefficient = 0.3\n",
+             3)
+      .solve();
+  });
+}
+
 /** With f = 0 friction changes nothing. */
 void test_no_friction(Checks &checks) {
   const LevelSolution<2>
@@ -388,5 +402,5 @@ int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {test_references, test_displacements, test_published, test_solvers, test_patch,
                     test_large_coefficient, test_free_bodies, test_limit_of_sliding, test_glued,
-                    test_loads_in_balance, test_three_solutions, test_no_friction});
+                    test_loads_in_balance, test_three_solutions, test_departure, test_no_friction});
 }
