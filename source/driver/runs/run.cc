@@ -103,6 +103,13 @@ Parameters parameters_of(const RunInput &input) {
                           std::filesystem::path(input.file_name).parent_path().string());
 }
 
+/** Returns whether graded meshes were chosen that miss the contact of load cases: they follow that
+ * of the scene itself, which does not touch. */
+bool misses_contact(const Parameters &given, const RunSummary &run) {
+  return given.discretization.strategy == Strategy::automatic && run.exit_code == 2 && run.finest &&
+         run.finest->sizes.is_graded() && run.finest->load_cases && run.finest->contact.active == 0;
+}
+
 /** Runs the scene of some parameters. @throws InputError for wrong input. */
 template <int dim>
 RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Comm communicator,
@@ -132,12 +139,23 @@ RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Co
     const StudyResult<dim> result = run_study(parameters, scene, communicator, report);
     if (is_first_rank(communicator))
       describe_interruption("after the last level; the results are complete.");
-    if (!result.verdict.reason.empty())
-      screen.complain(result.verdict.reason);
     RunSummary summary = {
       result.verdict.is_certified() ? 0 : 2, word_for(result.verdict.outcome), {}};
     if (!result.levels.empty())
       summary.finest = result.levels.back();
+    if (misses_contact(given, summary)) {
+      screen.out() << "\nStrategy  nested, since load cases alone touch\n";
+      results.reset();
+      Parameters nested = given;
+      nested.discretization.strategy.value = Strategy::nested;
+      decided = input;
+      // The error of the scene itself says nothing about the cases: all levels are solved.
+      decided.overrides.push_back(nested.discretization.strategy.name + "=nested");
+      decided.overrides.push_back(nested.discretization.target_error.name + "=0");
+      return run_parameters<dim>(nested, decided, communicator, screen);
+    }
+    if (!result.verdict.reason.empty())
+      screen.complain(result.verdict.reason);
     return summary;
   } catch (const InputError &error) {
     // After wrong input no results remain.

@@ -255,6 +255,12 @@ test_accuracy() {
   run 0 plate.prm
   run 0 plate.prm --sweep 'Load/Plate travel=top: 0, top: 0.1, top: 0.15' --set 'Load cases/Cases=travel 0 | travel 1'
 
+  # Load cases alone touch: graded meshes, which would miss their contact, give way to nested ones.
+  described '0; -0.01' '0.02+(x-0.3)^2' >apart.prm
+  sed -i '/level/d' apart.prm
+  run 0 apart.prm --set 'Load cases/Cases=travel 4' --set 'Discretization/Target error=0.05'
+  check "  graded meshes are left" says 'Strategy  nested, since load cases alone touch'
+
   # A circle that touches the body in one point, without loads: what is left is the rounding of the gap.
   printf 'subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n' >touching.prm
   for x in 0.5 0.3 0.37; do
