@@ -98,25 +98,27 @@ void print_sides(const Scene<dim> &scene, std::ostream &screen) {
       texts.push_back(number_text(std::abs(x[d]) < rounding ? 0. : x[d]));
     return "(" + join(texts, ", ") + ")";
   };
-  std::size_t width = 12;
-  for (const Side<dim> &side : scene.geometry.sides)
-    width = std::max(width, side.name().size() + 2);
-  const auto columns = static_cast<int>(width);
-  screen << std::left << std::setw(columns) << "side" << std::setw(14) << "role" << std::setw(20)
-         << "from" << std::setw(20) << "to" << std::setw(10) << (dim == 2 ? "length" : "area")
-         << "data\n";
+  std::vector<std::vector<std::string>> rows = {
+    {"side", "role", "from", "to", dim == 2 ? "length" : "area", "data"}};
   for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     const Side<dim> &side = scene.geometry.sides[i];
-    const SideSamples<dim> samples = sample_side(scene, i);
+    const std::vector<Point<dim>> points = sample_side(scene, i).points;
     double measure = 1.;
     if constexpr (dim == 2)
       measure = side.length();
     else
       measure = side.lengths()[0] * side.lengths()[1];
-    screen << std::setw(columns) << side.name() << std::setw(14) << word_for(scene.boundary[i].role)
-           << std::setw(20) << point(samples.points.front()) << std::setw(20)
-           << point(samples.points.back()) << std::setw(10) << number_text(measure)
-           << data_of(scene, i, samples.points) << "\n";
+    rows.push_back({side.name(), word_for(scene.boundary[i].role), point(points.front()),
+                    point(points.back()), number_text(measure), data_of(scene, i, points)});
+  }
+  std::vector<std::size_t> widths(rows[0].size());
+  for (const std::vector<std::string> &row : rows)
+    for (std::size_t k = 0; k + 1 < row.size(); ++k)
+      widths[k] = std::max(widths[k], row[k].size() + 2);
+  for (const std::vector<std::string> &row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k)
+      screen << std::left << std::setw(static_cast<int>(widths[k])) << row[k];
+    screen << "\n";
   }
   screen << "\n";
 }
