@@ -69,8 +69,9 @@ public:
       add({{polygon[0], polygon[i], polygon[i + 1]}}, depth);
   }
 
-  std::vector<Point<2>> points;
-  std::vector<double> weights;
+  const PlaneRule &made() const {
+    return made_;
+  }
 
 private:
   using Triangle = std::array<Point<2>, 3>;
@@ -104,8 +105,8 @@ private:
                  const Tensor<1, 2> &t) {
     const double jacobian = std::abs(s[0] * t[1] - s[1] * t[0]);
     for (unsigned int q = 0; q < here.size(); ++q) {
-      points.push_back(x + here.point(q)[0] * s + here.point(q)[1] * t);
-      weights.push_back(here.weight(q) * jacobian);
+      made_.points.push_back(x + here.point(q)[0] * s + here.point(q)[1] * t);
+      made_.weights.push_back(here.weight(q) * jacobian);
     }
   }
 
@@ -138,6 +139,7 @@ private:
   const std::vector<Point<2>> ends_;
   std::map<unsigned int, QDuffy> rules_;
   std::map<unsigned int, QGauss<2>> squares_;
+  PlaneRule made_;
 };
 
 /** Returns the Jacobian determinant of the bilinear map of a cell at a reference point. */
@@ -232,18 +234,24 @@ std::vector<PolygonPart> cut_polygon(const Kinks<2> &kinks, const Polygon &polyg
   return parts;
 }
 
-Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
-                             const unsigned int n_points) {
+PlaneRule cut_rule(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
+                   const unsigned int n_points) {
   const Polygon whole = {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)};
   PolygonRule rule(n_points, is_rectangle(whole), ends_near(kinks, cell));
   for (const PolygonPart &part : cut_polygon(kinks, whole))
     rule.add_polygon(part.corners, part.halvings);
+  return rule.made();
+}
+
+Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
+                             const unsigned int n_points) {
+  auto [points, weights] = cut_rule(kinks, cell, n_points);
   const MappingQ1<2> mapping;
-  for (std::size_t q = 0; q < rule.points.size(); ++q) {
-    rule.points[q] = mapping.transform_real_to_unit_cell(cell, rule.points[q]);
-    rule.weights[q] /= jacobian(cell, rule.points[q]);
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    points[q] = mapping.transform_real_to_unit_cell(cell, points[q]);
+    weights[q] /= jacobian(cell, points[q]);
   }
-  return Quadrature<2>(rule.points, rule.weights);
+  return Quadrature<2>(points, weights);
 }
 
 Quadrature<1> split_quadrature(const Quadrature<1> &rule, const std::vector<double> &cuts) {

@@ -76,6 +76,7 @@ AiryCell::AiryCell(const CellShape &unit_shape, const unsigned int degree,
       lifts_[k].emplace(shape_.seen_from_crossing().edge(k), degree);
   number_functions();
   factorise();
+  factorise_loads();
 }
 
 void AiryCell::number_functions() {
@@ -284,6 +285,7 @@ void AiryCell::forget_points() {
     lifts_[k].reset();
   }
   factor_.reinit(0);
+  load_factor_.reinit(0);
 }
 
 AiryCell::Vector AiryCell::multiply(const Vector &y) const {
@@ -316,38 +318,59 @@ std::array<double, max_legendre> AiryCell::load_integrals(const unsigned int d,
   return integrals;
 }
 
-PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
-                                 const std::vector<double> &weights,
-                                 const std::vector<Tensor<1, 2>> &force,
-                                 double &rest_square) const {
-  const unsigned int q = degree_, n = q * (q + 1) / 2;
-  // Rows of weighted values: for each point those of the polynomials, and of f' = F⁻¹ f.
-  LAPACKFullMatrix<double> rows(weights.size(), n), values(weights.size(), 2), coefficients(n, 2),
-    R(n);
+LAPACKFullMatrix<double> AiryCell::load_products(const std::vector<Point<2>> &on_diagonals,
+                                                 const std::vector<double> &weights) const {
+  LAPACKFullMatrix<double> products(degree_ * (degree_ + 1) / 2, weights.size());
   for (std::size_t p = 0; p < weights.size(); ++p) {
     const double root = std::sqrt(weights[p]);
     const auto X = load_values(0, on_diagonals[p][0]), Y = load_values(1, on_diagonals[p][1]);
     unsigned int l = 0;
-    for (unsigned int i = 0; i < q; ++i)
-      for (unsigned int j = 0; i + j < q; ++j)
-        rows(p, l++) = root * X[i] * Y[j];
-    const Tensor<1, 2> f = root * (inverse_ * force[p]);
+    for (unsigned int i = 0; i < degree_; ++i)
+      for (unsigned int j = 0; i + j < degree_; ++j)
+        products(l++, p) = root * X[i] * Y[j];
+  }
+  return products;
+}
+
+void AiryCell::factorise_loads() {
+  std::vector<Point<2>> on_diagonals;
+  std::vector<double> weights;
+  for (const auto &triangle : points_)
+    for (const AiryPoint &point : triangle) {
+      on_diagonals.push_back(point.on_diagonals);
+      weights.push_back(point.weight);
+    }
+  const LAPACKFullMatrix<double> products = load_products(on_diagonals, weights);
+  LAPACKFullMatrix<double> rows(products.n(), products.m());
+  products.transpose(rows);
+  load_factor_.reinit(products.m());
+  write_factor(rows, load_factor_);
+}
+
+PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
+                                 const std::vector<double> &weights,
+                                 const std::vector<Tensor<1, 2>> &force,
+                                 double &rest_square) const {
+  const LAPACKFullMatrix<double> products = load_products(on_diagonals, weights);
+  // f' = F⁻¹ f in columns.
+  LAPACKFullMatrix<double> values(weights.size(), 2), coefficients(products.m(), 2),
+    projected(weights.size(), 2);
+  for (std::size_t p = 0; p < weights.size(); ++p) {
+    const Tensor<1, 2> f = std::sqrt(weights[p]) * (inverse_ * force[p]);
     for (unsigned int c = 0; c < 2; ++c)
       values(p, c) = f[c];
   }
-  rows.Tmmult(coefficients, values);
-  write_factor(rows, R);
-  R.solve(coefficients, true);
-  R.solve(coefficients);
-  LAPACKFullMatrix<double> projected(weights.size(), 2);
-  rows.mmult(projected, coefficients);
+  products.mmult(coefficients, values);
+  load_factor_.solve(coefficients, true);
+  load_factor_.solve(coefficients);
+  products.Tmmult(projected, coefficients);
   rest_square = 0.;
   for (std::size_t p = 0; p < weights.size(); ++p)
     rest_square +=
       (F_ * Tensor<1, 2>({values(p, 0) - projected(p, 0), values(p, 1) - projected(p, 1)}))
         .norm_square();
   PolynomialLoad load;
-  for (unsigned int l = 0; l < n; ++l)
+  for (unsigned int l = 0; l < products.m(); ++l)
     load.emplace_back(Tensor<1, 2>({coefficients(l, 0), coefficients(l, 1)}));
   return load;
 }

@@ -155,53 +155,61 @@ Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &
   return values;
 }
 
-void CellFitter::project_load(const CellShape &shape, const Quadrature<2> &rule,
-                              CellFit &fit) const {
-  RulePoints places;
-  for (unsigned int q = 0; q < rule.size() && !shape.has_arcs(); ++q) {
-    const CellFunctions functions(rule.point(q));
-    places.emplace_back(shape.corners[0] + shape.offset(functions),
-                        rule.weight(q) * determinant(shape.jacobian(functions)));
-  }
-  for (unsigned int k = 0; k < 4 && shape.has_arcs(); ++k)
-    for (const AiryPoint &point : fit.airy->points()[k])
-      places.emplace_back(shape.crossing + shape.half_diagonals() * point.on_diagonals,
-                          point.weight * fit.size * fit.size);
+void CellFitter::project_load(const CellShape &shape, const PlaneRule &rule, CellFit &fit) const {
   std::vector<Point<2>> points;
   std::vector<double> weights;
   std::vector<Tensor<1, 2>> forces;
   Vector f(2);
-  for (const auto &[x, weight] : places) {
-    points.push_back(fit.airy->on_diagonals((x - shape.crossing) / fit.size));
-    weights.push_back(weight);
-    data_.scene.body_force->vector_value(x, f);
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    points.push_back(fit.airy->on_diagonals((rule.points[q] - shape.crossing) / fit.size));
+    weights.push_back(rule.weights[q] / (fit.size * fit.size));
+    data_.scene.body_force->vector_value(rule.points[q], f);
     forces.emplace_back(Tensor<1, 2>({f[0], f[1]}) * fit.size);
   }
   double rest = 0.;
   fit.load = fit.airy->project(points, weights, forces, rest);
-  fit.load_rest = std::sqrt(rest) / fit.size;
+  fit.load_rest = std::sqrt(rest);
+}
+
+PlaneRule CellFitter::load_rule(const Cell &cell, const CellShape &shape,
+                                const CellFit &fit) const {
+  PlaneRule rule;
+  const auto add = [&rule](const Point<2> &x, const double weight) {
+    rule.points.push_back(x);
+    rule.weights.push_back(weight);
+  };
+  for (unsigned int k = 0; k < 4 && shape.has_arcs(); ++k)
+    for (const AiryPoint &point : fit.airy->points()[k])
+      add(shape.crossing + shape.half_diagonals() * point.on_diagonals,
+          point.weight * fit.size * fit.size);
+  if (shape.has_arcs())
+    return rule;
+  // Products of f_K with itself, and f of as many degrees more as f_K has.
+  const unsigned int n = fit.airy->degree() + 4;
+  if (needs_cuts<2>(data_.scene.kinks, cell))
+    return cut_rule(data_.scene.kinks, cell, n);
+  // Such a rule resolves smooth data in a quarter of the body, see scan_data().
+  const Geometry<2> &body = data_.scene.geometry;
+  const bool is_wide =
+    !is_constant(*data_.scene.body_force) && cell->diameter() > 0.4 * body.shortest_extent();
+  std::unique_lock<std::mutex> lock(load_rules_mutex_);
+  Quadrature<2> &plain = load_rules_[is_wide ? 4 * n : n];
+  if (plain.size() == 0)
+    plain = QIterated<2>(QGauss<1>(n), is_wide ? 4 : 1);
+  lock.unlock();
+  for (unsigned int q = 0; q < plain.size(); ++q) {
+    const CellFunctions functions(plain.point(q));
+    add(shape.corners[0] + shape.offset(functions),
+        plain.weight(q) * determinant(shape.jacobian(functions)));
+  }
+  return rule;
 }
 
 Vector CellFitter::subtract_load(const Cell &cell, const CellShape &shape, Vector &values,
                                  CellFit &fit) const {
   if (data_.scene.body_force == nullptr)
     return Vector(fit.airy->n_traces());
-  // Products of f_K with itself, and f of as many degrees more as f_K has.
-  const unsigned int n = fit.airy->degree() + 4;
-  if (needs_cuts<2>(data_.scene.kinks, cell))
-    project_load(shape, cut_quadrature(data_.scene.kinks, cell, n), fit);
-  else {
-    // Such a rule resolves smooth data in a quarter of the body, see scan_data().
-    const Geometry<2> &body = data_.scene.geometry;
-    const bool is_wide =
-      !is_constant(*data_.scene.body_force) && cell->diameter() > 0.4 * body.shortest_extent();
-    std::unique_lock<std::mutex> lock(load_rules_mutex_);
-    Quadrature<2> &plain = load_rules_[is_wide ? 4 * n : n];
-    if (plain.size() == 0)
-      plain = QIterated<2>(QGauss<1>(n), is_wide ? 4 : 1);
-    lock.unlock();
-    project_load(shape, plain, fit);
-  }
+  project_load(shape, load_rule(cell, shape, fit), fit);
   return fit.airy->subtract_load(fit.load, values);
 }
 

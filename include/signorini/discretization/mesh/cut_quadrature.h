@@ -38,6 +38,16 @@ bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell
  * boxes are smaller than the cell. */
 bool varies_fast(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell);
 
+/** Points of the body with weights. */
+struct PlaneRule {
+  std::vector<Point<2>> points;
+  std::vector<double> weights;
+};
+
+/** Returns the rule of cut_quadrature() on the cell itself. */
+PlaneRule cut_rule(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
+                   unsigned int n_points);
+
 /**
  * Returns a rule on the reference cell that integrates on the pieces into which lines and boxes
  * cut a cell: Gauss' rule on rectangles, Duffy's on the triangles of other pieces, each with

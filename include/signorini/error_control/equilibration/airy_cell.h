@@ -78,7 +78,7 @@ public:
   }
   /**
    * Returns the part of a body force that stresses balance, of the degree q - 1: the projection of
-   * a force with the given values at points with weights.
+   * a force with the given values at points with weights, those of the cell at unit size.
    * @param rest_square receives the square of the norm of what is left.
    */
   PolynomialLoad project(const std::vector<Point<2>> &on_diagonals,
@@ -125,6 +125,9 @@ private:
   Components stress(const PolynomialLoad &load, const Point<2> &at) const;
   /** Returns Λ_i at X or Y. */
   std::array<double, max_legendre> load_values(unsigned int d, double at) const;
+  /** Returns w^{1/2} Λ_i(X) Λ_j(Y), i + j < q (rows), at points (columns). */
+  LAPACKFullMatrix<double> load_products(const std::vector<Point<2>> &on_diagonals,
+                                         const std::vector<double> &weights) const;
   /** Returns the integrals of Λ_i from zero to X or Y. */
   std::array<double, max_legendre> load_integrals(unsigned int d, double at) const;
   /** A point of a rule on an edge: each trace with the factors that stresses have in it. */
@@ -145,6 +148,7 @@ private:
   void add_balance(double weight, FullMatrix<double> &matrix) const;
   void number_functions();
   void factorise();
+  void factorise_loads();
 
   CellShape shape_;
   unsigned int degree_;
@@ -165,6 +169,8 @@ private:
   std::array<LAPACKFullMatrix<double>, 4> values_;
   /** R with G = RᵀR, and R⁻ᵀ Nᵀ. */
   LAPACKFullMatrix<double> factor_, traces_;
+  /** The same factor of the Gram matrix of the body forces. */
+  LAPACKFullMatrix<double> load_factor_;
   FullMatrix<double> energy_, balance_;
 };
 } // namespace Signorini

@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/cell_field.h>
+#include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/airy_cell.h>
 #include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/triangle_parts.h>
@@ -91,8 +92,10 @@ private:
                                                     unsigned int degree) const;
   /** Returns the weighted values of σ(u_h) at the points. */
   dealii::Vector<double> stress_of_u(const Cell &cell, const CellShape &shape, Known &known) const;
+  /** Returns a rule for f and f_K on a cell. */
+  PlaneRule load_rule(const Cell &cell, const CellShape &shape, const CellFit &fit) const;
   /** Sets f_K by the points of a rule. */
-  void project_load(const CellShape &shape, const Quadrature<2> &rule, CellFit &fit) const;
+  void project_load(const CellShape &shape, const PlaneRule &rule, CellFit &fit) const;
   /** Subtracts the stresses of f_K. @return their traces. */
   dealii::Vector<double> subtract_load(const Cell &cell, const CellShape &shape,
                                        dealii::Vector<double> &values, CellFit &fit) const;
