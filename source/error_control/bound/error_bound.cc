@@ -7,6 +7,7 @@
 #include <signorini/error_control/bound/error_bound.h>
 #include <signorini/error_control/equilibration/best_stress.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
+#include <signorini/error_control/loads/oscillation.h>
 #include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -99,8 +100,10 @@ void add_guaranteed(const BoundData &data, const BestStress &best, const Contact
     return;
   const auto &[stress, stress_data] = best;
   const auto &J = stress_data.complementary_energy;
-  const double work = lift.trace.work_of_penetration();
-  Consequences consequences(J ? Bracket{J->lower + work, J->upper + work} : Bracket{0., 0.},
+  const double work = lift.trace.work_of_penetration(),
+               unseen = unseen_load(data.scene) * data.U.linfty_norm();
+  Consequences consequences(J ? Bracket{J->lower + work - unseen, J->upper + work + unseen}
+                              : Bracket{0., 0.},
                             stress_data.square, *lift.bound);
   if (const auto &post = stress_data.interpolated_part) {
     const ContactLift post_lift(data,
@@ -117,7 +120,8 @@ void add_guaranteed(const BoundData &data, const BestStress &best, const Contact
   const double change =
     stress.contact_force(data.scene) - data.P.normal() * data.multipliers.integrals();
   add_consequences(data, consequences, lift, change, result);
-  if (!J)
+  constexpr double most_unseen = 0.01;
+  if (!J || unseen > most_unseen * std::abs(J->upper))
     result.energy_lower = result.energy_upper = {};
 }
 

@@ -2,6 +2,9 @@
 // Energies that are known lie in the brackets, and the bound is exact where it must be: patch
 // tests, and twice the sum of the two energies where nothing touches.
 
+#include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/error_control/loads/oscillation.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -118,6 +121,28 @@ void brackets(Checks &checks) {
   }
 }
 
+/** Of a body force that jumps on a parabola: what the rules of cells miss is enclosed. */
+void unseen(Checks &checks) {
+  const double below = -0.1653, above = -0.1869, low = 0.3374, end = std::sqrt(1. - low);
+  const OneLevel level("Boundary/Clamped = top\nBoundary/Contact = bottom\nContact/Gap = 1\n"
+                       "Load/Body force = 0; y-x^2<0.3374 ? -0.1653 : -0.1869\n",
+                       3);
+  const double area = low * end + std::pow(end, 3) / 3. + 1. - end;
+  double error = -(below * area + above * (1. - area));
+  for (const auto &cell : level.space().dofs().active_cell_iterators()) {
+    const PlaneRule rule = cut_rule(level.scene.kinks, cell, 5);
+    for (std::size_t q = 0; q < rule.points.size(); ++q)
+      error += rule.weights[q] * level.scene.body_force->value(rule.points[q], 1);
+  }
+  checks.about("load that jumps on a parabola");
+  checks.between("error of the integral", std::abs(error), 1e-11, unseen_load(level.scene));
+  checks.between("its bound", unseen_load(level.scene), 1e-6, 3e-5);
+  const OneLevel smooth("Boundary/Clamped = top\nBoundary/Contact = bottom\nContact/Gap = 1\n"
+                        "Load/Body force = 0; -sin(3*x)*y*y\n",
+                        1);
+  checks.near("bound of a smooth one", unseen_load(smooth.scene), 0., 0.);
+}
+
 /** No edge that may carry tractions stops the block along y: translations along y change
  * nothing. */
 void translations(Checks &checks) {
@@ -136,5 +161,5 @@ void translations(Checks &checks) {
 
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
-                   {patch_tests, energies, slender, prescribed, brackets, translations});
+                   {patch_tests, energies, slender, prescribed, brackets, unseen, translations});
 }
