@@ -106,8 +106,8 @@ private:
     const bool has_bound = bound_of(record).has_value();
     if (has_bound)
       findings.error = std::max(findings.error, record.bound->absolute.value_or(0.));
-    const bool is_last =
-      fails || suffices || is_out_of_reach(findings.error, has_bound) || !plan_next(findings);
+    const bool is_last = fails || suffices || is_out_of_reach(findings.error, has_bound) ||
+                         takes_too_many(findings) || !plan_next(findings);
     if (!may_suffice)
       finish_level(problem, discretization, is_last, progress, solution);
     return is_last;
@@ -126,6 +126,24 @@ private:
       missed_.push_back(error);
     return n_steps_ > patience && missed_.size() > n_compared &&
            error > 0.5 * missed_[missed_.size() - 1 - n_compared];
+  }
+
+  /** Returns whether jumps of the moduli in cells need more unknowns for the target than there may
+   * be. The first step is the first that sees the zones of contact. */
+  bool takes_too_many(const StepFindings &findings) const {
+    constexpr double unknowns_per_cell = 8.;
+    return n_steps_ > 0 && findings.has_estimate() &&
+           unknowns_per_cell * findings.jumps.n_cells_for(findings.target) >
+             context_.parameters.discretization.maximum_unknowns;
+  }
+
+  /** Returns whether the mesh of the next step has few enough unknowns. The compliance is dense:
+   * thousands of contact unknowns cost more than all others. */
+  bool next_is_affordable() const {
+    constexpr unsigned int few = 1000, others_per_contact_unknown = 50;
+    const unsigned int most = context_.parameters.discretization.maximum_unknowns;
+    return next_->space.dofs().n_dofs() <= most &&
+           next_->K.size() <= std::max(few, most / others_per_contact_unknown);
   }
 
   /** Returns the start from the step before. */
@@ -169,8 +187,7 @@ private:
     const bool is_same =
       degrees_of(next_->space) == degrees && cells_of(next_->mesh) == cells_of(discretization.mesh);
     n_equal_steps_ = is_same ? n_equal_steps_ + 1 : 0;
-    return n_equal_steps_ < patience &&
-           next_->space.dofs().n_dofs() <= context_.parameters.discretization.maximum_unknowns;
+    return n_equal_steps_ < patience && next_is_affordable();
   }
 
   static std::vector<CellId> cells_of(const Mesh<2> &mesh) {

@@ -79,10 +79,11 @@ void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan) {
     2);
 }
 
-void add_jump_misfit(const DisplacementSpace<2> &space, const Scene<2> &scene,
-                     const Displacement &U, std::vector<CellIndicator> &indicators) {
+JumpMisfit add_jump_misfit(const DisplacementSpace<2> &space, const Scene<2> &scene,
+                           const Displacement &U, std::vector<CellIndicator> &indicators) {
+  JumpMisfit sum;
   if (scene.material->is_constant())
-    return;
+    return sum;
   CellStiffness<2> stiffness(space, scene);
   const double unit = stiffness_unit(space, *scene.material);
   dealii::Vector<double> on_cell;
@@ -93,8 +94,11 @@ void add_jump_misfit(const DisplacementSpace<2> &space, const Scene<2> &scene,
     on_cell.reinit(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_values(U, on_cell);
     double &error = indicators[cell->active_cell_index()].error;
-    error = std::sqrt(error * error +
-                      share * unit * std::max(0., stiffness(cell).matrix_norm_square(on_cell)));
+    const double square = share * unit * std::max(0., stiffness(cell).matrix_norm_square(on_cell));
+    error = std::sqrt(error * error + square);
+    sum.square += square;
+    ++sum.n_cells;
   }
+  return sum;
 }
 } // namespace Signorini

@@ -179,7 +179,7 @@ StepFindings StepExamination::examine(const Discretization<2> &discretization,
                      findings.indicators);
   add_contact_misfit(space, multipliers, scene_, U, sticks, Component::tangential,
                      findings.indicators);
-  add_jump_misfit(space, scene_, U, findings.indicators);
+  findings.jumps = add_jump_misfit(space, scene_, U, findings.indicators);
   findings.brackets = zone_brackets(multipliers, contact.P.states());
   findings.missed_contact_cells =
     missed_contact_cells(space, multipliers, scene_, U, contact.P.normal());

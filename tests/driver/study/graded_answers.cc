@@ -94,6 +94,19 @@ void check_too_few_unknowns(Checks &checks) {
                 reason.find(". ") == std::string::npos && reason.find('\n') == std::string::npos);
 }
 
+/** Along a curve the misfit falls like the root of the cells' size: a run that cannot come to the
+ * target ends when it has seen contact. */
+void check_moduli_on_a_curve(Checks &checks) {
+  const StudyResult<2> result =
+    solve("subsection Boundary\n set Contact = bottom\n set Displacement = top: 0; -0.03\n end\n"
+          "subsection Material\n set Young's modulus = (x-0.5)^2+(y-0.5)^2<0.01 ? 5 : 1\n end\n",
+          {"Discretization/Strategy=hp", "Output/VTU=none"});
+  checks.about("Moduli that jump on a curve");
+  checks.near("steps", result.levels.size(), 2, 0.);
+  checks.that("not resolved, with a bound",
+              result.verdict.outcome == Outcome::not_resolved && bound_of(result.levels.back()));
+}
+
 /** The graded mesh is that of the scene: a case that touches where the scene does not, with a
  * corner of the body, has a large error and says so. Nested meshes solve it, and so does the scene
  * that the remedy names. */
@@ -132,5 +145,5 @@ void check_load_cases(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {check_agreement, check_missed_contact, check_body_at_rest,
-                    check_too_few_unknowns, check_load_cases});
+                    check_too_few_unknowns, check_moduli_on_a_curve, check_load_cases});
 }

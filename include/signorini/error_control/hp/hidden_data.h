@@ -10,11 +10,22 @@ namespace Signorini {
  * six times; smaller details are integrated on parts of cells. */
 void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan);
 
+/** The misfit of the cells in which moduli jump. */
+struct JumpMisfit {
+  /** Returns the number of such cells that leave the given error: along a curve half the size
+   * means twice as many, and half the square of the misfit. */
+  double n_cells_for(const double error) const {
+    return n_cells * square / (error * error);
+  }
+
+  double n_cells = 0., square = 0.;
+};
+
 /** Adds the misfit of jumps of the moduli inside of cells to the indicators: u_h has no kink at a
  * jump. Where layers lie one behind the other the body is as stiff as the harmonic mean E_h of its
  * moduli, and u_h, whose strain does not jump, as the arithmetic mean E_a. Under the same stress
  * the energy of the cell is wrong by (E_a/E_h - 1) times that of u_h, which counts as error,
- * whatever the direction of the layers. */
-void add_jump_misfit(const DisplacementSpace<2> &space, const Scene<2> &scene,
-                     const Displacement &U, std::vector<CellIndicator> &indicators);
+ * whatever the direction of the layers. @return the sum over these cells. */
+JumpMisfit add_jump_misfit(const DisplacementSpace<2> &space, const Scene<2> &scene,
+                           const Displacement &U, std::vector<CellIndicator> &indicators);
 } // namespace Signorini

@@ -3,6 +3,7 @@
 
 #include <signorini/discretization/mesh/mesh_plan.h>
 #include <signorini/error_control/hp/cell_indicator.h>
+#include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
 namespace Signorini {
@@ -10,6 +11,7 @@ namespace Signorini {
 struct StepFindings {
   /** The indicators, by active cell. */
   std::vector<CellIndicator> indicators;
+  JumpMisfit jumps;
   std::vector<ZoneBracket> brackets;
   /** The numbers of the cells with a face on which the body penetrates though nothing presses. */
   std::vector<unsigned int> missed_contact_cells;
