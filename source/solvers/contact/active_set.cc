@@ -8,6 +8,7 @@
 #include <deal.II/lac/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -178,6 +179,15 @@ QPResult solve_with_discs(const BoundConstrainedQP &qp, const Vector &start,
   result.converged = result.kkt_residual <= options.tolerance;
   return result;
 }
+
+/** Returns how many systems are tried: with bounds that move states are random after some of them,
+ * and further ones of many unknowns would take minutes. */
+unsigned int affordable_solves(const BoundConstrainedQP &qp) {
+  constexpr double least = 100., most_products = 2e11, unlimited = 1e9;
+  const double products = std::pow(qp.size() + 1., 3);
+  return static_cast<unsigned int>(
+    qp.K.moves() ? std::min(unlimited, least + most_products / products) : unlimited);
+}
 } // namespace
 
 QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
@@ -194,7 +204,8 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
   bool has_path = false;
   // Newton's method takes some 10 systems; far from a solution it may not come back for thousands.
   constexpr unsigned int max_wandering = 50;
-  const unsigned int max_solves = std::min(options.maximum_iterations, 20 * qp.size() + 100);
+  const unsigned int max_solves =
+    std::min({options.maximum_iterations, 20 * qp.size() + 100, affordable_solves(qp)});
   for (bool settled = false; !settled && result.iterations < max_solves;) {
     ++result.iterations;
     const Iterate wanted = solve_on_set(qp, states);

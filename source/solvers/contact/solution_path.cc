@@ -34,10 +34,11 @@ public:
   }
 
   std::optional<States> follow() {
-    constexpr unsigned int n_updates = 64;
+    // Most paths take one to ten steps for each unknown; what takes more goes around in rounding.
+    constexpr unsigned int n_updates = 64, most_per_unknown = 10;
     double direction = -1.;
     std::optional<Change> back;
-    for (unsigned int step = 0; step < 20 * qp_.size(); ++step) {
+    for (unsigned int step = 0; step < most_per_unknown * qp_.size(); ++step) {
       if (step % n_updates == 0)
         invert();
       y_ = {solution(0), solution(1)};
