@@ -76,8 +76,9 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
     // Where the law is not resolved, the energy of stresses is taken from above.
     std::optional<Law> softest = law;
     for (auto place = part.begin(); place != part.end() && is_rough; ++place)
-      if (const Law here(material.hooke(place->first));
-          !softest || here.compliance.norm() > softest->compliance.norm())
+      if (const Law here(material.hooke(place->first)); softest)
+        softest->soften(here);
+      else
         softest = here;
     for (const auto &[at, weight] : part) {
       AiryPoint &point = points[k].emplace_back();

@@ -32,6 +32,21 @@ Law::Law(const SymmetricTensor<4, 2> &hooke) {
   min_eigenvalue = min_eigenvalue_of(stiffness);
 }
 
+void Law::soften(const Law &other) {
+  // In orthonormal components (s11, s22, sqrt(2) s12).
+  const std::array<double, 3> factors = {{1., 1., std::sqrt(2.)}};
+  SymmetricTensor<2, 3> more;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j <= i; ++j)
+      more[i][j] = factors[i] * factors[j] * (stiffness[i][j] - other.stiffness[i][j]);
+  for (const auto &[value, vector] : eigenvectors(more))
+    for (unsigned int i = 0; i < 3 && value > 0.; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        stiffness[i][j] -= value * vector[i] * vector[j] / (factors[i] * factors[j]);
+  compliance = invert(stiffness);
+  min_eigenvalue = min_eigenvalue_of(stiffness);
+}
+
 Tensor<2, 3> Law::root() const {
   Tensor<2, 3> L;
   for (unsigned int i = 0; i < 3; ++i)
