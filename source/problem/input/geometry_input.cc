@@ -239,13 +239,6 @@ Geometry<2> make_geometry_of_bodies(const Parameters &parameters) {
   const std::vector<std::string> names = split_words(parameters.geometry.bodies);
   std::vector<Geometry<2>> bodies;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    if (std::count(names.begin(), names.end(), names[k]) > 1)
-      throw error_at(parameters.geometry.bodies, "found '", names[k],
-                     "' twice, allowed: bodies with different names.");
-    // A name ends at these in 'name: value | ...' and 'name.side with name.side'.
-    if (names[k].find_first_of(".:|") != std::string::npos || names[k] == "with")
-      throw error_at(parameters.geometry.bodies, "found '", names[k],
-                     "', allowed: names other than 'with', without '.', ':' and '|'.");
     GeometryParameters body = parameters.bodies[k];
     const auto shares_file = [&](const GeometryParameters &other) {
       return other.shape == Shape::file && other.file.value == body.file.value;

@@ -137,9 +137,28 @@ GeometryParameters read_body(const std::string &name, const std::vector<std::str
   return body.geometry;
 }
 
+/** Returns the names of bodies. */
+std::vector<std::string> read_bodies(const Assignment &assignment) {
+  const std::vector<std::string> names = split_words(assignment.value);
+  for (const std::string &name : names) {
+    const auto refuse = [&](const std::string &what) {
+      throw InputError(assignment.place + ": " + bodies_path + ": found '" + name + "'" + what);
+    };
+    if (std::count(names.begin(), names.end(), name) > 1)
+      refuse(" twice, allowed: bodies with different names.");
+    // A name ends at these in 'name: value | ...' and 'name.side with name.side'.
+    if (name.find_first_of(".:|") != std::string::npos || name == "with")
+      refuse(", allowed: names other than 'with', without '.', ':' and '|'.");
+  }
+  return names;
+}
+
 /** Checks plain values for contradictions that do not depend on the scene. */
 void check(const Parameters &parameters) {
   const DiscretizationParameters &discretization = parameters.discretization;
+  if (parameters.dimension == 3 && !parameters.bodies.empty())
+    throw error_at(parameters.geometry.bodies, "found '", parameters.geometry.bodies.value,
+                   "' with ", parameters.dimension.name, " = 3, allowed with it: one body.");
   if (discretization.strategy != Strategy::hp &&
       discretization.finest_level < discretization.coarsest_level)
     throw error_at(discretization.finest_level, "found '", discretization.finest_level,
@@ -166,7 +185,7 @@ Parameters parse_parameters(const std::string &text, const std::string &file_nam
       constants = std::make_shared<const Constants>(
         read_constants(assignment.value, assignment.place + ": " + constants_path));
     else if (assignment.path == bodies_path)
-      bodies = split_words(assignment.value);
+      bodies = read_bodies(assignment);
   declarations.set_constants(constants);
   for (const std::string &name : bodies)
     parameters.bodies.push_back(read_body(name, bodies, assignments, constants, parameters));

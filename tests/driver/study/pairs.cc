@@ -400,6 +400,7 @@ void test_refusals(Checks &checks) {
                              "Boundary/Clamped = b.bottom\n";
   for (const auto &[names, found] : {std::pair("a a", "'a' twice"), {"a a.b", "'a.b', allowed"}})
     refuses("names of bodies", "Geometry/Bodies = " + std::string(names) + "\n", found);
+  refuses("bodies in space", "set Dimension = 3\n" + blocks + pair, "'a b' with Dimension = 3");
   refuses("no second name", blocks + "Boundary/Contact = a.bottom with\n",
           "the names of two sides");
   refuses("graded meshes", pressed + "Discretization/Strategy = hp\n", "with a pair of sides");
