@@ -4,6 +4,9 @@
 #include <signorini/error_control/loads/law.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/lac/full_matrix.h>
+#include <deal.II/lac/lapack_full_matrix.h>
+#include <deal.II/lac/vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,16 +37,25 @@ Law::Law(const SymmetricTensor<4, 2> &hooke) {
 
 void Law::soften(const Law &other) {
   // In orthonormal components (s11, s22, sqrt(2) s12).
-  const std::array<double, 3> factors = {{1., 1., std::sqrt(2.)}};
+  const std::array<double, 3> factors = {{1., 1., std::sqrt(0.5)}};
   SymmetricTensor<2, 3> more;
+  LAPACKFullMatrix<double> matrix(3);
   for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = 0; j <= i; ++j)
-      more[i][j] = factors[i] * factors[j] * (stiffness[i][j] - other.stiffness[i][j]);
-  for (const auto &[value, vector] : eigenvectors(more))
-    for (unsigned int i = 0; i < 3 && value > 0.; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      more[i][j] = matrix(i, j) =
+        factors[i] * factors[j] * (other.compliance[i][j] - compliance[i][j]);
+  const double largest = eigenvalues(more)[0], rounding = 1e-14 * compliance.norm();
+  if (largest <= rounding)
+    return;
+  // deal.II's eigenvectors() do not link with clang++.
+  dealii::Vector<double> values;
+  FullMatrix<double> vectors;
+  matrix.compute_eigenvalues_symmetric(0.5 * rounding, 2. * largest, 0., values, vectors);
+  for (unsigned int k = 0; k < values.size(); ++k)
+    for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
-        stiffness[i][j] -= value * vector[i] * vector[j] / (factors[i] * factors[j]);
-  compliance = invert(stiffness);
+        compliance[i][j] += values[k] * vectors(i, k) * vectors(j, k) / (factors[i] * factors[j]);
+  stiffness = invert(compliance);
   min_eigenvalue = min_eigenvalue_of(stiffness);
 }
 

@@ -12,8 +12,8 @@ namespace Signorini {
 struct Law {
   explicit Law(const SymmetricTensor<4, 2> &hooke);
 
-  /** Takes away the positive part of C - C', so that neither law is softer: with Poisson's ratio
-   * one law may be softer in shear and the other one under pressure. */
+  /** Adds the positive part of C'⁻¹ - C⁻¹ to C⁻¹, so that neither law is softer: with Poisson's
+   * ratio one law may be softer in shear and the other one under pressure. */
   void soften(const Law &other);
   /** Returns the lower triangular G with G Gᵀ = C. */
   Tensor<2, 3> root() const;
