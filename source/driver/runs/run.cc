@@ -331,7 +331,7 @@ void write_csv(std::ostream &stream, Table rows) {
   for (std::vector<std::string> &row : rows) {
     for (std::string &field : row)
       if (field.find(',') != std::string::npos)
-        field = '"' + field + '"';
+        field.insert(0, 1, '"').push_back('"');
     stream << join(row, ",") << "\n";
   }
 }

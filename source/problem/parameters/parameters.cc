@@ -137,20 +137,16 @@ GeometryParameters read_body(const std::string &name, const std::vector<std::str
   return body.geometry;
 }
 
-/** Returns the names of bodies. */
-std::vector<std::string> read_bodies(const Assignment &assignment) {
-  const std::vector<std::string> names = split_words(assignment.value);
+/** Checks the names of bodies. */
+void check_names(const std::vector<std::string> &names, const std::string &where) {
   for (const std::string &name : names) {
-    const auto refuse = [&](const std::string &what) {
-      throw InputError(assignment.place + ": " + bodies_path + ": found '" + name + "'" + what);
-    };
+    const std::string found = where + ": found '" + name + "'";
     if (std::count(names.begin(), names.end(), name) > 1)
-      refuse(" twice, allowed: bodies with different names.");
+      throw InputError(found + " twice, allowed: bodies with different names.");
     // A name ends at these in 'name: value | ...' and 'name.side with name.side'.
     if (name.find_first_of(".:|") != std::string::npos || name == "with")
-      refuse(", allowed: names other than 'with', without '.', ':' and '|'.");
+      throw InputError(found + ", allowed: names other than 'with', without '.', ':' and '|'.");
   }
-  return names;
 }
 
 /** Checks plain values for contradictions that do not depend on the scene. */
@@ -184,8 +180,10 @@ Parameters parse_parameters(const std::string &text, const std::string &file_nam
     if (assignment.path == constants_path)
       constants = std::make_shared<const Constants>(
         read_constants(assignment.value, assignment.place + ": " + constants_path));
-    else if (assignment.path == bodies_path)
-      bodies = read_bodies(assignment);
+    else if (assignment.path == bodies_path) {
+      bodies = split_words(assignment.value);
+      check_names(bodies, assignment.place + ": " + bodies_path);
+    }
   declarations.set_constants(constants);
   for (const std::string &name : bodies)
     parameters.bodies.push_back(read_body(name, bodies, assignments, constants, parameters));

@@ -17,6 +17,8 @@
 #include <utility>
 #include <vector>
 
+#include "point_kernel.h"
+
 namespace Signorini {
 namespace {
 /** The largest number of unknowns in space that is factorised: beyond it, factors take longer and
