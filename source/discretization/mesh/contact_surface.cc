@@ -134,6 +134,7 @@ std::vector<ContactFace<dim>> share(const std::vector<ContactFace<dim>> &own,
   using Record =
     std::tuple<CellId::binary_type, unsigned int, unsigned int, std::vector<Point<dim>>>;
   std::vector<Record> records;
+  records.reserve(own.size());
   for (const ContactFace<dim> &face : own)
     records.emplace_back(identity_of(*face.cell).template to_binary<dim>(), face.face_no, face.side,
                          std::vector<Point<dim>>(face.vertices.begin(), face.vertices.end()));

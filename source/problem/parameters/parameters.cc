@@ -140,12 +140,12 @@ GeometryParameters read_body(const std::string &name, const std::vector<std::str
 /** Checks the names of bodies. */
 void check_names(const std::vector<std::string> &names, const std::string &where) {
   for (const std::string &name : names) {
-    const std::string found = where + ": found '" + name + "'";
     if (std::count(names.begin(), names.end(), name) > 1)
-      throw InputError(found + " twice, allowed: bodies with different names.");
+      throw input_error(where, ": found '", name, "' twice, allowed: bodies with different names.");
     // A name ends at these in 'name: value | ...' and 'name.side with name.side'.
     if (name.find_first_of(".:|") != std::string::npos || name == "with")
-      throw InputError(found + ", allowed: names other than 'with', without '.', ':' and '|'.");
+      throw input_error(where, ": found '", name,
+                        "', allowed: names other than 'with', without '.', ':' and '|'.");
   }
 }
 
