@@ -25,6 +25,16 @@ namespace {
  * more memory than cycles (doc/multigrid.md). */
 constexpr unsigned int max_factorised_in_space = 5000;
 
+/** The largest number of steps of conjugate gradients: they take some ten. */
+constexpr unsigned int max_steps = 500;
+
+ComputationError singular() {
+  return ComputationError(
+    "The matrix of the coarsest multigrid level is singular, by rounding: the body is very "
+    "slender, "
+    "or its moduli differ much; Solver/Linear solver = condensed factorises instead.");
+}
+
 /** Returns the translations and rotations of a level whose cells are those of the coarse mesh, one
  * after the other. */
 template <int dim>
@@ -61,9 +71,7 @@ CoarsestInverse<dim>::CoarsestInverse(const CellOperator<dim, double> &K,
   try {
     factors_.initialize(A_);
   } catch (const ExceptionBase &) {
-    throw ComputationError("The matrix of the coarsest multigrid level is singular, by rounding: "
-                           "the body is very slender, or its moduli differ much; Solver/Linear "
-                           "solver = condensed factorises instead.");
+    throw singular();
   }
 }
 
@@ -126,8 +134,12 @@ void CoarsestInverse<dim>::solve(dealii::Vector<double> &u) const {
     return factors_.solve(u);
   const dealii::Vector<double> b(u);
   u = 0.;
-  SolverControl control(A_.m(), 1e-4 * b.l2_norm());
-  SolverCG<dealii::Vector<double>>(control).solve(A_, u, b, cycle_);
+  SolverControl control(max_steps, 1e-4 * b.l2_norm());
+  try {
+    SolverCG<dealii::Vector<double>>(control).solve(A_, u, b, cycle_);
+  } catch (const SolverControl::NoConvergence &) {
+    throw singular();
+  }
 }
 
 template class CoarsestInverse<2>;
