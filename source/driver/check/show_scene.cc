@@ -183,12 +183,12 @@ double time_of_unknown(const Parameters &parameters, const Scene<dim> &scene) {
     dim == 2 && parameters.output.bound != WantedBound::none && !scene.geometry.axisymmetric;
   const bool is_easy = !scene.geometry.curved && scene.material->is_constant();
   const bool is_graded = parameters.discretization.strategy == Strategy::hp;
-  return time_of_level +
-         (has_bound ? time_of_bound[is_easy     ? 0
-                                    : is_graded ? 2
-                                                : 1]
-                    : 0.) +
-         (scene.exact_displacement != nullptr ? time_of_errors : 0.);
+  double time = time_of_level;
+  if (has_bound)
+    time += is_easy ? time_of_bound[0] : time_of_bound[is_graded ? 2 : 1];
+  if (scene.exact_displacement != nullptr)
+    time += time_of_errors;
+  return time;
 }
 
 /** Returns what a run may cost. */

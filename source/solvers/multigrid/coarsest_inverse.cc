@@ -30,9 +30,9 @@ constexpr unsigned int max_steps = 500;
 
 ComputationError singular() {
   return ComputationError(
-    "The matrix of the coarsest multigrid level is singular, by rounding: the body is very "
-    "slender, "
-    "or its moduli differ much; Solver/Linear solver = condensed factorises instead.");
+    "The matrix of the coarsest multigrid level is singular, by rounding: the "
+    "body is very slender, or its moduli differ much; Solver/Linear solver = "
+    "condensed factorises instead.");
 }
 
 /** Returns the translations and rotations of a level whose cells are those of the coarse mesh, one
@@ -56,43 +56,11 @@ std::vector<double> rigid_motions(const BlockGrid<dim> &grid, const Triangulatio
   }
   return motions;
 }
-} // namespace
 
+/** Assembles the matrix of free displacements. */
 template <int dim>
-CoarsestInverse<dim>::CoarsestInverse(const CellOperator<dim, double> &K,
-                                      const ConstrainedNodes<dim> &conditions,
-                                      const Triangulation<dim> &mesh)
-  : is_factorised_(dim == 2 || dim * K.grid->n_nodes() <= max_factorised_in_space) {
-  assemble(K, conditions);
-  if (!is_factorised_) {
-    prepare_cycle(rigid_motions<dim>(*K.grid, mesh));
-    return;
-  }
-  try {
-    factors_.initialize(A_);
-  } catch (const ExceptionBase &) {
-    throw singular();
-  }
-}
-
-template <int dim>
-void CoarsestInverse<dim>::prepare_cycle(std::vector<double> motions) {
-  motions_ = std::move(motions);
-  A_of_cycle_.reinit(A_);
-  Teuchos::ParameterList parameters;
-  std::unique_ptr<Epetra_MultiVector> no_modes;
-  TrilinosWrappers::PreconditionAMG::AdditionalData().set_parameters(parameters, no_modes,
-                                                                     A_of_cycle_);
-  parameters.set("PDE equations", dim);
-  parameters.set("null space: type", "pre-computed");
-  parameters.set("null space: dimension", dim * (dim + 1) / 2);
-  parameters.set("null space: vectors", motions_.data());
-  cycle_.initialize(A_of_cycle_, parameters);
-}
-
-template <int dim>
-void CoarsestInverse<dim>::assemble(const CellOperator<dim, double> &K,
-                                    const ConstrainedNodes<dim> &conditions) {
+void assemble(const CellOperator<dim, double> &K, const ConstrainedNodes<dim> &conditions,
+              SparsityPattern &pattern, SparseMatrix<double> &A) {
   constexpr unsigned int n_dofs = CellOperator<dim, double>::n_dofs;
   const unsigned int n = dim * K.grid->n_nodes();
   AffineConstraints<double> constraints;
@@ -115,8 +83,8 @@ void CoarsestInverse<dim>::assemble(const CellOperator<dim, double> &K,
   DynamicSparsityPattern couplings(n, n);
   for (std::size_t cell = 0; cell < K.grid->n_cells; ++cell)
     constraints.add_entries_local_to_global(dofs_of(cell), couplings);
-  pattern_.copy_from(couplings);
-  A_.reinit(pattern_);
+  pattern.copy_from(couplings);
+  A.reinit(pattern);
   std::vector<double> buffer;
   FullMatrix<double> K_cell(n_dofs);
   for (std::size_t cell = 0; cell < K.grid->n_cells; ++cell) {
@@ -124,8 +92,43 @@ void CoarsestInverse<dim>::assemble(const CellOperator<dim, double> &K,
     for (unsigned int i = 0; i < n_dofs; ++i)
       for (unsigned int j = 0; j < n_dofs; ++j)
         K_cell(i, j) = entries[lower(i, j) * n_lanes];
-    constraints.distribute_local_to_global(K_cell, dofs_of(cell), A_);
+    constraints.distribute_local_to_global(K_cell, dofs_of(cell), A);
   }
+}
+} // namespace
+
+template <int dim>
+CoarsestInverse<dim>::CoarsestInverse(const CellOperator<dim, double> &K,
+                                      const ConstrainedNodes<dim> &conditions,
+                                      const Triangulation<dim> &mesh)
+  : is_factorised_(dim == 2 || dim * K.grid->n_nodes() <= max_factorised_in_space) {
+  assemble(K, conditions, pattern_, A_);
+  if (!is_factorised_) {
+    prepare_cycle(rigid_motions<dim>(*K.grid, mesh));
+    return;
+  }
+  try {
+    factors_.initialize(A_);
+  } catch (const ExceptionBase &) {
+    throw singular();
+  }
+  A_.clear();
+  pattern_.reinit(0, 0, 0);
+}
+
+template <int dim>
+void CoarsestInverse<dim>::prepare_cycle(std::vector<double> motions) {
+  A_of_cycle_.reinit(A_);
+  motions_ = std::move(motions);
+  Teuchos::ParameterList parameters;
+  std::unique_ptr<Epetra_MultiVector> no_modes;
+  TrilinosWrappers::PreconditionAMG::AdditionalData().set_parameters(parameters, no_modes,
+                                                                     A_of_cycle_);
+  parameters.set("PDE equations", dim);
+  parameters.set("null space: type", "pre-computed");
+  parameters.set("null space: dimension", dim * (dim + 1) / 2);
+  parameters.set("null space: vectors", motions_.data());
+  cycle_.initialize(A_of_cycle_, parameters);
 }
 
 template <int dim>

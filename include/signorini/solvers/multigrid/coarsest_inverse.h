@@ -22,28 +22,29 @@ template <int dim>
 class CoarsestInverse {
 public:
   /**
-   * Assembles the matrix of free displacements.
+   * Factorises the matrix of free displacements, or prepares cycles.
    * @param mesh whose coarse cells those of K are, where there are many of them.
    * @throws ComputationError if it cannot be factorised.
    */
   CoarsestInverse(const CellOperator<dim, double> &K, const ConstrainedNodes<dim> &conditions,
                   const Triangulation<dim> &mesh);
 
-  /** Replaces forces by displacements; the components of a node follow each other. */
+  /** Replaces forces by displacements; the components of a node follow each other.
+   * @throws ComputationError if the iteration does not converge. */
   void solve(dealii::Vector<double> &u) const;
 
 private:
-  void assemble(const CellOperator<dim, double> &K, const ConstrainedNodes<dim> &conditions);
-  /** Prepares cycles that represent the given motions, which have small energies. */
+  /** Prepares cycles. @param motions those with small energies, one after the other. */
   void prepare_cycle(std::vector<double> motions);
 
-  SparsityPattern pattern_;
-  SparseMatrix<double> A_;
   bool is_factorised_;
   SparseDirectUMFPACK factors_;
-  /** What the cycle refers to. */
-  std::vector<double> motions_;
+  /** Without factors: the matrix, and what the cycle refers to. (Products of deal.II's vectors with
+   * matrices of Trilinos do not link with clang++.) */
+  SparsityPattern pattern_;
+  SparseMatrix<double> A_;
   TrilinosWrappers::SparseMatrix A_of_cycle_;
+  std::vector<double> motions_;
   TrilinosWrappers::PreconditionAMG cycle_;
 };
 } // namespace Signorini
