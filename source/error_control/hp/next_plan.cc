@@ -178,7 +178,8 @@ void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan) {
     const Role role = scene.boundary[side].role;
     return role == Role::free || role == Role::clamped || role == Role::roller;
   };
-  double exponent = corner_exponent(scene, corner);
+  double exponent =
+    smallest_exponent(scene, corner.position, corner.sides, layers_at(scene, corner));
   Singularity place = {Singularity::Kind::corner, corner.position};
   if (is_homogeneous(corner.sides[0]) && is_homogeneous(corner.sides[1]))
     place.is_certain = exponent < 1.;

@@ -164,7 +164,7 @@ std::vector<std::pair<std::string, double>> CaseSolver::reactions(const Displace
 
 std::vector<PlaceReport> CaseSolver::report(const Displacement &U) const {
   return report_on_places<2>(discretization_.space, scene_, U, singular_places_,
-                             discretization_.multipliers, P_.normal());
+                             discretization_.multipliers, P_);
 }
 
 Displacement CaseSolver::displacement() const {

@@ -18,28 +18,29 @@ namespace {
 /** Sets the place of growth if a maximum lies at a singular place and stands out. */
 template <int dim, typename Maximum>
 void set_growth(const std::vector<SingularPlace<dim>> &places,
-                const MultiplierSpace<dim> &multipliers, const Pressure &P,
+                const MultiplierSpace<dim> &multipliers, const Multiplier &multiplier,
                 const AnswerVector &point, Maximum &largest) {
   // A constant stress has no singular part.
   constexpr double rounding = 1e-6;
   Point<dim> x;
   std::copy(point.begin(), point.end(), x.begin_raw());
   if (!largest.away || largest.value > (1. + rounding) * largest.away->value)
-    largest.grows_at = growth_at(x, places, multipliers, P);
+    largest.grows_at = growth_at(x, places, multipliers, multiplier);
 }
 
 /** Returns the largest pressure, and the place where it grows without limit. */
 template <int dim>
 std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multipliers,
-                                          const Pressure &P,
+                                          const Multiplier &multiplier,
                                           const std::vector<SingularPlace<dim>> &places) {
+  const Pressure &P = multiplier.normal();
   const std::optional<PressureMaximum> largest = peak_pressure(multipliers, P);
   if (!largest)
     return {};
   PeakPressure peak = {*largest, {}, {}};
   if (!places.empty())
     peak.away = peak_pressure(multipliers, P, places);
-  set_growth(places, multipliers, P, largest->place.point, peak);
+  set_growth(places, multipliers, multiplier, largest->place.point, peak);
   return peak;
 }
 } // namespace
@@ -143,15 +144,15 @@ Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &sce
   if (answer.axisymmetric)
     remove_moments(answer);
   const std::vector<SingularPlace<dim>> places = singular_places(scene);
-  answer.peak_pressure = describe_peak(multipliers, P, places);
+  answer.peak_pressure = describe_peak(multipliers, multiplier, places);
   if constexpr (dim == 2) {
     answer.zones = contact_zones(multipliers, P);
     answer.turn_of_normals = turn_of_normals(multipliers, P);
   }
   answer.penetration = max_penetration(space, multipliers, scene, U);
   answer.von_mises = largest_von_mises(space, scene, U, places);
-  set_growth(places, multipliers, P, answer.von_mises.point, answer.von_mises);
-  answer.reports = report_on_places<dim>(space, scene, U, places, multipliers, P);
+  set_growth(places, multipliers, multiplier, answer.von_mises.point, answer.von_mises);
+  answer.reports = report_on_places<dim>(space, scene, U, places, multipliers, multiplier);
   return answer;
 }
 

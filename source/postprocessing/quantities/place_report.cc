@@ -66,11 +66,11 @@ public:
   using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
   PlaceReader(const SampledField<dim> &field, const std::vector<SingularPlace<dim>> &singular,
-              const MultiplierSpace<dim> &multipliers, const Pressure &P)
+              const MultiplierSpace<dim> &multipliers, const Multiplier &multiplier)
     : field_(field)
     , singular_(singular)
     , multipliers_(multipliers)
-    , P_(P) {}
+    , multiplier_(multiplier) {}
 
   /** Returns what a chunk of cells contributes to the places. */
   PlaceParts read_cells(const Cells<dim> &cells) const {
@@ -139,7 +139,8 @@ private:
   /** @param always whether a sample next to a place of growth counts, too. */
   void add_sample(const Cell &cell, const FieldSample<dim> &sample, PlacePart &part,
                   const bool always = false) const {
-    const std::optional<GrowthPlace> growth = growth_at(sample.x, singular_, multipliers_, P_);
+    const std::optional<GrowthPlace> growth =
+      growth_at(sample.x, singular_, multipliers_, multiplier_);
     if (growth)
       part.add(*growth);
     if (growth && !always)
@@ -174,7 +175,7 @@ private:
   const SampledField<dim> &field_;
   const std::vector<SingularPlace<dim>> &singular_;
   const MultiplierSpace<dim> &multipliers_;
-  const Pressure &P_;
+  const Multiplier &multiplier_;
 };
 
 /** Returns what the whole body contributes to the places. Collective. */
@@ -224,12 +225,13 @@ std::vector<PlaceReport> report_on_places(const DisplacementSpace<dim> &space,
                                           const Scene<dim> &scene, const Displacement &U,
                                           const std::vector<SingularPlace<dim>> &singular,
                                           const MultiplierSpace<dim> &multipliers,
-                                          const Pressure &P) {
+                                          const Multiplier &multiplier) {
   const std::vector<ReportPlace<dim>> &places = scene.report_places;
   if (places.empty())
     return {};
   const SampledField<dim> field(space, scene, U);
-  const PlaceParts all = parts_of_all(field, PlaceReader<dim>(field, singular, multipliers, P));
+  const PlaceParts all =
+    parts_of_all(field, PlaceReader<dim>(field, singular, multipliers, multiplier));
   std::vector<PlaceReport> reports;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!places[i].points.empty() && all[i].rows.empty())

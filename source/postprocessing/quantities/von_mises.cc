@@ -31,56 +31,71 @@ constexpr double share_of_sides = 0.1;
  * states that contact may have. */
 template <int dim>
 void add_if_singular(SingularPlace<dim> place, const Scene<dim> &scene,
-                     const std::function<double()> &kappa,
+                     const std::function<std::vector<WedgeLayer>()> &layers,
                      std::vector<SingularPlace<dim>> &places) {
   const Role first = scene.boundary[place.sides[0]].role,
              second = scene.boundary[place.sides[1]].role;
   const auto is_free = [](const Role role) { return role == Role::free || role == Role::traction; };
+  place.layers = layers();
+  double angle = 0.;
+  for (const WedgeLayer &layer : place.layers)
+    angle += layer.angle;
   // This saves time with hundreds of corners: (W1) at convex corners, and where contact goes on
-  // straight. There it ends at one of its ends at most, where (1) excludes the root 1/2.
-  if (is_free(first) && is_free(second) && place.angle <= PI + 1e-6)
+  // straight.
+  if (place.layers.size() == 1 &&
+      ((is_free(first) && is_free(second) && angle <= PI + 1e-6) ||
+       (first == Role::contact && second == Role::contact && std::abs(angle - PI) < 1e-6)))
     return;
-  if (first == Role::contact && second == Role::contact && std::abs(place.angle - PI) < 1e-6)
-    return;
-  place.kappa = kappa();
-  if (min_corner_exponent(place.angle, first, second, place.kappa) < max_singular_exponent)
-    places.push_back(place);
+  if (smallest_exponent(scene, place.ends[0], place.sides, place.layers) < max_singular_exponent)
+    places.push_back(std::move(place));
 }
 
-/** Returns whether the patch of a side that is nearest to a point presses. */
+/** Returns the unknown of a contact side that is nearest to a point; none on other sides. */
 template <int dim>
-bool presses_at(const Point<dim> &x, const unsigned int side,
-                const MultiplierSpace<dim> &multipliers, const Pressure &P) {
+std::optional<unsigned int> nearest_unknown(const Point<dim> &x, const unsigned int side,
+                                            const MultiplierSpace<dim> &multipliers) {
   const ContactSurface<dim> &surface = multipliers.surface();
-  const double threshold = pressing_threshold(P);
   double smallest = std::numeric_limits<double>::max();
-  bool presses = false;
-  for (unsigned int k = 0; k < P.size(); ++k) {
+  std::optional<unsigned int> nearest;
+  for (unsigned int k = 0; k < multipliers.n_multipliers(); ++k) {
     const Patch<dim> &patch = surface.patches()[multipliers.patch_of(k)];
     if (patch.side != side)
       continue;
     const double distance = surface.side(patch).point(multipliers.node(k)).distance(x);
     if (distance < smallest) {
       smallest = distance;
-      presses = P[k] < threshold;
+      nearest = k;
     }
   }
-  return presses;
+  return nearest;
+}
+
+/** Returns the condition on a side next to a point in the present state of contact. */
+template <int dim>
+EdgeCondition present_condition(const Point<dim> &x, const unsigned int side,
+                                const MultiplierSpace<dim> &multipliers,
+                                const Multiplier &multiplier) {
+  const Scene<dim> &scene = multipliers.surface().scene();
+  const std::optional<unsigned int> k = nearest_unknown(x, side, multipliers);
+  if (!k || !multiplier.presses(*k))
+    return possible_conditions(scene, side, x).front();
+  if (!multiplier.has_friction())
+    return {EdgeSupport::sliding};
+  if (multiplier.state(*k).slip == State::inside)
+    return {EdgeSupport::held};
+  const bool rubs = multiplier.is_coupled() && dim == 2;
+  return {EdgeSupport::sliding,
+          rubs ? multiplier.tangential()[0][*k] / multiplier.normal()[*k] : 0.};
 }
 
 /** Returns the exponent of a place that x lies next to, in the present state of contact. */
 template <int dim>
 double present_exponent(const SingularPlace<dim> &place, const Point<dim> &x,
-                        const MultiplierSpace<dim> &multipliers, const Pressure &P) {
-  const Scene<dim> &scene = multipliers.surface().scene();
-  std::array<EdgeSupport, 2> supports;
-  for (unsigned int i = 0; i < 2; ++i) {
-    const Role role = scene.boundary[place.sides[i]].role;
-    const bool closed =
-      role == Role::contact && presses_at(place.nearest(x), place.sides[i], multipliers, P);
-    supports[i] = closed ? EdgeSupport::sliding : possible_supports(role).front();
-  }
-  return corner_exponent(place.angle, supports[0], supports[1], place.kappa);
+                        const MultiplierSpace<dim> &multipliers, const Multiplier &multiplier) {
+  const Point<dim> nearest = place.nearest(x);
+  return corner_exponent(place.layers,
+                         present_condition(nearest, place.sides[0], multipliers, multiplier),
+                         present_condition(nearest, place.sides[1], multipliers, multiplier));
 }
 
 /** Returns the block of Hooke's tensor in the plane of two axes. */
@@ -116,21 +131,26 @@ std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene) {
   std::vector<SingularPlace<2>> places;
   if (scene.exact_displacement != nullptr)
     return places;
-  const std::vector<Corner> all = corners(scene.geometry);
-  for (const Corner &corner : all) {
+  std::vector<Corner> all = corners(scene.geometry);
+  const std::size_t n_corners = all.size();
+  for (Corner &end : interface_ends(scene))
+    all.push_back(std::move(end));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Corner &corner = all[i];
     double shortest = std::min(scene.geometry.sides[corner.sides[0]].length(),
                                scene.geometry.sides[corner.sides[1]].length());
-    for (const Corner &other : all)
-      if (&other != &corner && other.position.distance(corner.position) > 0.)
-        shortest = std::min(shortest, other.position.distance(corner.position));
-    add_if_singular<2>(
-      {{{corner.position, corner.position}},
-       corner.sides,
-       corner.angle,
-       0.,
-       share_of_sides * shortest},
-      scene, [&]() { return kolosov_constant(scene.material->relative_hooke(corner.position)); },
-      places);
+    const double rounding = 1e-4 * shortest;
+    bool is_known = false;
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      const double distance = all[j].position.distance(corner.position);
+      is_known = is_known || (i >= n_corners && j < n_corners && distance < rounding);
+      if (j != i && distance > 0.)
+        shortest = std::min(shortest, distance);
+    }
+    if (!is_known)
+      add_if_singular<2>(
+        {{{corner.position, corner.position}}, corner.sides, {}, share_of_sides * shortest}, scene,
+        [&]() { return layers_at(scene, corner); }, places);
   }
   return places;
 }
@@ -153,8 +173,11 @@ std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene) {
       ends[0][along] = box.lower[along];
       ends[1][along] = box.upper[along];
       add_if_singular<3>(
-        {ends, {{i, j}}, 0.5 * PI, 0., share_of_sides * box.shortest_extent()}, scene,
-        [&]() { return kolosov_constant(in_plane(scene.material->relative_hooke(middle), axes)); },
+        {ends, {{i, j}}, {}, share_of_sides * box.shortest_extent()}, scene,
+        [&]() {
+          return std::vector<WedgeLayer>{
+            make_layer(in_plane(scene.material->relative_hooke(middle), axes), 0.5 * PI)};
+        },
         places);
     }
   return places;
@@ -169,10 +192,11 @@ bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim
 template <int dim>
 std::optional<GrowthPlace> growth_at(const Point<dim> &x,
                                      const std::vector<SingularPlace<dim>> &places,
-                                     const MultiplierSpace<dim> &multipliers, const Pressure &P) {
+                                     const MultiplierSpace<dim> &multipliers,
+                                     const Multiplier &multiplier) {
   for (const SingularPlace<dim> &place : places)
     if (place.contains(x))
-      if (const double exponent = present_exponent(place, x, multipliers, P);
+      if (const double exponent = present_exponent(place, x, multipliers, multiplier);
           exponent < max_singular_exponent)
         return GrowthPlace{{{place.ends[0], place.ends[1]}}, place.radius, exponent};
   return {};

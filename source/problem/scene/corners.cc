@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The leading exponent of plane elasticity at a corner: roots of entire functions.
+// Where the sides of a 2-D body meet, and how rough a displacement may be there.
 
+#include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/scene/corners.h>
@@ -10,116 +11,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
 namespace Signorini {
-namespace {
-using Complex = std::complex<double>;
-
-/** The function constant + linear z + square z^2 + sine sin(frequency z) + cosine cos(frequency z);
- * its roots z are exponents. */
-struct CornerFunction {
-  double constant, linear, square, sine, cosine, frequency;
-
-  Complex value(const Complex z) const {
-    return constant + z * (linear + square * z) + sine * std::sin(frequency * z) +
-           cosine * std::cos(frequency * z);
-  }
-  Complex derivative(const Complex z) const {
-    return linear + 2. * square * z +
-           frequency * (sine * std::cos(frequency * z) - cosine * std::sin(frequency * z));
-  }
-};
-
-/** Returns the functions of (W1) to (W6). Functions that are products are given by their factors,
- * so that roots are simple at straight angles and at cracks. */
-std::vector<CornerFunction> corner_functions(const double angle, const EdgeSupport first,
-                                             const EdgeSupport second, const double kappa) {
-  const double s = std::sin(angle), s2 = std::sin(2. * angle);
-  const auto either = [&](const EdgeSupport support) {
-    return first == support || second == support;
-  };
-  if (!either(EdgeSupport::held) && !either(EdgeSupport::sliding))
-    return {{0., s, 0., 1., 0., angle}, {0., -s, 0., 1., 0., angle}};
-  if (!either(EdgeSupport::free) && !either(EdgeSupport::sliding))
-    return {{0., s, 0., kappa, 0., angle}, {0., -s, 0., kappa, 0., angle}};
-  if (!either(EdgeSupport::sliding))
-    return {
-      {2. * kappa - (kappa + 1.) * (kappa + 1.), 0., 4. * s * s, 0., -2. * kappa, 2. * angle}};
-  if (either(EdgeSupport::free))
-    return {{0., s2, 0., 1., 0., 2. * angle}};
-  if (either(EdgeSupport::held))
-    return {{0., -s2, 0., kappa, 0., 2. * angle}};
-  const double c = std::cos(angle);
-  return {{0., 0., 0., c, s, angle}, {0., 0., 0., c, -s, angle}};
-}
-
-/** Returns the root that Newton's method finds from z, or nothing. */
-std::optional<Complex> root_near(const CornerFunction &f, Complex z) {
-  Complex step = 1.;
-  for (unsigned int i = 0; i < 60 && std::abs(step) >= 1e-15 * std::abs(z); ++i) {
-    step = f.value(z) / f.derivative(z);
-    z -= step;
-    // Far from all roots steps may lead to where the sine overflows.
-    if (!(std::abs(step) < 1e3) || !(std::abs(f.frequency * z.imag()) < 100.))
-      return {};
-  }
-  return std::abs(step) > 1e-10 * std::abs(z) ? std::nullopt : std::optional(z);
-}
-
-/** Returns the smallest Re z > 0 of the roots that are no integers, for which solutions are no
- * polynomials. Newton's method finds them from the points of a grid. With |frequency Im z| > 6 +
- * log(1 + kappa) a sine or cosine is larger than all other terms; roots come in pairs z, conj(z).
- */
-double min_real_part(const CornerFunction &f, const double kappa) {
-  const double spacing = 0.5 / f.frequency;
-  const double highest = (6. + std::log(1. + kappa)) / f.frequency;
-  double smallest = max_corner_exponent;
-  for (double x = 0.5 * spacing; x < smallest + spacing; x += spacing)
-    for (double y = 0.; y < highest; y += spacing)
-      if (const std::optional<Complex> root = root_near(f, Complex(x, y)))
-        if (root->real() > 1e-6 && std::abs(*root - std::round(root->real())) > 1e-6)
-          smallest = std::min(smallest, root->real());
-  return smallest;
-}
-} // namespace
-
-double corner_exponent(const double angle, const EdgeSupport first, const EdgeSupport second,
-                       const double kappa) {
-  Assert(angle > 0. && angle < 2. * numbers::PI + 1e-6,
-         ExcMessage("The angle of a corner lies between 0 and 2 pi."));
-  Assert(kappa > 1. - 1e-6, ExcMessage("Kolosov's constant is at least one."));
-  double smallest = max_corner_exponent;
-  for (const CornerFunction &f : corner_functions(angle, first, second, kappa))
-    smallest = std::min(smallest, min_real_part(f, kappa));
-  return smallest;
-}
-
-double min_corner_exponent(const double angle, const Role first, const Role second,
-                           const double kappa) {
-  double smallest = max_corner_exponent;
-  for (const EdgeSupport one : possible_supports(first))
-    for (const EdgeSupport other : possible_supports(second))
-      smallest = std::min(smallest, corner_exponent(angle, one, other, kappa));
-  return smallest;
-}
-
-double kolosov_constant(const SymmetricTensor<4, 2> &hooke) {
-  // E_iijj = 4 (lambda + mu) and E_ijij = 2 lambda + 6 mu do not change with the axes.
-  double traces = 0., squares = 0.;
-  for (unsigned int i = 0; i < 2; ++i)
-    for (unsigned int j = 0; j < 2; ++j) {
-      traces += hooke[i][i][j][j];
-      squares += hooke[i][j][i][j];
-    }
-  return 2. * squares / traces;
-}
-
-// Where the sides of a 2-D body meet, and how rough a displacement may be there.
-
 namespace {
 using numbers::PI;
 
@@ -176,7 +73,8 @@ std::vector<Corner> corners(const Geometry<2> &geometry) {
     for (const SideEnd &second : arriving)
       if (first.position.distance(second.position) < 1e-8 * geometry.diameter() &&
           geometry.body_of_side(first.side) == geometry.body_of_side(second.side))
-        here.push_back({first.position, opening(first, second), {{first.side, second.side}}});
+        here.push_back(
+          {first.position, opening(first, second), {{first.side, second.side}}, first.direction});
     const auto next = std::min_element(
       here.begin(), here.end(), [](const Corner &a, const Corner &b) { return a.angle < b.angle; });
     if (next != here.end())
@@ -185,20 +83,140 @@ std::vector<Corner> corners(const Geometry<2> &geometry) {
   return found;
 }
 
-std::vector<EdgeSupport> possible_supports(const Role role) {
-  if (role == Role::clamped || role == Role::displacement)
-    return {EdgeSupport::held};
-  if (role == Role::roller)
-    return {EdgeSupport::sliding};
-  if (role == Role::contact || role == Role::opposite)
-    return {EdgeSupport::free, EdgeSupport::sliding};
-  return {EdgeSupport::free};
+// The materials and the conditions about a corner.
+
+WedgeLayer make_layer(const SymmetricTensor<4, 2> &hooke, const double angle) {
+  // E_iijj = 4 (lambda + mu) and E_ijij = 2 lambda + 6 mu do not change with the axes.
+  double traces = 0., squares = 0.;
+  for (unsigned int i = 0; i < 2; ++i)
+    for (unsigned int j = 0; j < 2; ++j) {
+      traces += hooke[i][i][j][j];
+      squares += hooke[i][j][i][j];
+    }
+  return {angle, 2. * squares / traces, (2. * squares - traces) / 8.};
 }
 
-double corner_exponent(const Scene<2> &scene, const Corner &corner) {
-  return min_corner_exponent(corner.angle, scene.boundary[corner.sides[0]].role,
-                             scene.boundary[corner.sides[1]].role,
-                             kolosov_constant(scene.material->relative_hooke(corner.position)));
+namespace {
+using Law = std::optional<SymmetricTensor<4, 2>>;
+
+/** Returns Hooke's tensor at a point, or nothing where its data has no value. */
+Law law_at(const Scene<2> &scene, const Point<2> &x) {
+  try {
+    return scene.material->relative_hooke(x);
+  } catch (const InputError &) {
+    return {};
+  }
+}
+
+bool differ(const Law &a, const Law &b) {
+  constexpr double rounding = 1e-4;
+  return a && b && (*a - *b).norm() > rounding * std::max(a->norm(), b->norm());
+}
+
+/** Returns 0, the points of (0, 1) at which a law jumps, and 1.
+ * @param n number of parts, in each of which one jump is found. */
+std::vector<double> jumps(const std::function<Law(double)> &law, const unsigned int n) {
+  constexpr double margin = 1e-4, resolution = 1e-12;
+  std::vector<double> found = {0.};
+  for (unsigned int i = 0; i < n; ++i) {
+    double a = std::max(margin, i / double(n)), b = std::min(1. - margin, (i + 1) / double(n));
+    Law at_a = law(a), at_b = law(b);
+    while (b - a > resolution && differ(at_a, at_b)) {
+      const double middle = 0.5 * (a + b);
+      const Law at_middle = law(middle);
+      const bool is_first = differ(at_a, at_middle);
+      (is_first ? b : a) = middle;
+      (is_first ? at_b : at_a) = at_middle;
+    }
+    if (differ(at_a, at_b))
+      found.push_back(a);
+  }
+  found.push_back(1.);
+  return found;
+}
+
+/** The distance from a point at which its neighbourhood is looked at, in sizes of the body. */
+constexpr double nearby = 1e-7;
+} // namespace
+
+std::vector<Corner> interface_ends(const Scene<2> &scene) {
+  std::vector<Corner> ends;
+  if (scene.material->is_constant())
+    return ends;
+  const double distance = nearby * scene.geometry.diameter();
+  constexpr unsigned int n_parts = 256;
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
+    const Side<2> &side = scene.geometry.sides[i];
+    const double length = side.length();
+    const std::vector<double> found = jumps(
+      [&](const double t) {
+        return law_at(scene, side.point(t * length) - distance * side.normal(t * length));
+      },
+      n_parts);
+    for (std::size_t k = 1; k + 1 < found.size(); ++k) {
+      const double s = found[k] * length;
+      const Tensor<1, 2> n = side.normal(s);
+      ends.push_back({side.point(s), PI, {{i, i}}, Tensor<1, 2>({-n[1], n[0]})});
+    }
+  }
+  return ends;
+}
+
+std::vector<WedgeLayer> layers_at(const Scene<2> &scene, const Corner &corner) {
+  if (scene.material->is_constant())
+    return {make_layer(scene.material->relative_hooke(corner.position), corner.angle)};
+  constexpr unsigned int n_parts = 64;
+  const auto law = [&](const double t) {
+    const double angle = t * corner.angle;
+    const Tensor<1, 2> across({-corner.direction[1], corner.direction[0]});
+    return law_at(scene, corner.position +
+                           nearby * scene.geometry.diameter() *
+                             (std::cos(angle) * corner.direction + std::sin(angle) * across));
+  };
+  const std::vector<double> found = jumps(law, n_parts);
+  std::vector<WedgeLayer> layers;
+  for (std::size_t k = 0; k + 1 < found.size(); ++k)
+    if (const Law middle = law(0.5 * (found[k] + found[k + 1])))
+      layers.push_back(make_layer(*middle, (found[k + 1] - found[k]) * corner.angle));
+  return layers;
+}
+
+template <int dim>
+std::vector<EdgeCondition> possible_conditions(const Scene<dim> &scene, const unsigned int side,
+                                               const Point<dim> &x) {
+  const BoundaryCondition<dim> &condition = scene.boundary[side];
+  const Role role = condition.role;
+  if (role == Role::clamped || role == Role::displacement)
+    return {{EdgeSupport::held}};
+  if (role == Role::roller)
+    return {{EdgeSupport::sliding}};
+  if (role != Role::contact && role != Role::opposite)
+    return {{EdgeSupport::free}};
+  std::vector<EdgeCondition> conditions = {{EdgeSupport::free}, {EdgeSupport::sliding}};
+  if (condition.friction != nullptr && scene.friction != Friction::none) {
+    conditions.push_back({EdgeSupport::held});
+    if (scene.friction == Friction::coulomb && dim == 2)
+      for (const double f : {condition.friction->value(x), -condition.friction->value(x)})
+        conditions.push_back({EdgeSupport::sliding, f});
+  }
+  return conditions;
+}
+
+template <int dim>
+double smallest_exponent(const Scene<dim> &scene, const Point<dim> &x,
+                         const std::array<unsigned int, 2> &sides,
+                         const std::vector<WedgeLayer> &layers) {
+  double angle = 0., smallest = max_corner_exponent;
+  for (const WedgeLayer &layer : layers)
+    angle += layer.angle;
+  const std::vector<EdgeCondition> first = possible_conditions(scene, sides[0], x),
+                                   second = possible_conditions(scene, sides[1], x);
+  const bool goes_on = std::abs(angle - PI) < 1e-6 && first.size() > 1 && second.size() > 1;
+  for (const EdgeCondition &one : first)
+    for (const EdgeCondition &other : second)
+      if (!goes_on || one.support == other.support)
+        smallest = std::min(smallest, corner_exponent(layers, one, other));
+  return smallest;
 }
 
 // Sides that prescribe different displacements where they meet.
@@ -351,5 +369,7 @@ std::string find_contradiction(const Scene<dim> &scene) {
   return contradiction;
 }
 
+INSTANTIATE_FUNCTION(possible_conditions);
+INSTANTIATE_FUNCTION(smallest_exponent);
 INSTANTIATE_FUNCTION(find_contradiction);
 } // namespace Signorini

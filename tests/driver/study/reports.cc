@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Output/Report against closed forms: Lame's ring, constant stress, a re-entrant corner, a slab of
-// a given thickness.
+// Output/Report against closed forms: Lame's ring, constant stress, corners where stress grows, a
+// slab of a given thickness.
 
 #include <algorithm>
+#include <cmath>
 
 #include "study_helpers.h"
 #include "tests.h"
@@ -120,6 +121,41 @@ void check_corner(Checks &checks) {
   checks.about("");
 }
 
+/** Where contact sticks or slips, and where an interface ends, stresses grow from one level to the
+ * next like h^{λ - 1} with the exponent that the answer names. */
+void check_other_growth(Checks &checks) {
+  const std::string scene = "Geometry/Upper right = 2, 1\nBoundary/Contact = bottom\n"
+                            "Contact/Gap = 0\nMaterial/Poisson's ratio = 0.3\n";
+  const std::string friction = "Contact/Friction = coulomb\nContact/Friction coefficient = ";
+  struct Row {
+    std::string name, settings;
+    double exponent, place;
+    bool is_pressure;
+  };
+  for (const Row &row : std::vector<Row>{
+         {"sticks", friction + "5\nBoundary/Displacement = top: 0; -0.1\n", 0.71117, 0., true},
+         {"slips", friction + "0.4\nBoundary/Displacement = top: 0.4; -0.2\n", 0.639, 2., true},
+         {"interface",
+          "Boundary/Displacement = top: 0; -0.1\nMaterial/Young's modulus = y<0.5 ? 1000 : 1\n",
+          0.7122, 0., false}}) {
+    const auto levels_of = solve(scene + row.settings, levels(5, 7, {"Output/Bound=false"})).levels;
+    std::vector<double> values;
+    for (const LevelRecord &level : levels_of)
+      values.push_back(row.is_pressure ? level.answer.peak_pressure->value
+                                       : level.answer.von_mises.value);
+    const Answer &answer = levels_of.back().answer;
+    const auto &growth =
+      row.is_pressure ? answer.peak_pressure->grows_at : answer.von_mises.grows_at;
+    checks.about(row.name);
+    checks.that("growth is named", growth.has_value());
+    checks.near("exponent", growth->exponent, row.exponent, 1e-3);
+    checks.near("measured", 1. - std::log2(values[2] / values[1]), row.exponent, 0.03);
+    if (row.place > 0.)
+      checks.near("place", growth->ends[0][0], row.place, 1e-9);
+  }
+  checks.about("");
+}
+
 /** A slab of the thickness 10 under ten times the force has the same stress and ten times J. */
 void check_thickness(Checks &checks) {
   const std::string scene =
@@ -162,6 +198,7 @@ int main(int argc, char *argv[]) {
   check_block(checks, "Discretization/Element = Q2\n", report);
   check_space(checks);
   check_corner(checks);
+  check_other_growth(checks);
   check_thickness(checks);
   return checks.exit_code();
 }

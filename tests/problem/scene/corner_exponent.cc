@@ -7,6 +7,7 @@
 #include <deal.II/base/numbers.h>
 #include <deal.II/physics/elasticity/standard_tensors.h>
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <utility>
@@ -61,17 +62,17 @@ Complex determinant(const std::array<std::array<Complex, n>, n> &m) {
   }
 }
 
-/** A corner and the determinant of its four conditions, an entire function of lambda. */
+/** A corner of one or two materials and the determinant of its conditions, an entire function of
+ * lambda: those of the edges, and u and the traction, which do not jump. */
 struct Problem {
-  double angle;
-  EdgeSupport first, second;
-  double kappa;
+  std::vector<WedgeLayer> layers;
+  EdgeCondition first, second;
 
+  double angle() const {
+    return layers.front().angle + (layers.size() > 1 ? layers.back().angle : 0.);
+  }
   Complex operator()(const Complex lambda) const {
-    const Matrix one = general_solution(lambda, 0., kappa),
-                 other = general_solution(lambda, angle, kappa);
-    const auto a = rows_of(first), b = rows_of(second);
-    return determinant(Matrix{{one[a[0]], one[a[1]], other[b[0]], other[b[1]]}});
+    return layers.size() == 1 ? with_one(lambda) : with_two(lambda);
   }
   /** The angle by which the determinant turns on the way from a to b. */
   double turn(const Complex a, const Complex b, const Complex at_a, const Complex at_b) const {
@@ -95,6 +96,48 @@ struct Problem {
     }
     return sum / (2. * PI);
   }
+
+private:
+  static Matrix rows(const Complex lambda, const WedgeLayer &layer, const double angle) {
+    Matrix m = general_solution(lambda, angle, layer.kappa);
+    for (unsigned int i = 0; i < 2; ++i)
+      for (Complex &entry : m[i])
+        entry /= layer.shear_modulus;
+    return m;
+  }
+  /** The two conditions on an edge. */
+  static std::array<std::array<Complex, 4>, 2> conditions(const EdgeCondition &edge,
+                                                          const Matrix &m) {
+    const auto numbers = rows_of(edge.support);
+    std::array<std::array<Complex, 4>, 2> chosen = {{m[numbers[0]], m[numbers[1]]}};
+    if (edge.support == sliding)
+      for (unsigned int j = 0; j < 4; ++j)
+        chosen[1][j] += edge.friction * m[2][j];
+    return chosen;
+  }
+  Complex with_one(const Complex lambda) const {
+    const auto one = conditions(first, rows(lambda, layers[0], 0.)),
+               other = conditions(second, rows(lambda, layers[0], layers[0].angle));
+    return determinant(Matrix{{one[0], one[1], other[0], other[1]}});
+  }
+  Complex with_two(const Complex lambda) const {
+    const double middle = layers[0].angle;
+    const auto one = conditions(first, rows(lambda, layers[0], 0.)),
+               other = conditions(second, rows(lambda, layers[1], angle()));
+    const Matrix before = rows(lambda, layers[0], middle), after = rows(lambda, layers[1], middle);
+    std::array<std::array<Complex, 8>, 8> m = {};
+    for (unsigned int j = 0; j < 4; ++j) {
+      for (unsigned int i = 0; i < 2; ++i) {
+        m[i][j] = one[i][j];
+        m[i + 2][j + 4] = other[i][j];
+      }
+      for (unsigned int i = 0; i < 4; ++i) {
+        m[i + 4][j] = before[i][j];
+        m[i + 4][j + 4] = -after[i][j];
+      }
+    }
+    return determinant(m);
+  }
 };
 
 /** Integers are the only roots before the exponent, and the exponent is one. */
@@ -108,7 +151,7 @@ void test_completeness(Checks &checks) {
         std::pair(sliding, free_edge), std::pair(held, sliding), std::pair(sliding, sliding)})
     for (const double angle : angles)
       for (const double kappa : {1.04, 1.4, 1.8, 2.2, 6.}) {
-        const Problem problem = {angle, first, second, kappa};
+        const Problem problem = {{{angle, kappa, 1.}}, {first}, {second}};
         const double exponent = corner_exponent(angle, first, second, kappa), height = 8. / angle;
         double integers = 0.;
         for (unsigned int n = 1; n < exponent - margin; ++n)
@@ -122,6 +165,58 @@ void test_completeness(Checks &checks) {
         checks.near("the order of the edges does not matter",
                     corner_exponent(angle, second, first, kappa), exponent, 1e-12);
       }
+}
+
+/** There is no root before the exponent of two materials, or of an edge with friction, and the
+ * exponent is one unless it is 1. */
+void test_layers(Checks &checks) {
+  const double margin = 1e-3;
+  std::vector<Problem> problems;
+  for (const double ratio : {1e-3, 0.2, 30.})
+    for (const auto &[a, b] : {std::pair(0.5 * PI, 0.5 * PI), std::pair(0.7, 1.9)})
+      for (const EdgeSupport first : {free_edge, held, sliding})
+        problems.push_back({{{a, 1.8, 1.}, {b, 2.2, ratio}}, {first}, {free_edge}});
+  for (const double f : {-0.8, -0.3, 0.3, 0.8})
+    for (const double angle : {0.4 * PI, 0.5 * PI, 0.8 * PI, 1.4 * PI})
+      for (const EdgeSupport other : {free_edge, held}) {
+        problems.push_back({{{angle, 1.8, 1.}}, {sliding, f}, {other}});
+        problems.push_back({{{angle, 1.8, 1.}}, {other}, {sliding, f}});
+      }
+  for (const Problem &problem : problems) {
+    const double exponent = corner_exponent(problem.layers, problem.first, problem.second),
+                 height = 8. / problem.angle();
+    checks.near("layers: no root before the exponent",
+                problem.n_roots(std::min(0.02, 0.5 * exponent), exponent - margin, height), 0.,
+                1e-6);
+    if (exponent < 1. - margin)
+      checks.that("layers: the exponent is a root",
+                  problem.n_roots(exponent - margin, exponent + margin, height) > 1. - 1e-6);
+  }
+}
+
+/** A crack along an interface has r^{1/2 + i e}; the pressure under a flat punch that slides has
+ * r^{-1/2 + g}, tan(pi g) = f (kappa - 1)/(kappa + 1), with 1/2 - g at its other end. */
+void test_layers_against_closed_forms(Checks &checks) {
+  for (const double ratio : {1e-6, 0.1, 1., 1e6})
+    checks.near("crack along an interface",
+                corner_exponent({{PI, 1.8, 1.}, {PI, 2.2, ratio}}, {free_edge}, {free_edge}), 0.5,
+                1e-7);
+  const double kappa = 1.8;
+  for (const double f : {0.2, 0.6}) {
+    const double g = std::atan(f * (kappa - 1.) / (kappa + 1.)) / PI;
+    const std::vector<WedgeLayer> half_plane = {{PI, kappa, 1.}};
+    std::vector<double> found = {corner_exponent(half_plane, {sliding, f}, {free_edge}),
+                                 corner_exponent(half_plane, {sliding, -f}, {free_edge})};
+    checks.near("opposite friction at the other end",
+                {corner_exponent(half_plane, {free_edge}, {sliding, -f}),
+                 corner_exponent(half_plane, {free_edge}, {sliding, f})},
+                found, 1e-9);
+    std::sort(found.begin(), found.end());
+    checks.near("sliding punch", found, {0.5 - g, 0.5 + g}, 1e-9);
+  }
+  checks.near("equal layers are one",
+              corner_exponent({{PI, 1.8, 1.}, {0.5 * PI, 1.8, 1.}}, {free_edge}, {free_edge}),
+              0.544483737, 1e-8);
 }
 
 void test_known_values(Checks &checks) {
@@ -161,24 +256,27 @@ void test_known_values(Checks &checks) {
 
 void test_kolosov(Checks &checks) {
   using Tensors = dealii::Physics::Elasticity::StandardTensors<2>;
-  const auto kappa = [](const double lambda, const double mu) {
-    return kolosov_constant(lambda * Tensors::IxI + 2. * mu * Tensors::S);
+  const auto layer = [](const double lambda, const double mu) {
+    return make_layer(lambda * Tensors::IxI + 2. * mu * Tensors::S, 1.);
   };
+  const auto kappa = [&](const double lambda, const double mu) { return layer(lambda, mu).kappa; };
   for (const double nu : {-0.4, 0., 0.3, 0.49}) {
     const double mu = 3., lambda = 2. * mu * nu / (1. - 2. * nu);
     checks.near("plane strain", kappa(lambda, mu), 3. - 4. * nu, 1e-12);
     checks.near("plane stress", kappa(2. * lambda * mu / (lambda + 2. * mu), mu),
                 (3. - nu) / (1. + nu), 1e-12);
+    checks.near("shear modulus", layer(lambda, mu).shear_modulus, mu, 1e-12);
   }
   // The mean over rotations does not see what E_1111 takes from E_2222.
   dealii::SymmetricTensor<4, 2> hooke = 1.5 * Tensors::IxI + 2. * Tensors::S;
-  const double isotropic = kolosov_constant(hooke);
+  const double isotropic = make_layer(hooke, 1.).kappa;
   hooke[0][0][0][0] += 0.4;
   hooke[1][1][1][1] -= 0.4;
-  checks.near("stiffer along x, softer along y", kolosov_constant(hooke), isotropic, 1e-12);
+  checks.near("stiffer along x, softer along y", make_layer(hooke, 1.).kappa, isotropic, 1e-12);
 }
 } // namespace
 
 int main() {
-  return run_tests({test_known_values, test_kolosov, test_completeness});
+  return run_tests({test_known_values, test_kolosov, test_completeness, test_layers,
+                    test_layers_against_closed_forms});
 }

@@ -89,11 +89,51 @@ void test_scene(Checks &checks) {
   for (const Corner &corner : corners(scene.geometry)) {
     const bool left = corner.position[0] < 0.5, bottom = corner.position[1] < 0.5;
     // Rollers continue a free or a held edge; a contact side counts as free.
-    checks.near("exponents of a scene", corner_exponent(scene, corner),
+    checks.near("exponents of a scene",
+                smallest_exponent(scene, corner.position, corner.sides, layers_at(scene, corner)),
                 left     ? 3.
                 : bottom ? 2.739593
                          : 0.71117,
                 1e-5);
+  }
+}
+
+/** Layers at corners and ends of interfaces: an oblique one, one that ends in a corner, one of a
+ * curve, and moduli that vary without a jump. */
+void test_layers(Checks &checks) {
+  const auto scene_of = [](const std::string &modulus) {
+    return make_described_scene<2>(
+      parse_parameters("", "scenes.prm",
+                       {"Boundary/Contact=bottom", "Boundary/Clamped=top",
+                        "Material/Young's modulus=" + modulus, "Material/Poisson's ratio=0.3"}));
+  };
+  struct Row {
+    std::string modulus;
+    /** On left, right, bottom and top together, their sum of coordinates, and layers at 0. */
+    double n_ends, sum;
+    std::vector<double> angles;
+  };
+  for (const Row &row :
+       std::vector<Row>{{"y<0.3+0.1*x ? 5 : 1", 2, 0.3 + 1.4, {0.5 * PI}},
+                        {"y<x ? 5 : 1", 0, 0., {0.25 * PI, 0.25 * PI}},
+                        {"x^2+y^2<0.25 ? 5 : 1", 2, 1., {0.5 * PI}},
+                        {"1+50*x*y", 0, 0., {0.5 * PI}},
+                        {"abs(x-0.7)<0.005 ? 5 : 1", 4, 4 * 0.7 + 2., {0.5 * PI}}}) {
+    const Scene<2> scene = scene_of(row.modulus);
+    double n = 0., sum = 0.;
+    for (const Corner &end : interface_ends(scene)) {
+      n += 1.;
+      sum += end.position[0] + end.position[1];
+      checks.near(row.modulus + ": both materials", layers_at(scene, end).size(), 2., 0.);
+    }
+    checks.near(row.modulus + ": ends", {n, sum}, {row.n_ends, row.sum}, 1e-6);
+    for (const Corner &corner : corners(scene.geometry))
+      if (corner.position.norm() < 1e-12) {
+        std::vector<double> angles;
+        for (const WedgeLayer &layer : layers_at(scene, corner))
+          angles.push_back(layer.angle);
+        checks.near(row.modulus + ": layers", angles, row.angles, 1e-6);
+      }
   }
 }
 
@@ -134,5 +174,5 @@ void test_agreement(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests({test_bodies, test_pairs_of_sides, test_scene, test_agreement});
+  return run_tests({test_bodies, test_pairs_of_sides, test_scene, test_layers, test_agreement});
 }

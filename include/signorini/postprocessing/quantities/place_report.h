@@ -48,5 +48,5 @@ std::vector<PlaceReport> report_on_places(const DisplacementSpace<dim> &space,
                                           const Scene<dim> &scene, const Displacement &U,
                                           const std::vector<SingularPlace<dim>> &singular,
                                           const MultiplierSpace<dim> &multipliers,
-                                          const Pressure &P);
+                                          const Multiplier &multiplier);
 } // namespace Signorini

@@ -3,9 +3,10 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/multiplier/multiplier.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 #include <signorini/problem/scene/scene.h>
+#include <signorini/problem/scene/wedges.h>
 
 #include <boost/serialization/vector.hpp>
 
@@ -31,15 +32,16 @@ struct GrowthPlace {
   }
 };
 
-/** A corner of a 2-D body, or an edge of a box, at which stresses behave like r^{λ - 1} with
- * λ < 1 (corner_exponent()) in at least one state of contact. */
+/** A corner of a 2-D body, an end of an interface of materials on its boundary, or an edge of a
+ * box, at which stresses behave like r^{λ - 1} with λ < 1 (corner_exponent()) in at least one state
+ * of contact. */
 template <int dim>
 struct SingularPlace {
   /** The ends of the edge; equal in 2-D. */
   std::array<Point<dim>, 2> ends;
   std::array<unsigned int, 2> sides;
-  /** The angle inside the body (radians), and Kolosov's constant. */
-  double angle, kappa;
+  /** The materials about it. */
+  std::vector<WedgeLayer> layers;
   /** A tenth of the shortest side that meets here, or of the distance to the next corner where that
    * is shorter (length). It is the same on all levels. */
   double radius;
@@ -68,7 +70,8 @@ bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim
 template <int dim>
 std::optional<GrowthPlace> growth_at(const Point<dim> &x,
                                      const std::vector<SingularPlace<dim>> &places,
-                                     const MultiplierSpace<dim> &multipliers, const Pressure &P);
+                                     const MultiplierSpace<dim> &multipliers,
+                                     const Multiplier &multiplier);
 
 /** The largest value of a field, and where it is. */
 struct FieldMaximum {

@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/problem/scene/scene.h>
+#include <signorini/problem/scene/wedges.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
@@ -11,49 +12,18 @@
 #include <vector>
 
 namespace Signorini {
-/** The support of an edge of the body next to a corner. */
-enum class EdgeSupport {
-  /** The traction is given. */
-  free,
-  /** Both components of u are given. */
-  held,
-  /** u.n and the shear are given: rollers, or frictionless contact that is closed. */
-  sliding
-};
-
-/** The largest value that corner_exponent() returns. */
-constexpr double max_corner_exponent = 3.;
-
 /**
- * Returns the smallest Re lambda > 0, at most max_corner_exponent, of the solutions r^lambda
- * v(theta) of -sigma_ij,j = 0 between two straight edges with homogeneous conditions that are not
- * polynomials. The equations are (W1) to (W6) of doc/formulas.md.
- *
- * Integer lambda are left out: their solutions are polynomials, rigid motions among them. The
- * result therefore jumps where a root passes through an integer. It can be close to zero: between
- * sliding edges it is |pi/angle - 1| near a straight angle.
- *
- * Loads that do not fit together at the corner, say different shears on two free edges at a right
- * angle, may add r^n or r^n log r with an integer n >= 1. The exponent does not include these.
- *
- * @param angle the opening inside the body, 0 < angle <= 2 pi (radians).
- * @param kappa Kolosov's constant, at least 1: see kolosov_constant().
+ * Returns the layer of a wedge that has the material of Hooke's tensor. Kolosov's constant (lambda
+ * + 3 mu)/(lambda + mu) is 3 - 4 nu in plane strain and (3 - nu)/(1 + nu) in plane stress. An
+ * anisotropic tensor is replaced by its mean over all plane rotations, which is the isotropic
+ * tensor nearest to it in the sum of squares of E_ijkl. The exponents of such a body are
+ * approximations.
+ * @param angle the opening (radians).
  */
-double corner_exponent(double angle, EdgeSupport first, EdgeSupport second, double kappa);
-
-/** Returns the smallest exponent in all states of contact that sides with these roles may have. */
-double min_corner_exponent(double angle, Role first, Role second, double kappa);
-
-/**
- * Returns Kolosov's constant (lambda + 3 mu)/(lambda + mu) of Hooke's tensor, in any unit: 3 - 4 nu
- * in plane strain, (3 - nu)/(1 + nu) in plane stress. An anisotropic tensor is replaced by its mean
- * over all plane rotations, which is the isotropic tensor nearest to it in the sum of squares of
- * E_ijkl. The exponents of such a body are then approximations.
- */
-double kolosov_constant(const SymmetricTensor<4, 2> &hooke);
+WedgeLayer make_layer(const SymmetricTensor<4, 2> &hooke, double angle);
 
 /** A point where two sides of a 2-D body meet, also at a straight angle, or where one side has a
- * corner (Curve::corners()). */
+ * corner (Curve::corners()) or an interface of materials ends. */
 struct Corner {
   Point<2> position;
   /** The angle between the tangents inside the body, 0 < angle <= 2 pi (radians). */
@@ -61,23 +31,36 @@ struct Corner {
   /** The numbers of the two sides. Counter-clockwise about the corner the first one comes before
    * the body, the second one after it. They are equal inside of a side. */
   std::array<unsigned int, 2> sides;
+  /** The tangent of the first side, away from the corner. */
+  Tensor<1, 2> direction;
 };
 
 /** Returns all corners of a body, in the order of their first sides. Ends of sides are one point if
  * they are closer than 1e-8 diameters; closed sides have no ends. */
 std::vector<Corner> corners(const Geometry<2> &geometry);
 
-/** Returns how a side of this role may be supported at its ends: a contact side is free or sliding,
- * all others have one support. */
-std::vector<EdgeSupport> possible_supports(Role role);
+/** Returns the points inside of sides at which moduli jump. Parts of a side below 1/256 of its
+ * length may hide. */
+std::vector<Corner> interface_ends(const Scene<2> &scene);
+
+/** Returns the materials about a corner. Layers below 1/64 of the angle may hide. */
+std::vector<WedgeLayer> layers_at(const Scene<2> &scene, const Corner &corner);
+
+/** Returns the conditions that a side may have at a point: a contact side is free or sliding, with
+ * friction it may stick, too; all others have one. */
+template <int dim>
+std::vector<EdgeCondition> possible_conditions(const Scene<dim> &scene, unsigned int side,
+                                               const Point<dim> &x);
 
 /**
- * Returns the smallest exponent at a corner of the scene, over the states of contact sides, with
- * the material at the corner. At a straight angle between contact sides one state may be open and
- * the other closed, which gives 1/2. The inequalities of (1) exclude this root where the gap is
- * smooth, and leave 3/2.
+ * Returns the smallest exponent of a wedge at @p x between two sides, over the states of contact.
+ * At a straight angle contact has the same state on both sides: a state that is open and closed
+ * gives 1/2, which the inequalities of (1) exclude where the gap is smooth. They leave 3/2.
  */
-double corner_exponent(const Scene<2> &scene, const Corner &corner);
+template <int dim>
+double smallest_exponent(const Scene<dim> &scene, const Point<dim> &x,
+                         const std::array<unsigned int, 2> &sides,
+                         const std::vector<WedgeLayer> &layers);
 
 /**
  * Returns a sentence about a place where two sides that meet prescribe a displacement that jumps,
