@@ -326,7 +326,7 @@ bool LiftField::needs_equal_parts(const CellIterator &cell) const {
 }
 
 dealii::Vector<double> LiftField::cell_energies() const {
-  const bool constant = data_.scene.material->is_constant();
+  const bool constant = data_.scene.material->is_constant_on_cells();
   const std::size_t n_cells = data_.space.mesh().triangulation().n_active_cells();
   const auto n_equal_parts = [&](const CellIterator &cell) {
     // Boxes of the law are hardly smaller.

@@ -54,7 +54,7 @@ std::vector<Tensor<1, 2>> CellFit::force(const TractionCell &place,
 CellFitter::CellFitter(const BoundData &data, const bool compares)
   : data_(data)
   , compares_(compares)
-  , is_constant_(data.scene.material->is_constant())
+  , is_constant_(data.scene.material->is_constant_on_cells())
   , kinks_(data.scene.law_kinks) {}
 
 std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &shape,
@@ -119,13 +119,16 @@ CellFitter::Known &CellFitter::find_known(const TractionCell &place, std::list<K
   const CellShape &shape = place.shape;
   const auto x = at_unit_size(shape, shape.diameter()).corners;
   const std::array<Tensor<1, 2>, 3> edges = {{x[1] - x[0], x[2] - x[0], x[3] - x[0]}};
+  const SymmetricTensor<4, 2> hooke =
+    is_constant_ ? data_.scene.material->hooke(shape.crossing) : SymmetricTensor<4, 2>();
   for (Known &other : known_)
-    if (other.degree == place.degree && !shape.has_arcs() && !other.shape.has_arcs() &&
+    if (other.degree == place.degree && other.hooke == hooke && !shape.has_arcs() &&
+        !other.shape.has_arcs() &&
         std::equal(edges.begin(), edges.end(), other.edges.begin(),
                    [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; }))
       return other;
   const bool is_alone = !is_constant_ || shape.has_arcs() || known_.size() == max_known;
-  return (is_alone ? alone : known_).emplace_back(is_alone, place.degree, shape, edges);
+  return (is_alone ? alone : known_).emplace_back(is_alone, place.degree, shape, edges, hooke);
 }
 
 Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &known) const {

@@ -83,7 +83,7 @@ private:
    * parallelograms; more where maps or the law vary, or a load that is integrated itself. */
   unsigned int n_points(const unsigned int degree) const {
     const unsigned int n =
-      (degree << (n_fields(data_) - 1)) + (data_.scene.material->is_constant() ? 1 : 3);
+      (degree << (n_fields(data_) - 1)) + (data_.scene.material->is_constant_on_cells() ? 1 : 3);
     if (!EquilibrationMesh::aligns(data_) && data_.scene.body_force != nullptr)
       return n + 6;
     return data_.space.mesh().is_curved() ? n + 2 : n;
@@ -194,7 +194,7 @@ void EnergyMisfit::find_bubbles() {
 
 void EnergyMisfit::integrate_energies() {
   const Material<2> &material = *data_.scene.material;
-  const Kinks<2> kinks = material.is_constant() ? Kinks<2>() : data_.scene.law_kinks;
+  const Kinks<2> kinks = material.is_constant_on_cells() ? Kinks<2>() : data_.scene.law_kinks;
   integrate_by_chunks<ChunkEnergies, 2>(
     data_.space,
     [&](const Cells<2> &cells) {

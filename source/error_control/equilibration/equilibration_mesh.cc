@@ -109,7 +109,7 @@ bool EquilibrationMesh::is_rough(const Cell &cell, const std::vector<Point<2>> &
   for (unsigned int k = 0; k < 4; ++k)
     if (shape.centres[k] && !ArcLift::is_seen(shape.edge(k)))
       return true;
-  if (data_.scene.material->is_constant())
+  if (data_.scene.material->is_constant_on_cells())
     return false;
   return needs_cuts<2>(data_.scene.law_kinks, cell) ||
          law_varies(*data_.scene.material, corners_of(cell));

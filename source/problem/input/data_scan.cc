@@ -250,7 +250,7 @@ void scan_data(Scene<2> &scene) {
   for (unsigned int side = 0; side < scene.boundary.size(); ++side)
     scan.scan_side(side, breaks);
   const std::vector<KinkLine<2>> lines = scan.kinks();
-  if (!scene.material->is_constant())
+  if (!scene.material->is_constant_on_cells())
     scene.law_kinks = Kinks<2>(lines, {}, std::move(of_law));
   scene.kinks = Kinks<2>(lines, std::move(breaks), std::move(of_force));
 }

@@ -163,6 +163,10 @@ public:
   bool is_constant() const override {
     return false;
   }
+  bool is_constant_on_cells() const override {
+    return std::all_of(materials_.begin(), materials_.end(),
+                       [](const auto &material) { return material->is_constant(); });
+  }
 
   AcrossLaw<dim> relative_across(const Point<dim> &x) const override {
     const AcrossLaw<dim> law = materials_[index_at_(x)]->across(x);

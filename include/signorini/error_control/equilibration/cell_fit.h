@@ -65,17 +65,20 @@ private:
   /** What cells of the same degree and shape share, unless the law varies. */
   struct Known {
     Known(const bool is_alone, const unsigned int degree, const CellShape &shape,
-          const std::array<Tensor<1, 2>, 3> &edges)
+          const std::array<Tensor<1, 2>, 3> &edges, const SymmetricTensor<4, 2> &hooke)
       : is_alone(is_alone)
       , degree(degree)
       , shape(shape)
-      , edges(edges) {}
+      , edges(edges)
+      , hooke(hooke) {}
 
     bool is_alone;
     unsigned int degree;
     /** The first cell, and its edges from corner 0 at unit size. */
     CellShape shape;
     std::array<Tensor<1, 2>, 3> edges;
+    /** Hooke's tensor at the crossing of the diagonals. */
+    SymmetricTensor<4, 2> hooke;
     std::once_flag is_made;
     std::shared_ptr<AiryCell> airy;
     std::mutex mutex;

@@ -42,6 +42,11 @@ public:
 
   /** Returns whether E_ijkl is the same everywhere. */
   virtual bool is_constant() const = 0;
+  /** Returns whether it is the same everywhere in each cell of a mesh: constants of regions, which
+   * consist of coarse cells. */
+  virtual bool is_constant_on_cells() const {
+    return is_constant();
+  }
 
   /** Returns the law across the plane at a point, in units of E_0. Plane problems do not contain
    * it, but the von Mises stress does; in bodies of revolution it is that around the axis. */
