@@ -44,22 +44,25 @@ std::array<unsigned int, 2> rows_of(const EdgeSupport support) {
            : std::array<unsigned int, 2>{{support == held ? 0U : 1U, support == held ? 1U : 3U}};
 }
 
-/** By minors of the first column. */
+/** By Gauss' elimination. */
 template <std::size_t n>
-Complex determinant(const std::array<std::array<Complex, n>, n> &m) {
-  if constexpr (n == 1)
-    return m[0][0];
-  else {
-    Complex sum = 0.;
-    for (std::size_t left_out = 0; left_out < n; ++left_out) {
-      std::array<std::array<Complex, n - 1>, n - 1> minor;
-      for (std::size_t i = 0; i + 1 < n; ++i)
-        for (std::size_t j = 0; j + 1 < n; ++j)
-          minor[i][j] = m[i + (i >= left_out)][j + 1];
-      sum += (left_out % 2 == 0 ? 1. : -1.) * m[left_out][0] * determinant(minor);
+Complex determinant(std::array<std::array<Complex, n>, n> m) {
+  Complex product = 1.;
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto largest =
+      std::max_element(m.begin() + k, m.end(), [k](const auto &a, const auto &b) {
+        return std::abs(a[k]) < std::abs(b[k]);
+      });
+    if (largest != m.begin() + k) {
+      std::swap(*largest, m[k]);
+      product *= -1.;
     }
-    return sum;
+    product *= m[k][k];
+    for (std::size_t i = k + 1; i < n && m[k][k] != 0.; ++i)
+      for (std::size_t j = n; j-- > k;)
+        m[i][j] -= m[i][k] / m[k][k] * m[k][j];
   }
+  return product;
 }
 
 /** A corner of one or two materials and the determinant of its conditions, an entire function of
