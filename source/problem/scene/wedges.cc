@@ -161,7 +161,6 @@ struct LayeredFunction {
 
 double corner_exponent(const std::vector<WedgeLayer> &layers, const EdgeCondition &first,
                        const EdgeCondition &second) {
-  Assert(!layers.empty(), ExcMessage("A wedge has a material."));
   if (layers.size() == 1 && first.friction == 0. && second.friction == 0.)
     return corner_exponent(layers[0].angle, first.support, second.support, layers[0].kappa);
   LayeredFunction f = {layers, first, second, 0.};

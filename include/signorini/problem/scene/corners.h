@@ -43,7 +43,8 @@ std::vector<Corner> corners(const Geometry<2> &geometry);
  * length may hide. */
 std::vector<Corner> interface_ends(const Scene<2> &scene);
 
-/** Returns the materials about a corner. Layers below 1/64 of the angle may hide. */
+/** Returns the materials about a corner; none where data has no value. Layers below 1/64 of the
+ * angle may hide. */
 std::vector<WedgeLayer> layers_at(const Scene<2> &scene, const Corner &corner);
 
 /** Returns the conditions that a side may have at a point: a contact side is free or sliding, with
