@@ -36,7 +36,8 @@ public:
     , scene_(scene)
     , U_(U)
     , bound_(bound)
-    , is_recovered_(space.max_element_degree() == 1 && space.mesh().has_parents()) {
+    , is_recovered_(space.max_element_degree() == 1 && space.mesh().has_parents())
+    , by_parents_(dim == 3 && is_recovered_ && scene.material->is_constant()) {
     cells_.cells.reserve(cells_per_piece);
   }
 
@@ -60,8 +61,14 @@ private:
   /** Adds the cells of one of the elements. */
   void add_cells(const unsigned int number) {
     const FiniteElement<dim> &element = space_.elements()[number];
-    const unsigned int n = dim == 3 ? 1 : is_recovered_ ? 2 : element.degree;
-    const Quadrature<dim> points = QIterated<dim>(QTrapezoid<1>(), n);
+    const unsigned int n = is_recovered_ && (dim == 2 || by_parents_) ? 2
+                           : dim == 3                                 ? 1
+                                                                      : element.degree;
+    // The corners of all children of a parent, seen from its first one.
+    const Quadrature<1> of_children(
+      std::vector<Point<1>>{Point<1>(0.), Point<1>(1.), Point<1>(2.)});
+    const Quadrature<dim> points =
+      by_parents_ ? Quadrature<dim>(of_children) : QIterated<dim>(QTrapezoid<1>(), n);
     FEValues<dim> values(space_.mesh().mapping(), element, points,
                          update_values | update_quadrature_points |
                            (is_recovered_ ? update_inverse_jacobians : update_gradients));
@@ -73,9 +80,16 @@ private:
     u.values.resize(points.size());
     u.gradients.resize(points.size());
     for (const Cell &cell : space_.dofs().active_cell_iterators()) {
-      if (!cell->is_locally_owned() || cell->active_fe_index() != number)
+      if (!cell->is_locally_owned() || cell->active_fe_index() != number ||
+          (by_parents_ && cell->parent()->child_index(0) != cell->index()))
         continue;
       values.reinit(cell);
+      if (by_parents_) {
+        // At corners it is u_h.
+        const FieldValues<dim> &recovered = interpolation->evaluate(cell, values);
+        add_cell(cell, n, values, recovered, recovered);
+        continue;
+      }
       values[vector].get_function_values(U_.entries(), u.values);
       if (!is_recovered_)
         values[vector].get_function_gradients(U_.entries(), u.gradients);
@@ -110,7 +124,7 @@ private:
         fields.emplace_back("degree", cell->get_fe().degree);
     }
     cells_.add(n, values.get_quadrature_points(), fields_);
-    if (cells_.cells.size() == cells_per_piece)
+    if (cells_.cells.size() * Utilities::pow(n, dim) >= cells_per_piece)
       write_piece();
   }
 
@@ -156,6 +170,8 @@ private:
   const BoundFields &bound_;
   /** Whether stresses come from the patch interpolation. */
   bool is_recovered_;
+  /** Whether the children of a parent share their corners, where no field jumps between them. */
+  bool by_parents_;
   /** Those of the piece that is not written yet. */
   VtuCells<dim> cells_;
   /** Those of the points of a cell. */
