@@ -7,7 +7,7 @@
 #include <signorini/error_control/equilibration/difference_misfit.h>
 #include <signorini/error_control/equilibration/energy_misfit.h>
 #include <signorini/error_control/equilibration/traction_solver.h>
-#include <signorini/problem/scene/corners.h>
+#include <signorini/problem/scene/contradictions.h>
 
 #include <algorithm>
 #include <cmath>

@@ -37,9 +37,7 @@ void add_if_singular(SingularPlace<dim> place, const Scene<dim> &scene,
              second = scene.boundary[place.sides[1]].role;
   const auto is_free = [](const Role role) { return role == Role::free || role == Role::traction; };
   place.layers = layers();
-  double angle = 0.;
-  for (const WedgeLayer &layer : place.layers)
-    angle += layer.angle;
+  const double angle = opening(place.layers);
   // This saves time with hundreds of corners: (W1) at convex corners, and where contact goes on
   // straight.
   if (place.layers.size() == 1 &&

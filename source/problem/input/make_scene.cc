@@ -9,7 +9,7 @@
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameters.h>
-#include <signorini/problem/scene/corners.h>
+#include <signorini/problem/scene/contradictions.h>
 #include <signorini/problem/scene/rigid_motions.h>
 #include <signorini/problem/scene/scene.h>
 

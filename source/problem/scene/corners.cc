@@ -3,17 +3,14 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
-#include <signorini/base/text.h>
 #include <signorini/problem/scene/corners.h>
 
-#include <deal.II/base/exceptions.h>
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace Signorini {
@@ -206,12 +203,11 @@ template <int dim>
 double smallest_exponent(const Scene<dim> &scene, const Point<dim> &x,
                          const std::array<unsigned int, 2> &sides,
                          const std::vector<WedgeLayer> &layers) {
-  double angle = 0., smallest = max_corner_exponent;
-  for (const WedgeLayer &layer : layers)
-    angle += layer.angle;
+  double smallest = max_corner_exponent;
   const std::vector<EdgeCondition> first = possible_conditions(scene, sides[0], x),
                                    second = possible_conditions(scene, sides[1], x);
-  const bool goes_on = std::abs(angle - PI) < 1e-6 && first.size() > 1 && second.size() > 1;
+  const bool goes_on =
+    std::abs(opening(layers) - PI) < 1e-6 && first.size() > 1 && second.size() > 1;
   for (const EdgeCondition &one : first)
     for (const EdgeCondition &other : second)
       if (!goes_on || one.support == other.support)
@@ -219,157 +215,6 @@ double smallest_exponent(const Scene<dim> &scene, const Point<dim> &x,
   return smallest;
 }
 
-// Sides that prescribe different displacements where they meet.
-
-namespace {
-/** The share of the prescribed displacements, and of the directions of plates and normals, below
- * which a difference is rounding. */
-constexpr double rounding = 1e-6;
-
-/** Returns the common points of each two sides: corners, and points of the edges of a box. */
-std::vector<std::pair<Point<2>, std::array<unsigned int, 2>>>
-meetings(const Geometry<2> &geometry) {
-  std::vector<std::pair<Point<2>, std::array<unsigned int, 2>>> found;
-  for (const Corner &corner : corners(geometry))
-    if (corner.sides[0] != corner.sides[1])
-      found.emplace_back(corner.position, corner.sides);
-  return found;
-}
-
-constexpr std::array<double, 9> shares = {{0., 1e-3, 0.2, 0.37, 0.5, 0.71, 0.9, 1. - 1e-3, 1.}};
-
-std::vector<Point<2>> samples(const Side<2> &side) {
-  std::vector<Point<2>> points;
-  for (const double share : shares)
-    points.push_back(side.point(share * side.length()));
-  return points;
-}
-
-std::vector<Point<3>> samples(const Side<3> &side) {
-  std::vector<Point<3>> points;
-  for (const double r : shares)
-    for (const double s : shares)
-      points.push_back(side.point({r * side.lengths()[0], s * side.lengths()[1]}));
-  return points;
-}
-
-std::vector<std::pair<Point<3>, std::array<unsigned int, 2>>>
-meetings(const Geometry<3> &geometry) {
-  std::vector<std::pair<Point<3>, std::array<unsigned int, 2>>> found;
-  for (unsigned int i = 0; i < geometry.sides.size(); ++i)
-    for (const Point<3> &x : samples(geometry.sides[i]))
-      for (unsigned int j = 0; j < i; ++j)
-        if (x.distance(geometry.sides[j].point(geometry.sides[j].coordinates(x))) <
-            1e-8 * geometry.diameter())
-          found.push_back({x, {{i, j}}});
-  return found;
-}
-
-template <int dim>
-std::string text_of(const Tensor<1, dim> &vector) {
-  std::vector<std::string> numbers;
-  for (unsigned int d = 0; d < dim; ++d)
-    numbers.push_back(number_text(vector[d] + 0.)); // no -0
-  return "(" + join(numbers) + ")";
-}
-
-/** Returns whether all components of u are prescribed, not u.n alone. */
-bool prescribes_all(const Role role) {
-  return role == Role::clamped || role == Role::displacement;
-}
-
-/** Returns the given part of the displacement of a side; zero where nothing is given. */
-template <int dim>
-Tensor<1, dim> given_displacement(const BoundaryCondition<dim> &condition, const Point<dim> &x) {
-  Tensor<1, dim> u;
-  if (condition.role == Role::displacement)
-    for (unsigned int c = 0; c < dim; ++c)
-      u[c] = condition.data->value(x, c);
-  return u;
-}
-
-/** Returns the velocities at a point of the plate on this side that forces and moments drive. */
-template <int dim>
-std::vector<std::pair<Tensor<1, dim>, std::string>> motions_at(const Scene<dim> &scene,
-                                                               const unsigned int side,
-                                                               const Point<dim> &x) {
-  std::vector<std::pair<Tensor<1, dim>, std::string>> found;
-  if constexpr (dim == 2)
-    for (const Plate &plate : scene.plates)
-      if (plate.side == side) {
-        if (plate.is_pushed)
-          found.emplace_back(plate.direction, "move along " + text_of(plate.direction));
-        if (plate.drifts)
-          found.emplace_back(plate.across(), "move along " + text_of(plate.across()));
-        if (plate.turns)
-          found.emplace_back(plate.displacement({0., 0., 1.}, x), "turn");
-      }
-  return found;
-}
-
-/** Returns why the second side contradicts the first one at a common point, or nothing. @param size
- * the largest prescribed displacement. */
-template <int dim>
-std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const unsigned int i,
-                             const unsigned int j, const double size) {
-  const Role role = scene.boundary[j].role;
-  const bool second_holds_all = prescribes_all(role), touches = role == Role::contact;
-  if (!prescribes_all(scene.boundary[i].role) ||
-      !(second_holds_all || touches || role == Role::roller))
-    return "";
-  const auto name = [&](const unsigned int k) {
-    return "'" + scene.geometry.sides[k].name() + "'";
-  };
-  const Side<dim> &second = scene.geometry.sides[j];
-  const Tensor<1, dim> n = second.normal(second.coordinates(x));
-  const auto held_part = [&](const Tensor<1, dim> &u) {
-    return second_holds_all ? u : (u * n) * n;
-  };
-  const Tensor<1, dim> a = given_displacement(scene.boundary[i], x),
-                       b = given_displacement(scene.boundary[j], x);
-  if (touches) {
-    const double g = scene.boundary[j].data->value(x);
-    // A gap by a foundation has rounding; a plate that is pushed moves until the gap lets it.
-    const bool penetrates =
-      a * n - g > rounding * (size + std::abs(g)) + 1e-12 * scene.geometry.diameter();
-    return !penetrates || !motions_at(scene, i, x).empty()
-             ? ""
-             : "the side " + name(i) + " prescribes u = " + text_of(a) + " at " + text_of(x) +
-                 ", where the side " + name(j) + " has the gap " + number_text(g) +
-                 ", and no displacement of finite energy stays outside of the foundation; allowed: "
-                 "u.n <= g where they meet";
-  }
-  for (const auto &[mover, holder] : {std::pair{i, j}, std::pair{j, i}})
-    for (const auto &[motion, text] : motions_at(scene, mover, x))
-      if (held_part(motion).norm() > rounding * motion.norm())
-        return "the plate " + name(mover) + " cannot " + text + ", because the side " +
-               name(holder) + " holds their common point " + text_of(x) +
-               ", allowed: plates whose neighbours let them move";
-  if (held_part(a - b).norm() <= rounding * size)
-    return "";
-  return "the side " + name(i) + " prescribes u = " + text_of(a) + " at " + text_of(x) +
-         ", where the side " + name(j) + " prescribes " +
-         (second_holds_all ? "u = " + text_of(b) : "u.n = 0 with n = " + text_of(n)) +
-         ", and no displacement of finite energy jumps; allowed: values that agree where sides "
-         "meet";
-}
-} // namespace
-
-template <int dim>
-std::string find_contradiction(const Scene<dim> &scene) {
-  double size = 1e-14 * scene.geometry.diameter();
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-    for (const Point<dim> &x : samples(scene.geometry.sides[i]))
-      size = std::max(size, given_displacement(scene.boundary[i], x).norm());
-  std::string contradiction;
-  for (const auto &[x, sides] : meetings(scene.geometry))
-    for (const auto &[i, j] : {std::pair{sides[0], sides[1]}, std::pair{sides[1], sides[0]}})
-      if (contradiction.empty())
-        contradiction = contradiction_at(scene, x, i, j, size);
-  return contradiction;
-}
-
 INSTANTIATE_FUNCTION(possible_conditions);
 INSTANTIATE_FUNCTION(smallest_exponent);
-INSTANTIATE_FUNCTION(find_contradiction);
 } // namespace Signorini

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <numeric>
 #include <optional>
 
 namespace Signorini {
@@ -159,16 +160,19 @@ struct LayeredFunction {
 };
 } // namespace
 
+double opening(const std::vector<WedgeLayer> &layers) {
+  return std::accumulate(
+    layers.begin(), layers.end(), 0.,
+    [](const double angle, const WedgeLayer &layer) { return angle + layer.angle; });
+}
+
 double corner_exponent(const std::vector<WedgeLayer> &layers, const EdgeCondition &first,
                        const EdgeCondition &second) {
   if (layers.size() == 1 && first.friction == 0. && second.friction == 0.)
     return corner_exponent(layers[0].angle, first.support, second.support, layers[0].kappa);
-  LayeredFunction f = {layers, first, second, 0.};
   double kappa = 1.;
-  for (const WedgeLayer &layer : layers) {
-    f.frequency += layer.angle;
+  for (const WedgeLayer &layer : layers)
     kappa = std::max(kappa, layer.kappa);
-  }
-  return min_real_part(f, kappa, 1.);
+  return min_real_part(LayeredFunction{layers, first, second, opening(layers)}, kappa, 1.);
 }
 } // namespace Signorini

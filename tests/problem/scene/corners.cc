@@ -3,6 +3,7 @@
 
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameters.h>
+#include <signorini/problem/scene/contradictions.h>
 #include <signorini/problem/scene/corners.h>
 
 #include <deal.II/base/numbers.h>

@@ -8,7 +8,6 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace Signorini {
@@ -62,19 +61,4 @@ template <int dim>
 double smallest_exponent(const Scene<dim> &scene, const Point<dim> &x,
                          const std::array<unsigned int, 2> &sides,
                          const std::vector<WedgeLayer> &layers);
-
-/**
- * Returns a sentence about a place where two sides that meet prescribe a displacement that jumps,
- * so that no displacement of finite energy (with traces in H^{1/2}) obeys both, or where a side
- * holds a plate that a force or a moment has to move; empty if there is no such place.
- *
- * At a common point x a clamped or prescribed side or a plate prescribes u = a(x) + V q, with the
- * unknown motions q of the plate, and its neighbour prescribes N u = N (b(x) + W r): N = 1 on sides
- * of the same kind and N = n^T on rollers. Both hold for all q and r if N a = N b, N V = 0 and N
- * W = 0. In 2-D the points are the corners, in 3-D they are points of the common edges. Jumps below
- * a millionth of the prescribed displacements count as rounding. A contact
- * side beside a prescribed one needs a.n <= g at the common point.
- */
-template <int dim>
-std::string find_contradiction(const Scene<dim> &scene);
 } // namespace Signorini

@@ -28,6 +28,9 @@ struct WedgeLayer {
   double angle, kappa, shear_modulus;
 };
 
+/** Returns the opening of all layers (radians). */
+double opening(const std::vector<WedgeLayer> &layers);
+
 /** The largest value that corner_exponent() returns. */
 constexpr double max_corner_exponent = 3.;
 
