@@ -32,6 +32,7 @@ constexpr std::array<double, 9> shares = {{0., 1e-3, 0.2, 0.37, 0.5, 0.71, 0.9, 
 
 std::vector<Point<2>> samples(const Side<2> &side) {
   std::vector<Point<2>> points;
+  points.reserve(shares.size());
   for (const double share : shares)
     points.push_back(side.point(share * side.length()));
   return points;

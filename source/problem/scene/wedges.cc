@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The leading exponents of plane elasticity in wedges: roots of entire functions.
 
+#include <signorini/base/dealii.h>
 #include <signorini/problem/scene/wedges.h>
 
 #include <deal.II/base/exceptions.h>
