@@ -73,13 +73,17 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
     law.emplace(material.hooke(shape.crossing));
   std::array<std::vector<AiryPoint>, 4> points;
   const auto add_part = [&](const unsigned int k, const RulePoints &part, const bool is_rough) {
-    // Where the law is not resolved, the energy of stresses is taken from above.
+    // Where the law is not resolved, energies are taken from above.
     std::optional<Law> softest = law;
+    Tensor<2, 3> stiffest;
     for (auto place = part.begin(); place != part.end() && is_rough; ++place)
-      if (const Law here(material.hooke(place->first)); softest)
+      if (const Law here(material.hooke(place->first)); softest) {
         softest->soften(here);
-      else
+        stiffest = upper_bound(stiffest, here.stiffness);
+      } else {
         softest = here;
+        stiffest = here.stiffness;
+      }
     for (const auto &[at, weight] : part) {
       AiryPoint &point = points[k].emplace_back();
       point.reference = shape.reference(at - shape.corners[0]);
@@ -89,6 +93,8 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
       const Tensor<2, 3> root = here.root();
       point.of_strain = std::sqrt(point.weight) * transpose(root);
       point.of_stress = std::sqrt(point.weight) * invert(root);
+      if (is_rough)
+        point.unresolved = point.weight * (stiffest - here.stiffness);
       point.min_eigenvalue = here.min_eigenvalue;
     }
   };
@@ -131,7 +137,8 @@ CellFitter::Known &CellFitter::find_known(const TractionCell &place, std::list<K
   return (is_alone ? alone : known_).emplace_back(is_alone, place.degree, shape, edges, hooke);
 }
 
-Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &known) const {
+Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &known,
+                               CellFit &fit) const {
   const CellField u(data_.space.dof_cell(cell), data_.U);
   std::unique_lock<std::mutex> lock(known.mutex);
   auto &[along_x, along_y] = known.tables[u.degree()];
@@ -151,7 +158,9 @@ Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &
     for (const AiryPoint &point : triangle) {
       const Tensor<2, 2> gradient =
         u.gradient(along_x, along_y, q) * invert(shape.jacobian(CellFunctions(point.reference)));
-      const Components weighted = point.of_strain * components_of(strain_of(gradient));
+      const Components strain = components_of(strain_of(gradient)),
+                       weighted = point.of_strain * strain;
+      fit.unresolved += strain * (point.unresolved * strain);
       for (unsigned int c = 0; c < 3; ++c)
         values[3 * q + c] = weighted[c];
       ++q;
@@ -251,7 +260,7 @@ CellFit CellFitter::fit(const Cell &cell, const TractionSpace &space, Known &kno
   fit.airy = known.airy;
   Vector values(3 * fit.airy->n_points());
   if (compares_)
-    values = stress_of_u(cell, shape, known);
+    values = stress_of_u(cell, shape, known, fit);
   fit.shift = subtract_load(cell, shape, values, fit);
   fit.shift += subtract_given(space, place, values, *fit.airy);
   // The second projection removes what rounding left of the first.

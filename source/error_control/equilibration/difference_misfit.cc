@@ -37,12 +37,14 @@ StressBound DifferenceMisfit::bound(const EquilibratedStress &stress,
   double smallest_square = 0.;
   for (std::size_t c = 0; c < stress.fits.size(); ++c) {
     // The misfit is that of u_h, which is at most |||z|||_K away from that of u_h + z.
-    const double mesh = stress.distance(c), rest = stress.oscillation(c) + lift_norms_[c];
+    const CellFit &fit = stress.fits[c];
+    const double fitted = stress.distance(c), rest = stress.oscillation(c) + lift_norms_[c],
+                 mesh = std::hypot(fitted, fit.size * std::sqrt(fit.unresolved));
     result.misfit.push_back(mesh);
     result.oscillation.push_back(rest);
     result.square += std::pow(mesh + rest, 2);
     result.oscillation_square += rest * rest;
-    smallest_square += std::pow(std::max(0., mesh - rest), 2);
+    smallest_square += std::pow(std::max(0., fitted - rest), 2);
   }
   // With η² = 2 J(u_h) + 2 J*(τ) - 2 ∫ τ_n d, J* loses no digits. J(u_h) must be that of a function
   // with the boundary values of u, under loads that are resolved.

@@ -216,10 +216,15 @@ MeshPlan first_plan(const Scene<2> &scene, const unsigned int base_level,
   const Tensor<1, 2> box = scene.geometry.upper - scene.geometry.lower;
   plan.base_size =
     std::sqrt(box[0] * box[1] / scene.geometry.n_coarse_cells) / std::pow(2., base_level);
-  for (const KinkLine<2> &line : scene.kinks.lines())
-    for (unsigned int d = 0; d < 2; ++d)
-      if (std::abs(line.normal[1 - d]) < 1e-12)
-        add_line(line.position / line.normal[d], Kinks<2>::min_distance * box[d], plan.lines[d]);
+  // Splits keep the shape of narrow cells. Points where data of a side changes need no such cells:
+  // the mesh is graded to them.
+  for (const bool in_body : {true, false})
+    for (const KinkLine<2> &line : scene.kinks.lines())
+      for (unsigned int d = 0; d < 2; ++d)
+        if (line.in_body == in_body && std::abs(line.normal[1 - d]) < 1e-12)
+          add_line(line.position / line.normal[d],
+                   in_body ? Kinks<2>::min_distance * box[d] : 0.25 * plan.base_size,
+                   plan.lines[d]);
   for (const Corner &corner : corners(scene.geometry))
     add_corner(corner, scene, plan);
   for (unsigned int side = 0; side < scene.boundary.size(); ++side)

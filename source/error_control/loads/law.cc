@@ -35,18 +35,18 @@ Law::Law(const SymmetricTensor<4, 2> &hooke) {
   min_eigenvalue = min_eigenvalue_of(stiffness);
 }
 
-void Law::soften(const Law &other) {
+Tensor<2, 3> upper_bound(const Tensor<2, 3> &A, const Tensor<2, 3> &B) {
   // In orthonormal components (s11, s22, sqrt(2) s12).
   const std::array<double, 3> factors = {{1., 1., std::sqrt(0.5)}};
   SymmetricTensor<2, 3> more;
   LAPACKFullMatrix<double> matrix(3);
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = 0; j < 3; ++j)
-      more[i][j] = matrix(i, j) =
-        factors[i] * factors[j] * (other.compliance[i][j] - compliance[i][j]);
-  const double largest = eigenvalues(more)[0], rounding = 1e-14 * compliance.norm();
+      more[i][j] = matrix(i, j) = factors[i] * factors[j] * (B[i][j] - A[i][j]);
+  Tensor<2, 3> upper = A;
+  const double largest = eigenvalues(more)[0], rounding = 1e-14 * A.norm();
   if (largest <= rounding)
-    return;
+    return upper;
   // deal.II's eigenvectors() do not link with clang++.
   dealii::Vector<double> values;
   FullMatrix<double> vectors;
@@ -54,7 +54,12 @@ void Law::soften(const Law &other) {
   for (unsigned int k = 0; k < values.size(); ++k)
     for (unsigned int i = 0; i < 3; ++i)
       for (unsigned int j = 0; j < 3; ++j)
-        compliance[i][j] += values[k] * vectors(i, k) * vectors(j, k) / (factors[i] * factors[j]);
+        upper[i][j] += values[k] * vectors(i, k) * vectors(j, k) / (factors[i] * factors[j]);
+  return upper;
+}
+
+void Law::soften(const Law &other) {
+  compliance = upper_bound(compliance, other.compliance);
   stiffness = invert(compliance);
   min_eigenvalue = min_eigenvalue_of(stiffness);
 }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <memory>
 
 namespace Signorini {
@@ -17,10 +16,11 @@ constexpr double negligible = 1e-8;
 /** The largest number of lines: more are resolved by boxes. */
 constexpr std::size_t max_lines = 64;
 
-/** A formula, and the size of its values. */
+/** A formula, the size of its values, and whether it belongs to the body, not to a side. */
 struct Datum {
   Expression<2> formula;
   double size;
+  bool in_body;
 };
 using Data = std::vector<Datum>;
 
@@ -114,7 +114,8 @@ Data Scan::data_of(const std::vector<Expression<2>> &formulas, const std::vector
     if (!formula.is_constant())
       data.push_back({formula, side.empty() ? mean_size(formula, points_)
                                             : mean_size(formula, side) +
-                                                rounding * mean_size(formula, points_)});
+                                                rounding * mean_size(formula, points_),
+                      side.empty()});
   all_data_.insert(all_data_.end(), data.begin(), data.end());
   return data;
 }
@@ -122,12 +123,16 @@ Data Scan::data_of(const std::vector<Expression<2>> &formulas, const std::vector
 std::vector<KinkLine<2>> Scan::kinks() const {
   const std::size_t n_given = scene_.kinks.lines().size();
   std::vector<KinkLine<2>> found(lines_.begin(), lines_.begin() + n_given);
-  std::copy_if(lines_.begin() + n_given, lines_.end(), std::back_inserter(found),
-               [&](const KinkLine<2> &line) {
-                 return std::any_of(all_data_.begin(), all_data_.end(), [&](const Datum &datum) {
-                   return jumps_on(line, datum, body_);
-                 });
-               });
+  for (auto line = lines_.begin() + n_given; line != lines_.end(); ++line) {
+    const auto jumps_in = [&](const bool in_body) {
+      return std::any_of(all_data_.begin(), all_data_.end(), [&](const Datum &datum) {
+        return datum.in_body == in_body && jumps_on(*line, datum, body_);
+      });
+    };
+    const bool in_body = jumps_in(true);
+    if (in_body || jumps_in(false))
+      found.push_back({line->normal, line->position, in_body});
+  }
   return found;
 }
 
@@ -147,7 +152,7 @@ std::array<bool, 2> Scan::look(const FormulaBox<2> &box, const Data &data, const
   // In tiny boxes every curve looks like a line.
   constexpr double least_share = 1e-6;
   std::array<bool, 2> wanted = {{false, false}};
-  for (const auto &[expression, size] : data) {
+  for (const auto &[expression, size, in_body] : data) {
     const FormulaTree<2> &formula = expression.formula();
     const double tolerance = negligible * size / share;
     bool is_shown = formula.is_shown(box, lines_, tolerance);

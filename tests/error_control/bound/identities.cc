@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "bounded.h"
+#include "error_control/hp/graded.h"
 #include "study_helpers.h"
 #include "tests.h"
 
@@ -156,6 +157,18 @@ void fine_pattern(Checks &checks) {
   // No displacement of finer elements has more energy.
   checks.that("brackets meet",
               bound.energy_lower.value() < Bounded(text, 6).solution.record.certificate.energy);
+  // Layers one behind the other are as stiff as the harmonic mean of their moduli, u_h as the
+  // arithmetic one.
+  const GradedLevel layers(
+    "Boundary/Rollers = left\nBoundary/Contact = bottom\nBoundary/Displacement = right: 0.01; 0\n"
+    "Contact/Gap = 0\nMaterial/Young's modulus = cos(6000*pi*x)<0 ? 100 : 1\n"
+    "Material/Poisson's ratio = 0\nDiscretization/Target error = 1e-9\n",
+    uniform_plan(2, 2));
+  const ErrorBound of_layers = layers.solve().record.bound.value();
+  const double harmonic = 200. / 101., arithmetic = 50.5;
+  checks.that("energy of layers", of_layers.energy_lower.value() <= 0.5e-4 * harmonic);
+  checks.that("error of layers",
+              of_layers.absolute.value() >= 0.01 * std::sqrt(arithmetic - harmonic));
   const auto law = [](const double lambda, const double mu) {
     const SymmetricTensor<2, 2> I = unit_symmetric_tensor<2>();
     return Law(lambda * outer_product(I, I) + 2. * mu * identity_tensor<2>());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Meshes from plans: their sizes, degrees and lines.
 
+#include <signorini/error_control/hp/next_plan.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -134,8 +136,23 @@ void touching(Checks &checks) {
         std::tuple(&ring, outer, 16.1 * h, 16.2 * h, 1.)})
     checks.near("brackets", count(*on, end_of_contact({}, side, from, to, 1.)), expected, 0.);
 }
+
+/** Splits keep the shape of narrow cells: two lines that are close to each other belong to the mesh
+ * where data of the body changes there, and only one of them where that of a side does. */
+void lines(Checks &checks) {
+  const auto n_lines = [](const std::string &parameter) {
+    const Scene<2> scene =
+      scene_of("Boundary/Clamped = top\nBoundary/Contact = bottom\nContact/Gap = 0\n"
+               "Contact/Friction = tresca\n" +
+               parameter + " abs(x - 0.3203125) < 0.00234375 ? 4.26667 : 0.001\n");
+    return static_cast<int>(first_plan(scene, 3, 9).lines[0].size());
+  };
+  checks.near("lines of a side", n_lines("Contact/Friction bound ="), 1, 0.);
+  checks.near("lines of the body", n_lines("Contact/Friction bound = 1\nLoad/Body force = 0;"), 2,
+              0.);
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {layers, degrees, demands, touching});
+  return run_tests(argc, argv, {layers, degrees, demands, touching, lines});
 }

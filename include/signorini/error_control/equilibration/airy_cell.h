@@ -24,6 +24,8 @@ struct AiryPoint {
   /** w^{1/2} Gᵀ and w^{1/2} G⁻¹ with the weight w and Hooke's law C = G Gᵀ: squares of the weighted
    * strain and of the weighted stress are energies. */
   Tensor<2, 3> of_strain, of_stress;
+  /** w (C' - C), where C' is as stiff as any law in an unresolved box and C as soft. */
+  Tensor<2, 3> unresolved;
   /** Law::min_eigenvalue. */
   double min_eigenvalue;
 };

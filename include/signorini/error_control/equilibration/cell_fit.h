@@ -40,6 +40,8 @@ struct CellFit {
   double size = 0.;
   dealii::Vector<double> shift;
   double rest = 0.;
+  /** ∫ ε(u_h):(C' - C):ε(u_h) at unit size, where boxes do not resolve the law, see AiryPoint. */
+  double unresolved = 0.;
   /** f_K at unit size. */
   PolynomialLoad load;
   /** The norm ‖f - f_K‖_{L2(K)}; f - f_K has neither force nor moment. */
@@ -93,8 +95,9 @@ private:
   Known &find_known(const TractionCell &place, std::list<Known> &alone);
   std::array<std::vector<AiryPoint>, 4> make_points(const CellShape &shape, double size,
                                                     unsigned int degree) const;
-  /** Returns the weighted values of σ(u_h) at the points. */
-  dealii::Vector<double> stress_of_u(const Cell &cell, const CellShape &shape, Known &known) const;
+  /** Returns the weighted values of σ(u_h) at the points, and sets CellFit::unresolved. */
+  dealii::Vector<double> stress_of_u(const Cell &cell, const CellShape &shape, Known &known,
+                                     CellFit &fit) const;
   /** Returns a rule for f and f_K on a cell. */
   PlaneRule load_rule(const Cell &cell, const CellShape &shape, const CellFit &fit) const;
   /** Sets f_K by the points of a rule. */

@@ -17,6 +17,8 @@ template <int dim>
 struct KinkLine {
   Tensor<1, dim> normal;
   double position;
+  /** Whether data of the body changes there, not only that of a side. */
+  bool in_body = true;
 
   /** Returns normal.x - position. */
   double signed_distance(const Point<dim> &x) const {
