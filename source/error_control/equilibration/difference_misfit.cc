@@ -39,7 +39,7 @@ StressBound DifferenceMisfit::bound(const EquilibratedStress &stress,
     // The misfit is that of u_h, which is at most |||z|||_K away from that of u_h + z.
     const CellFit &fit = stress.fits[c];
     const double fitted = stress.distance(c), rest = stress.oscillation(c) + lift_norms_[c],
-                 mesh = std::hypot(fitted, fit.size * std::sqrt(fit.unresolved));
+                 mesh = std::hypot(fitted, fit.size * std::sqrt(std::max(0., fit.unresolved)));
     result.misfit.push_back(mesh);
     result.oscillation.push_back(rest);
     result.square += std::pow(mesh + rest, 2);
