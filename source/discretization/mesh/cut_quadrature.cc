@@ -47,13 +47,12 @@ public:
    * With p + 3 points per direction, p > 1, the rule on whole pieces is exact for products of
    * gradients of functions of degree p per direction; on pieces that are half as large, one point
    * less has the same effect.
-   * @param whole the cell that the polygons are parts of.
+   * @param in_rectangle whether the polygons are parts of a rectangle.
    * @param ends points towards which the pieces shrink.
    */
-  PolygonRule(const unsigned int n_points, const Polygon &whole, std::vector<Point<2>> ends)
+  PolygonRule(const unsigned int n_points, const bool in_rectangle, std::vector<Point<2>> ends)
     : n_points_(n_points)
-    , in_rectangle_(is_rectangle(whole))
-    , diagonal_(whole[2] - whole[0])
+    , in_rectangle_(in_rectangle)
     , ends_(std::move(ends)) {}
 
   /** Adds a polygon: a rectangle away from all ends, or else a fan of triangles.
@@ -61,13 +60,9 @@ public:
   void add_polygon(const Polygon &polygon, const unsigned int halvings) {
     const unsigned int depth = std::min(halvings, deepest);
     if (ends_.empty() && is_rectangle(polygon)) {
-      const Tensor<1, 2> s = polygon[1] - polygon[0], t = polygon[3] - polygon[0];
       const unsigned int n = n_points(depth, !in_rectangle_);
-      const std::pair<unsigned int, unsigned int> key(n_across(n, s, t), n_across(n, t, s));
-      Quadrature<2> &rule = rectangles_[key];
-      if (rule.size() == 0)
-        rule = QAnisotropic<2>(QGauss<1>(key.first), QGauss<1>(key.second));
-      add_image(rule, polygon[0], s, t);
+      add_image(squares_.try_emplace(n, n).first->second, polygon[0], polygon[1] - polygon[0],
+                polygon[3] - polygon[0]);
       return;
     }
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
@@ -97,21 +92,6 @@ private:
       return adds ? 2 * n_points_ - 4 : std::max(n_points_, in_box);
     const unsigned int least = std::min(n_points_, ends_.empty() ? min_smooth_points : min_points);
     return std::max(least, n_points_ - std::min(n_points_, depth / 2));
-  }
-
-  /** Returns the number of points along the edge @p s of a rectangle: less than n if it was halved
-   * more often than the edge @p t. */
-  unsigned int n_across(const unsigned int n, const Tensor<1, 2> &s, const Tensor<1, 2> &t) const {
-    const auto share = [this](const Tensor<1, 2> &edge) {
-      const unsigned int d = edge[0] == 0. ? 1 : 0;
-      return std::abs(edge[d] / diagonal_[d]);
-    };
-    constexpr double rounding = 1e-6;
-    const double more = std::floor(std::log2(share(t) / share(s)) - 1. + rounding);
-    if (!in_rectangle_ || more <= 0.)
-      return n;
-    const unsigned int least = std::min(n, min_smooth_points);
-    return more < n - least ? n - static_cast<unsigned int>(more) : least;
   }
 
   /** Returns a rule by Duffy's map. */
@@ -156,10 +136,9 @@ private:
 
   const unsigned int n_points_;
   const bool in_rectangle_;
-  const Tensor<1, 2> diagonal_;
   const std::vector<Point<2>> ends_;
   std::map<unsigned int, QDuffy> rules_;
-  std::map<std::pair<unsigned int, unsigned int>, Quadrature<2>> rectangles_;
+  std::map<unsigned int, QGauss<2>> squares_;
   PlaneRule made_;
 };
 
@@ -258,7 +237,7 @@ std::vector<PolygonPart> cut_polygon(const Kinks<2> &kinks, const Polygon &polyg
 PlaneRule cut_rule(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
                    const unsigned int n_points) {
   const Polygon whole = {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)};
-  PolygonRule rule(n_points, whole, ends_near(kinks, cell));
+  PolygonRule rule(n_points, is_rectangle(whole), ends_near(kinks, cell));
   for (const PolygonPart &part : cut_polygon(kinks, whole))
     rule.add_polygon(part.corners, part.halvings);
   return rule.made();

@@ -112,9 +112,10 @@ Data Scan::data_of(const std::vector<Expression<2>> &formulas, const std::vector
   Data data;
   for (const Expression<2> &formula : formulas)
     if (!formula.is_constant())
-      data.push_back({formula, side.empty() ? mean_size(formula, points_)
-                                            : mean_size(formula, side) +
-                                                rounding * mean_size(formula, points_),
+      data.push_back({formula,
+                      side.empty()
+                        ? mean_size(formula, points_)
+                        : mean_size(formula, side) + rounding * mean_size(formula, points_),
                       side.empty()});
   all_data_.insert(all_data_.end(), data.begin(), data.end());
   return data;
