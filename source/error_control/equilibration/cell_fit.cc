@@ -129,12 +129,13 @@ CellFitter::Known &CellFitter::find_known(const TractionCell &place, std::list<K
     is_constant_ ? data_.scene.material->hooke(shape.crossing) : SymmetricTensor<4, 2>();
   for (Known &other : known_)
     if (other.degree == place.degree && other.hooke == hooke && !shape.has_arcs() &&
-        !other.shape.has_arcs() &&
         std::equal(edges.begin(), edges.end(), other.edges.begin(),
-                   [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; }))
+                   [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; })) {
+      ++other.n_cells;
       return other;
+    }
   const bool is_alone = !is_constant_ || shape.has_arcs() || known_.size() == max_known;
-  return (is_alone ? alone : known_).emplace_back(is_alone, place.degree, shape, edges, hooke);
+  return (is_alone ? alone : known_).emplace_back(place.degree, shape, edges, hooke);
 }
 
 Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &known,
@@ -271,7 +272,7 @@ CellFit CellFitter::fit(const Cell &cell, const TractionSpace &space, Known &kno
   for (const auto &triangle : fit.airy->points())
     for (const AiryPoint &point : triangle)
       fit.min_eigenvalue = std::min(fit.min_eigenvalue, point.min_eigenvalue);
-  if (known.is_alone) {
+  if (known.n_cells == 1) {
     known.airy->forget_points();
     known.tables.clear();
   }
@@ -306,6 +307,7 @@ std::vector<CellFit> CellFitter::fit_all(const EquilibrationMesh &mesh, const Tr
                      fits[number] = fit(fresh[i], space, *shared[i]);
                    }
                  });
+  known_.remove_if([](const Known &known) { return known.n_cells == 1; });
   return fits;
 }
 } // namespace Signorini

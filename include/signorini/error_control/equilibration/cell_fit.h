@@ -66,21 +66,22 @@ private:
   using Cell = EquilibrationMesh::Cell;
   /** What cells of the same degree and shape share, unless the law varies. */
   struct Known {
-    Known(const bool is_alone, const unsigned int degree, const CellShape &shape,
+    Known(const unsigned int degree, const CellShape &shape,
           const std::array<Tensor<1, 2>, 3> &edges, const SymmetricTensor<4, 2> &hooke)
-      : is_alone(is_alone)
-      , degree(degree)
+      : degree(degree)
       , shape(shape)
       , edges(edges)
       , hooke(hooke) {}
 
-    bool is_alone;
     unsigned int degree;
     /** The first cell, and its edges from corner 0 at unit size. */
     CellShape shape;
     std::array<Tensor<1, 2>, 3> edges;
     /** Hooke's tensor at the crossing of the diagonals. */
     SymmetricTensor<4, 2> hooke;
+    /** How many cells share this. A single one forgets its points: most of the time of a cell would
+     * be that of fresh memory. */
+    unsigned int n_cells = 1;
     std::once_flag is_made;
     std::shared_ptr<AiryCell> airy;
     std::mutex mutex;
