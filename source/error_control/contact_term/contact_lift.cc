@@ -340,10 +340,10 @@ dealii::Vector<double> LiftField::cell_energies() const {
            (data_.space.mesh().is_curved() ? 3 : 0);
   };
   // The rules of cells that are not cut, by degree and map; that of the last one that is cut.
-  std::map<std::pair<unsigned int, bool>, std::unique_ptr<Rule>> rules;
+  std::map<std::pair<unsigned int, const Mapping<2> *>, std::unique_ptr<Rule>> rules;
   // The nodes of maps, also by map.
   const FE_Nothing<2> no_functions;
-  std::map<bool, std::unique_ptr<FEValues<2>>> nodes;
+  std::map<const Mapping<2> *, std::unique_ptr<FEValues<2>>> nodes;
   dealii::Vector<double> energies(n_cells), nodal;
   for (const auto &cell : data_.space.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned())
@@ -356,21 +356,20 @@ dealii::Vector<double> LiftField::cell_energies() const {
     const std::vector<double> x = cuts(cell, 0, n_equal), y = cuts(cell, 1, n_equal);
     const bool is_cut = x.size() > 2 || y.size() > 2;
     const unsigned int degree = cell->get_fe().degree;
-    const bool is_exact = maps_.is_exact(cell);
-    std::unique_ptr<Rule> &rule = rules[{is_cut ? 0 : degree, is_exact}];
+    const Mapping<2> &map = maps_.of(cell);
+    std::unique_ptr<Rule> &rule = rules[{is_cut ? 0 : degree, &map}];
     if (is_cut || rule == nullptr) {
       // On parts of half the size, one point less has the same effect.
       constexpr int least = 6;
       const int n_gauss = n_points(degree, is_cut);
       const QGauss<1> gauss(std::max(std::min(least, n_gauss), n_gauss - std::ilogb(n_equal)));
-      rule = std::make_unique<Rule>(is_exact ? maps_.exact() : maps_.of_mesh(), degree,
-                                    split_quadrature(gauss, x), split_quadrature(gauss, y));
+      rule =
+        std::make_unique<Rule>(map, degree, split_quadrature(gauss, x), split_quadrature(gauss, y));
     }
-    std::unique_ptr<FEValues<2>> &values = nodes[is_exact];
+    std::unique_ptr<FEValues<2>> &values = nodes[&map];
     if (values == nullptr)
-      values = std::make_unique<FEValues<2>>(is_exact ? maps_.exact() : maps_.of_mesh(),
-                                             no_functions, QGaussLobatto<2>(rule->map_degree + 1),
-                                             update_quadrature_points);
+      values = std::make_unique<FEValues<2>>(
+        map, no_functions, QGaussLobatto<2>(rule->map_degree + 1), update_quadrature_points);
     energies[cell->active_cell_index()] = energy(cell, *rule, *values);
   }
   return energies;

@@ -4,6 +4,7 @@
 #include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/elasticity/cell_field.h>
 #include <signorini/discretization/elasticity/cell_values.h>
+#include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/energy_misfit.h>
 #include <signorini/error_control/loads/carrier.h>
@@ -12,6 +13,7 @@
 #include <signorini/error_control/loads/triangle_parts.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
@@ -89,13 +91,12 @@ private:
     return data_.space.mesh().is_curved() ? n + 2 : n;
   }
   FEValues<2> &values_on(const Cell &cell) {
-    const bool is_exact = maps_.is_exact(cell);
+    const Mapping<2> &map = maps_.of(cell);
     const unsigned int degree = cell->get_fe().degree;
-    auto &values = values_[{degree, is_exact}];
+    auto &values = values_[{degree, &map}];
     if (values == nullptr)
-      values = std::make_unique<FEValues<2>>(is_exact ? maps_.exact() : maps_.of_mesh(),
-                                             data_.space.element(cell), QGauss<2>(n_points(degree)),
-                                             flags_);
+      values = std::make_unique<FEValues<2>>(map, data_.space.element(cell),
+                                             QGauss<2>(n_points(degree)), flags_);
     return *values;
   }
   Fields fields_at(const Cell &cell, const FEValues<2> &values) {
@@ -123,8 +124,8 @@ private:
   const BoundData &data_;
   const Kinks<2> kinks_;
   const ExactMaps &maps_;
-  /** By the degree of the element, and whether maps are exact. */
-  std::map<std::pair<unsigned int, bool>, std::unique_ptr<FEValues<2>>> values_;
+  /** By the degree of the element, and the map. */
+  std::map<std::pair<unsigned int, const Mapping<2> *>, std::unique_ptr<FEValues<2>>> values_;
   /** On graded meshes: the polynomials at the points by degree, and u_h on a cell. */
   std::map<unsigned int, LineTable> tables_;
   FieldValues<2> graded_;
@@ -230,14 +231,16 @@ void EnergyMisfit::integrate_energies() {
 void EnergyMisfit::add_lifts() {
   for (unsigned int k = 0; k < fields_.size(); ++k) {
     double square = 0.;
-    fields_[k].lift.visit_cells(data_, [&](const LiftedCell &lifted) {
+    fields_[k].lift.visit_cells(data_, maps_, [&](const LiftedCell &lifted) {
       square += lifted.energy();
-      // On graded meshes there is no bound if z is not zero (gap_of_proof()).
-      if (data_.space.mesh().is_graded())
-        return;
-      const auto gradients = PatchInterpolation<2>(data_.space, data_.U, Quadrature<2>(), k)
-                               .evaluate(lifted.cell, lifted.values)
-                               .gradients;
+      std::vector<Tensor<2, 2>> gradients(lifted.places.size());
+      if (k == 0)
+        lifted.values[FEValuesExtractors::Vector(0)].get_function_gradients(data_.U.entries(),
+                                                                            gradients);
+      else
+        gradients = PatchInterpolation<2>(data_.space, data_.U, Quadrature<2>(), k)
+                      .evaluate(lifted.cell, lifted.values)
+                      .gradients;
       for (std::size_t q = 0; q < gradients.size(); ++q)
         fields_[k].strain +=
           lifted.places[q].weight *
@@ -297,7 +300,7 @@ void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const Equilibra
     });
   for (std::size_t k = 0; k < works.size(); ++k) {
     works[k].load = Utilities::MPI::sum(works[k].load, data_.space.mesh().communicator());
-    fields_[k].lift.visit_cells(data_, [&](const LiftedCell &lifted) {
+    fields_[k].lift.visit_cells(data_, maps_, [&](const LiftedCell &lifted) {
       const auto f = force(mesh, stress, lifted.cell, lifted.values.get_quadrature_points());
       for (std::size_t q = 0; q < f.size(); ++q)
         works[k].load += lifted.places[q].weight * (f[q] * lifted.places[q].z);
@@ -306,25 +309,29 @@ void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const Equilibra
 }
 
 void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
-  // Arcs take more points than segments, on which the integrands are polynomials.
-  FaceValues<2> face_values(maps_.exact(), data_.space, data_.scene.kinks,
-                            data_.space.mesh().is_curved() ? 16 : 8,
-                            update_quadrature_points | update_JxW_values | update_normal_vectors);
+  // Arcs take more points than segments, on which the integrands are polynomials. Points are those
+  // of the edge itself: what maps round is a force on a small cell, which c would move.
+  const unsigned int more = data_.space.mesh().is_curved() ? 15 : 7;
+  constexpr std::array<unsigned int, 4> face_in_circle = {{2, 1, 3, 0}};
   dealii::Vector<double> given(2);
   for (const auto &cell : data_.space.dofs().active_cell_iterators())
-    for (const unsigned int f : cell->face_indices()) {
+    for (unsigned int side = 0; side < 4; ++side) {
+      const unsigned int f = face_in_circle[side];
       if (!cell->at_boundary(f))
         continue;
       const CellField u(cell, data_.U);
+      const Side<2> face("", shape_of(cell, data_.scene.geometry.sides).edge(side));
+      const Quadrature<1> rule = split_quadrature(QGauss<1>(u.degree() + more),
+                                                  data_.scene.kinks.cut(face, 0., face.length()));
       const auto line = cell->face(f);
       const BoundaryCondition<2> &condition = data_.scene.boundary[line->boundary_id()];
       const TractionEdge &edge = space.edges()[space.edge_at(cell, f)];
-      const FEFaceValues<2> &values = face_values.reinit(cell, f);
-      for (const unsigned int q : values.quadrature_point_indices()) {
-        const Point<2> &x = values.quadrature_point(q);
-        const Tensor<1, 2> n = values.normal_vector(q), t({-n[1], n[0]});
+      for (unsigned int q = 0; q < rule.size(); ++q) {
+        const double length = rule.point(q)[0], share = length / face.length(),
+                     s = side < 2 ? share : 1. - share, weight = rule.weight(q);
+        const Point<2> x = face.point(length);
+        const Tensor<1, 2> t = face.tangent(length, 0.), n({t[1], -t[0]});
         const auto L = legendre_values(edge.degree, edge.position_of(x));
-        const double s = values.get_quadrature().point(q)[0];
         for (std::size_t k = 0; k < works.size(); ++k) {
           Tensor<1, 2> v = u.on_face(f, s) - translation_;
           if (k == 1)
@@ -335,11 +342,10 @@ void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
             v = Tensor<1, 2>({given[0], given[1]}) - translation_;
           // Tractions that are given on arcs are no coefficients.
           if (condition.role == Role::traction && !edge.line.is_flat())
-            works[k].load += measure_at(values, q) * (given[0] * v[0] + given[1] * v[1]);
+            works[k].load += weight * (given[0] * v[0] + given[1] * v[1]);
           for (unsigned int i = 0; i <= edge.degree; ++i)
             for (unsigned int c = 0; c < 2; ++c)
-              works[k].moments[edge.position(c, i)] +=
-                measure_at(values, q) * L[i] * (c == 0 ? n : t) * v;
+              works[k].moments[edge.position(c, i)] += weight * L[i] * (c == 0 ? n : t) * v;
         }
       }
     }
@@ -396,8 +402,11 @@ double EnergyMisfit::distance(const std::size_t k, const EquilibratedStress &str
       size += std::abs(work);
     }
   // The terms cancel, up to rounding and what cells lack of balance.
-  constexpr double rounding = 1e-14;
-  square = std::max(0., square + of_stress) + (rounding + stress.defect) * (size + of_stress);
+  const double rounding = (1e-14 + stress.defect) * (size + of_stress);
+  constexpr double most = 100.;
+  if (!(square + of_stress > -most * rounding))
+    return std::numeric_limits<double>::infinity();
+  square = std::max(0., square + of_stress) + rounding;
   // With f in place of f_K: ∫ (f - f_K).v ≤ Σ osc_K |||v|||_K.
   double load_square = 0.;
   for (std::size_t c = 0; c < stress.fits.size() && !is_aligned(); ++c)

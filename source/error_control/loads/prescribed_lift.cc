@@ -11,7 +11,6 @@
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
 
@@ -71,20 +70,21 @@ void PrescribedLift::EdgeRest::interpolate(const BoundData &data,
   const auto line = cell->face(face);
   const Function<2> &prescribed = *data.scene.boundary[line->boundary_id()].data;
   const CellField u(cell, data.U);
-  // Sides 0 and 1 run along a reference coordinate, 2 and 3 backwards.
-  const bool is_forward = k < 2;
-  const Point<2> start = line->vertex(is_forward ? 0 : 1), end = line->vertex(is_forward ? 1 : 0);
+  const Side<2> edge("", shape_of(cell, data.scene.geometry.sides).edge(k));
   const auto r = [&](const double s) {
     dealii::Vector<double> u_D(2);
-    prescribed.vector_value(start + s * (end - start), u_D);
+    prescribed.vector_value(edge.point(s * edge.length()), u_D);
+    // Sides 0 and 1 run along a reference coordinate, 2 and 3 backwards.
     return Tensor<1, 2>({u_D[0], u_D[1]}) -
-           (u.on_face(face, is_forward ? s : 1. - s) + 4. * s * (1. - s) * bubble);
+           (u.on_face(face, k < 2 ? s : 1. - s) + 4. * s * (1. - s) * bubble);
   };
   std::vector<Point<1>> scanned;
-  if (n_scanned > 0 && !is_constant(prescribed))
-    scanned =
-      split_quadrature(QIterated<1>(QMidpoint<1>(), n_scanned), data.scene.kinks.cut(start, end))
-        .get_points();
+  if (n_scanned > 0 && !is_constant(prescribed)) {
+    std::vector<double> cuts = data.scene.kinks.cut(edge, 0., edge.length());
+    for (double &s : cuts)
+      s /= edge.length();
+    scanned = split_quadrature(QIterated<1>(QMidpoint<1>(), n_scanned), cuts).get_points();
+  }
   for (unsigned int n_pieces = 1; n_pieces <= max_pieces; n_pieces *= 2) {
     pieces.assign(n_pieces, {});
     for (unsigned int piece = 0; piece < n_pieces; ++piece)
@@ -125,7 +125,7 @@ std::array<double, 2> PrescribedLift::EdgeRest::coordinates(const Point<2> &at) 
   return {{k < 2 ? along : 1. - along, k % 3 == 0 ? behind : 1. - behind}};
 }
 
-void PrescribedLift::visit_cells(const BoundData &data,
+void PrescribedLift::visit_cells(const BoundData &data, const ExactMaps &maps,
                                  const std::function<void(const LiftedCell &)> &visit) const {
   const Quadrature<2> rule = triangle_rule(16);
   for (const auto &cell : data.space.dofs().active_cell_iterators()) {
@@ -139,13 +139,15 @@ void PrescribedLift::visit_cells(const BoundData &data,
          triangle_parts(shape, data.scene.law_kinks.with_lines(lines(found->second, shape))))
       for (const TrianglePart &part : parts)
         add_points(rule, part.corners, shape, points, weights);
-    FEValues<2> values(StaticMappingQ1<2>::mapping, data.space.element(cell), Quadrature<2>(points),
+    for (std::size_t q = 0; q < points.size(); ++q)
+      weights[q] /= determinant(shape.jacobian(CellFunctions(points[q])));
+    FEValues<2> values(maps.of(cell), data.space.element(cell), Quadrature<2>(points, weights),
                        update_gradients | update_inverse_jacobians | update_JxW_values |
                          update_quadrature_points);
     values.reinit(cell);
     LiftedCell lifted = {cell, values, {}};
     for (std::size_t q = 0; q < points.size(); ++q) {
-      const Tensor<2, 2> inverse = invert(shape.jacobian(CellFunctions(points[q])));
+      const Tensor<2, 2> inverse(values.inverse_jacobian(q));
       Tensor<1, 2> z;
       Tensor<2, 2> gradient;
       for (const EdgeRest &rest : found->second) {
@@ -158,7 +160,7 @@ void PrescribedLift::visit_cells(const BoundData &data,
       }
       const Law law(data.scene.material->hooke(values.quadrature_point(q)));
       const Components strain = components_of(strain_of(gradient));
-      lifted.places.push_back({weights[q], z, strain, law.stiffness * strain});
+      lifted.places.push_back({values.JxW(q), z, strain, law.stiffness * strain});
     }
     visit(lifted);
   }

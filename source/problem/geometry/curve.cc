@@ -269,7 +269,8 @@ double Curve::arc_length(const Point<2> &x) const {
   }
   if (!circle_)
     return (x - start_) * (end_ - start_) / length_;
-  double angle = circle_->turn * (angle_of(x - circle_->centre) - circle_->first);
+  // From the start, as in point(): small arcs keep their digits.
+  double angle = circle_->turn * angle_between(start_ - circle_->centre, x - circle_->centre);
   // The end of an arc may come out a little before its start: only points far behind the middle of
   // the missing piece lie there.
   const double missing = 2. * PI - length_ / circle_->radius;

@@ -57,16 +57,10 @@ public:
   /** The arguments must outlive the object. */
   ExactMaps(const Mesh<2> &mesh, const std::vector<Side<2>> &sides);
 
-  /** Returns whether exact() is the map of a cell, not that of the mesh. */
-  bool is_exact(const Triangulation<2>::cell_iterator &cell) const {
-    return exact_ && (mesh_.is_graded() || has_arcs(arc_centres(sides_, cell)));
-  }
-  const Mapping<2> &of_mesh() const {
-    return mesh_.mapping();
-  }
-  /** Returns the exact maps; they are right for all cells, but slow. */
-  const Mapping<2> &exact() const {
-    return exact_ ? *exact_ : mesh_.mapping();
+  /** Returns the map of a cell. */
+  const Mapping<2> &of(const Triangulation<2>::cell_iterator &cell) const {
+    return exact_ && (mesh_.is_graded() || has_arcs(arc_centres(sides_, cell))) ? *exact_
+                                                                                : mesh_.mapping();
   }
 
 private:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/mesh/arc_mapping.h>
 #include <signorini/error_control/loads/bound_data.h>
 #include <signorini/error_control/loads/cell_shape.h>
 
@@ -38,9 +39,10 @@ struct LiftedCell {
 
 /**
  * The function z with u_h + z = u_D on sides with prescribed displacements that u_h interpolates
- * along edges. On the cell behind such an edge, z = r(s) (1 - depth) in bilinear coordinates, where
- * r = u_D - u_h is a function of the position s on the edge. r is zero at the end points of the
- * edge, and z on all other edges.
+ * along edges. On the cell behind such an edge, z = r(s) (1 - depth) in reference coordinates,
+ * where r = u_D - u_h is a function of the position s on the edge. r is zero at the end points of
+ * the edge, and z on all other edges. On arcs s is the share of the angle, as in ExactMaps: u_D is
+ * that on the arc itself.
  *
  * r is interpolated at nine points on each of 1, 2, 4, ... or 32 equal pieces of an edge: as many
  * as bring it within a thousandth of its size at up to 256 further points per edge (20000 on all).
@@ -56,8 +58,8 @@ public:
   double max_misfit() const {
     return max_misfit_;
   }
-  /** Visits all cells on which z is not zero. A curved cell is taken with straight edges. */
-  void visit_cells(const BoundData &data,
+  /** Visits all cells on which z is not zero. */
+  void visit_cells(const BoundData &data, const ExactMaps &maps,
                    const std::function<void(const LiftedCell &)> &visit) const;
 
 private:
