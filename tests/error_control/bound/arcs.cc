@@ -199,6 +199,57 @@ void half_disc(Checks &checks) {
   }
 }
 
+/** Displacements that are prescribed on arcs, and on straight sides where they are no polynomials:
+ * Lame's ring, turned and moved. */
+void prescribed(Checks &checks) {
+  write_ring();
+  const std::string moduli = "Material/Young's modulus = 1\nMaterial/Poisson's ratio = 0.3\n"
+                             "Contact/Gap = 10\nBoundary/Contact = outer\n";
+  struct Row {
+    std::string name, text;
+    double energy;
+  };
+  const double energy = 0.5 * numbers::PI * 1.3 * (0.2 / 3. + 2. / 3.);
+  for (const Row &row :
+       {Row{"arc",
+            moduli + "Geometry/Shape = ring\nBoundary/Displacement = inner: "
+                     "0.3+1.3*(0.4/3+4/3)*x-0.1*y; -0.2+1.3*(0.4/3+4/3)*y+0.1*x\n",
+            energy},
+        Row{"straight sides",
+            moduli + "Geometry/Shape = file\nGeometry/File = ring.msh\n"
+                     "Geometry/Arcs = inner outer\nBoundary/Traction = inner: x; y\n"
+                     "Boundary/Displacement = x0: 0; 1.3*(0.4/3*y+4/3/y) | "
+                     "y0: 1.3*(0.4/3*x+4/3/x); 0\n",
+            -energy}})
+    for (const unsigned int number : {1U, 3U}) {
+      const Bounded level(row.text, number);
+      checks.about("prescribed on " + row.name + ", level " + std::to_string(number));
+      checks.that("guaranteed", level.bound.is_guaranteed() && level.bound.energy_lower);
+      if (!level.bound.energy_lower)
+        continue;
+      checks.between("energy", row.energy, *level.bound.energy_lower, *level.bound.energy_upper);
+      checks.that("lift", *level.bound.oscillation > 0.);
+    }
+}
+
+/** A clamped arc that ends in corners, where cells of a graded mesh are 1e-7 of the radius: J of a
+ * function that does not penetrate is not below the bracket. */
+void corners_of_arcs(Checks &checks) {
+  checks.about("corners of an arc");
+  write_ring();
+  const StudyResult<2> found =
+    solve("Geometry/Shape = file\nGeometry/File = ring.msh\nGeometry/Arcs = inner outer\n"
+          "Material/Young's modulus = 1\nMaterial/Poisson's ratio = 0.3\n"
+          "Boundary/Clamped = outer\nBoundary/Traction = inner: x; y\nBoundary/Contact = x0\n"
+          "Contact/Gap = 10\n",
+          {"Discretization/Strategy=hp", "Discretization/Target error=1e-4",
+           "Discretization/Maximum degree=4"});
+  checks.that("certified", found.verdict.outcome == Outcome::certified);
+  const double J = last(found, "energy");
+  checks.between("energy", J, last(found, "energy_lower"), last(found, "energy_upper") + 1e-12);
+  checks.between("relative bound", last(found, "bound_relative"), 1e-6, 1e-4);
+}
+
 /** A ring that a plate in its bore presses onto a plane, by a force and by the travel that it
  * makes: the bounds of J on coarse meshes contain those on finer ones, and J of the travel is that
  * of the force without its work. */
@@ -227,5 +278,7 @@ void moved_bore(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {equilibrium, least_energies, degrees, half_disc, moved_bore});
+  return run_tests(
+    argc, argv,
+    {equilibrium, least_energies, degrees, half_disc, prescribed, corners_of_arcs, moved_bore});
 }
