@@ -138,12 +138,10 @@ private:
   }
 
   /** Returns whether the mesh of the next step has few enough unknowns. The compliance is dense:
-   * thousands of contact unknowns cost more than all others. Where four steps have not halved the
-   * estimate, large meshes do not pay. */
+   * thousands of contact unknowns cost more than all others. */
   bool next_is_affordable() const {
-    constexpr unsigned int few = 1000, others_per_contact_unknown = 50, patience = 4;
-    const unsigned int most = context_.parameters.discretization.maximum_unknowns /
-                              (examination_.stagnates(patience) ? 8 : 1);
+    constexpr unsigned int few = 1000, others_per_contact_unknown = 50;
+    const unsigned int most = context_.parameters.discretization.maximum_unknowns;
     return next_->space.dofs().n_dofs() <= most &&
            next_->K.size() <= std::max(few, most / others_per_contact_unknown);
   }

@@ -37,10 +37,11 @@ double ErrorHistory::add(const double indicator, const std::optional<double> &di
   return estimates_.back();
 }
 
-bool ErrorHistory::stagnates(const std::size_t patience) const {
+bool ErrorHistory::stagnates() const {
   if (!estimates_.empty() && !std::isfinite(estimates_.back()))
     return true;
-  constexpr std::size_t n_compared = 4;
+  // The first steps see more and more of what the scene holds.
+  constexpr std::size_t patience = 6, n_compared = 4;
   return estimates_.size() > patience &&
          estimates_.back() > 0.5 * estimates_[estimates_.size() - 1 - n_compared];
 }
@@ -198,7 +199,7 @@ StepFindings StepExamination::examine(const Discretization<2> &discretization,
   double error = std::max(history_.add(indicator, difference, planned), rounding * findings.scale);
   // What does not fall while the mesh is refined has no limit: data contradict each other.
   constexpr double noticeable = 1e-3;
-  if (stagnates() && error > noticeable * findings.scale)
+  if (history_.stagnates() && error > noticeable * findings.scale)
     error = std::max(error, findings.scale);
   error = std::hypot(error, contact.algebraic_error);
   // Nothing has an error where nothing deforms the body: all that is left is rounding.

@@ -39,7 +39,7 @@ public:
   /** Returns whether the estimates of the last steps do not fall: the solution has no finite
    * energy, or the mesh cannot be refined further where it is singular. A number that overflows
    * stagnates. */
-  bool stagnates(std::size_t patience) const;
+  bool stagnates() const;
 
 private:
   std::vector<double> estimates_;
@@ -76,10 +76,9 @@ public:
                        const EnergyScale &scale, const std::optional<StepField> &before,
                        double planned);
 
-  /** Returns whether the estimates do not fall any more, see ErrorHistory. The first steps see more
-   * and more of what the scene holds. */
-  bool stagnates(const std::size_t patience = 8) const {
-    return history_.stagnates(patience);
+  /** Returns whether the estimates do not fall any more, see ErrorHistory. */
+  bool stagnates() const {
+    return history_.stagnates();
   }
   /** Returns whether a second mesh confirms the error. Bodies that nothing deforms need none. */
   bool is_checked(const StepFindings &findings) const {
