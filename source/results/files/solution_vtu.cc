@@ -193,7 +193,8 @@ VtuCells<dim> write_solution_vtu(std::ostream &stream, const DisplacementSpace<d
 template <int dim>
 void write_pvtu(std::ostream &stream, const std::vector<std::string> &files,
                 const VtuCells<dim> &fields) {
-  DataOutBase::write_pvtu_record(stream, files, fields.names, fields.ranges(), {});
+  DataOutBase::write_pvtu_record(stream, files, fields.names, fields.ranges(),
+                                 DataOutBase::VtkFlags());
 }
 
 void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::string>> &files) {
