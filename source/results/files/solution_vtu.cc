@@ -124,7 +124,7 @@ private:
         fields.emplace_back("degree", cell->get_fe().degree);
     }
     cells_.add(n, values.get_quadrature_points(), fields_);
-    if (cells_.cells.size() * Utilities::pow(n, dim) >= cells_per_piece)
+    if (cells_.cells.size() == (by_parents_ ? cells_per_piece / 4 : cells_per_piece))
       write_piece();
   }
 

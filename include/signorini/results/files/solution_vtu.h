@@ -72,7 +72,7 @@ struct VtuCells {
  * degree p > 1 are divided into p x p, get the stress of u_h, and have the field "degree". In 3-D
  * the file contains u_h and stresses at the corners of the cells, where the patch interpolation is
  * u_h; the children of a parent share these unless the material varies. A rank writes its own
- * cells, at most 8192 in a piece of the file. Collective.
+ * cells, at most 8192 or 2048 parents in a piece of the file. Collective.
  * @return the fields, without cells.
  */
 template <int dim>
