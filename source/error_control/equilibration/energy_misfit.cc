@@ -404,7 +404,7 @@ double EnergyMisfit::distance(const std::size_t k, const EquilibratedStress &str
   // The terms cancel, up to rounding and what cells lack of balance.
   const double rounding = (1e-14 + stress.defect) * (size + of_stress);
   constexpr double most = 100.;
-  if (!(square + of_stress > -most * rounding))
+  if (!(square + of_stress >= -most * rounding))
     return std::numeric_limits<double>::infinity();
   square = std::max(0., square + of_stress) + rounding;
   // With f in place of f_K: ∫ (f - f_K).v ≤ Σ osc_K |||v|||_K.
