@@ -258,10 +258,6 @@ void scan_data(Scene<2> &scene) {
   const std::vector<KinkLine<2>> lines = scan.kinks();
   if (!scene.material->is_constant_on_cells())
     scene.law_kinks = Kinks<2>(lines, {}, std::move(of_law));
-  // Data is smooth between the lines that were found: rules are graded to the ends of others only.
-  Kinks<2> kinks(scene.kinks.lines(), std::move(breaks), std::move(of_force));
-  for (const unsigned int side : scene.contact_sides())
-    kinks.add_ends_on(scene.geometry.sides[side]);
-  scene.kinks = kinks.with_lines({lines.begin() + scene.kinks.lines().size(), lines.end()});
+  scene.kinks = Kinks<2>(lines, std::move(breaks), std::move(of_force));
 }
 } // namespace Signorini

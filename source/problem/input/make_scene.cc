@@ -147,6 +147,8 @@ Scene<2> make_scene(const Parameters &parameters) {
   scene.kinks = scene.kinks.with_lines(
     lines_at<2>({{discretization.kinks_at_x.value, discretization.kinks_at_y.value}}));
   scan_data(scene);
+  for (const unsigned int side : scene.contact_sides())
+    scene.kinks.add_ends_on(scene.geometry.sides[side]);
   scene.load_cases = read_load_cases(parameters.load_cases, scene);
   scene.report_places = read_report_places(parameters.output.report, scene.geometry);
   return scene;
