@@ -131,8 +131,8 @@ std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene) {
     return places;
   std::vector<Corner> all = corners(scene.geometry);
   const std::size_t n_corners = all.size();
-  for (Corner &end : interface_ends(scene))
-    all.push_back(std::move(end));
+  for (const Corner &end : interface_ends(scene))
+    all.push_back(end);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Corner &corner = all[i];
     double shortest = std::min(scene.geometry.sides[corner.sides[0]].length(),
