@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 
+#include <deal.II/base/table.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <cmath>
