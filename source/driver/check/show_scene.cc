@@ -181,7 +181,7 @@ template <int dim>
 double time_of_unknown(const Parameters &parameters, const Scene<dim> &scene) {
   const bool has_bound =
     dim == 2 && parameters.output.bound != WantedBound::none && !scene.geometry.axisymmetric;
-  const bool is_easy = !scene.geometry.curved && scene.material->is_constant();
+  const bool is_easy = !scene.geometry.curved && scene.material->is_constant_on_cells();
   const bool is_graded = parameters.discretization.strategy == Strategy::hp;
   double time = time_of_level;
   if (has_bound)

@@ -180,7 +180,7 @@ std::string gap_of_proof(const BoundData &data, const BestStress &best) {
         return true;
     return false;
   };
-  if (!scene.material->is_constant() && is_cut(scene.law_kinks))
+  if (is_cut(scene.law_kinks))
     return "the material jumps or varies fast in a curved body";
   if (scene.body_force != nullptr && !is_constant(*scene.body_force) && is_cut(scene.kinks))
     return "the body force jumps or varies fast in a curved body";

@@ -194,12 +194,10 @@ void EnergyMisfit::find_bubbles() {
 }
 
 void EnergyMisfit::integrate_energies() {
-  const Material<2> &material = *data_.scene.material;
-  const Kinks<2> kinks = material.is_constant_on_cells() ? Kinks<2>() : data_.scene.law_kinks;
   integrate_by_chunks<ChunkEnergies, 2>(
     data_.space,
     [&](const Cells<2> &cells) {
-      FieldVisitor visit(data_, kinks, maps_);
+      FieldVisitor visit(data_, data_.scene.law_kinks, maps_);
       EnergyMeasure<2> measure(data_.scene);
       ChunkEnergies chunk;
       for (const auto &cell : cells) {
@@ -310,7 +308,7 @@ void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const Equilibra
 
 void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
   // Arcs take more points than segments, on which the integrands are polynomials. Points are those
-  // of the edge itself: what maps round is a force on a small cell, which c would move.
+  // of the edge itself: rounding of maps would leave a force on small cells, which does work on c.
   const unsigned int more = data_.space.mesh().is_curved() ? 15 : 7;
   constexpr std::array<unsigned int, 4> face_in_circle = {{2, 1, 3, 0}};
   dealii::Vector<double> given(2);

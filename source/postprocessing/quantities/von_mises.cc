@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace Signorini {
@@ -30,13 +29,11 @@ constexpr double share_of_sides = 0.1;
 /** Adds a place if stresses can be singular there: if the exponent is below one in one of the
  * states that contact may have. */
 template <int dim>
-void add_if_singular(SingularPlace<dim> place, const Scene<dim> &scene,
-                     const std::function<std::vector<WedgeLayer>()> &layers,
+void add_if_singular(const SingularPlace<dim> &place, const Scene<dim> &scene,
                      std::vector<SingularPlace<dim>> &places) {
   const Role first = scene.boundary[place.sides[0]].role,
              second = scene.boundary[place.sides[1]].role;
   const auto is_free = [](const Role role) { return role == Role::free || role == Role::traction; };
-  place.layers = layers();
   const double angle = opening(place.layers);
   // This saves time with hundreds of corners: (W1) at convex corners, and where contact goes on
   // straight.
@@ -45,7 +42,7 @@ void add_if_singular(SingularPlace<dim> place, const Scene<dim> &scene,
        (first == Role::contact && second == Role::contact && std::abs(angle - PI) < 1e-6)))
     return;
   if (smallest_exponent(scene, place.ends[0], place.sides, place.layers) < max_singular_exponent)
-    places.push_back(std::move(place));
+    places.push_back(place);
 }
 
 /** Returns the unknown of a contact side that is nearest to a point; none on other sides. */
@@ -146,9 +143,11 @@ std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene) {
         shortest = std::min(shortest, distance);
     }
     if (!is_known)
-      add_if_singular<2>(
-        {{{corner.position, corner.position}}, corner.sides, {}, share_of_sides * shortest}, scene,
-        [&]() { return layers_at(scene, corner); }, places);
+      add_if_singular<2>({{{corner.position, corner.position}},
+                          corner.sides,
+                          layers_at(scene, corner),
+                          share_of_sides * shortest},
+                         scene, places);
   }
   return places;
 }
@@ -170,13 +169,10 @@ std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene) {
       std::array<Point<3>, 2> ends = {{middle, middle}};
       ends[0][along] = box.lower[along];
       ends[1][along] = box.upper[along];
+      const SymmetricTensor<4, 2> hooke = in_plane(scene.material->relative_hooke(middle), axes);
       add_if_singular<3>(
-        {ends, {{i, j}}, {}, share_of_sides * box.shortest_extent()}, scene,
-        [&]() {
-          return std::vector<WedgeLayer>{
-            make_layer(in_plane(scene.material->relative_hooke(middle), axes), 0.5 * PI)};
-        },
-        places);
+        {ends, {{i, j}}, {make_layer(hooke, 0.5 * PI)}, share_of_sides * box.shortest_extent()},
+        scene, places);
     }
   return places;
 }

@@ -2,7 +2,6 @@
 // Omega: rectangles and convex polygons with named sides, and their coarse meshes.
 
 #include <signorini/base/message.h>
-#include <signorini/problem/geometry/circle_manifold.h>
 #include <signorini/problem/geometry/geometry.h>
 #include <signorini/problem/geometry/outline.h>
 
@@ -259,7 +258,7 @@ void attach_manifolds(const std::vector<Side<2>> &sides, const Point<2> &centre,
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary() && sides[face->boundary_id()].radius() > 0.)
       face->set_manifold_id(circle);
-  triangulation.set_manifold(circle, CircleManifold(centre));
+  triangulation.set_manifold(circle, SphericalManifold<2>(centre));
   TransfiniteInterpolationManifold<2> transfinite;
   transfinite.initialize(triangulation);
   triangulation.set_manifold(interior, transfinite);

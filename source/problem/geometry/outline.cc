@@ -2,7 +2,6 @@
 // Omega between closed loops of segments and arcs, filled with quadrilaterals.
 
 #include <signorini/base/message.h>
-#include <signorini/problem/geometry/circle_manifold.h>
 #include <signorini/problem/geometry/outline.h>
 
 #include <deal.II/base/numbers.h>
@@ -120,7 +119,7 @@ Geometry<2> make_body(const std::vector<Side<2>> &sides, const CoarseMesh &mesh)
     if (edge.piece->radius() > 0.) {
       const auto [circle, is_new] = circles.emplace(edge.piece, manifolds.size());
       if (is_new)
-        manifolds.push_back(std::make_shared<CircleManifold>(edge.piece->centre_of_circle()));
+        manifolds.push_back(std::make_shared<SphericalManifold<2>>(edge.piece->centre_of_circle()));
       line.manifold_id = circle->second;
     }
     edges.boundary_lines.push_back(line);

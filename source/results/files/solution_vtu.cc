@@ -61,9 +61,9 @@ private:
   /** Adds the cells of one of the elements. */
   void add_cells(const unsigned int number) {
     const FiniteElement<dim> &element = space_.elements()[number];
-    const unsigned int n = is_recovered_ && (dim == 2 || by_parents_) ? 2
-                           : dim == 3                                 ? 1
-                                                                      : element.degree;
+    unsigned int n = dim == 3 ? 1 : element.degree;
+    if (is_recovered_ && (dim == 2 || by_parents_))
+      n = 2;
     // The corners of all children of a parent, seen from its first one.
     const Quadrature<1> of_children(
       std::vector<Point<1>>{Point<1>(0.), Point<1>(1.), Point<1>(2.)});
@@ -84,16 +84,13 @@ private:
           (by_parents_ && cell->parent()->child_index(0) != cell->index()))
         continue;
       values.reinit(cell);
-      if (by_parents_) {
-        // At corners it is u_h.
-        const FieldValues<dim> &recovered = interpolation->evaluate(cell, values);
-        add_cell(cell, n, values, recovered, recovered);
-        continue;
-      }
-      values[vector].get_function_values(U_.entries(), u.values);
+      if (!by_parents_)
+        values[vector].get_function_values(U_.entries(), u.values);
       if (!is_recovered_)
         values[vector].get_function_gradients(U_.entries(), u.gradients);
-      add_cell(cell, n, values, u, interpolation ? interpolation->evaluate(cell, values) : u);
+      const FieldValues<dim> &recovered = interpolation ? interpolation->evaluate(cell, values) : u;
+      // At the corners of children the interpolation is u_h.
+      add_cell(cell, n, values, by_parents_ ? recovered : u, recovered);
     }
   }
 

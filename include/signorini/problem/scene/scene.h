@@ -191,7 +191,7 @@ struct Scene {
   /** The places for which stresses are wanted. */
   std::vector<ReportPlace<dim>> report_places;
   /** Where data is not smooth, with boxes for the body force; and the same with boxes for the
-   * moduli, nothing where they are constant. */
+   * moduli, nothing where these are constant on cells. */
   Kinks<dim> kinks, law_kinks;
 
   /** Returns the numbers of the contact sides gamma_{c,i}, i = 1..n_g. */
