@@ -267,7 +267,7 @@ void moved_bore(Checks &checks) {
   std::ostringstream by_travel;
   by_travel << std::setprecision(16) << "Load/Plate travel = inner: " << travel << "\n";
   const StudyResult<2> driven = solve_to(by_travel.str(), "1e-2");
-  for (const auto &[found, J] : {std::make_pair(&coarse, energy), std::make_pair(&fine, energy),
+  for (const auto [found, J] : {std::make_pair(&coarse, energy), std::make_pair(&fine, energy),
                                  std::make_pair(&driven, energy + 0.02 * travel)}) {
     checks.about("moved bore");
     checks.that("certified", found->verdict.outcome == Outcome::certified);
