@@ -51,6 +51,19 @@ std::vector<Tensor<1, 2>> CellFit::force(const TractionCell &place,
   return f;
 }
 
+unsigned int CellFit::load_degree() const {
+  double largest = 0.;
+  for (const Tensor<1, 2> &coefficient : load)
+    largest = std::max(largest, coefficient.norm());
+  unsigned int degree = 0;
+  auto coefficient = load.begin();
+  for (unsigned int i = 0; i < airy->degree(); ++i)
+    for (unsigned int j = 0; i + j < airy->degree(); ++j)
+      if ((coefficient++)->norm() > 1e-14 * largest)
+        degree = std::max(degree, i + j);
+  return degree;
+}
+
 CellFitter::CellFitter(const BoundData &data, const bool compares)
   : data_(data)
   , compares_(compares)

@@ -30,10 +30,13 @@ class FieldVisitor {
 public:
   using Cell = DoFHandler<2>::active_cell_iterator;
 
-  FieldVisitor(const BoundData &data, const Kinks<2> &kinks, const ExactMaps &maps)
+  /** @param load_degree that of polynomials which are multiplied with the fields. */
+  FieldVisitor(const BoundData &data, const Kinks<2> &kinks, const ExactMaps &maps,
+               const unsigned int load_degree = 0)
     : data_(data)
     , kinks_(kinks)
-    , maps_(maps) {
+    , maps_(maps)
+    , load_degree_(load_degree) {
     for (unsigned int k = 0; k < n_fields(data) && !data.space.mesh().is_graded(); ++k)
       fields_.emplace_back(data.space, data.U, QGauss<2>(n_points(data.space.element().degree)), k);
   }
@@ -84,8 +87,10 @@ private:
   /** Returns the number of points per direction: for products of functions of degree two on
    * parallelograms; more where maps or the law vary, or a load that is integrated itself. */
   unsigned int n_points(const unsigned int degree) const {
-    const unsigned int n =
-      (degree << (n_fields(data_) - 1)) + (data_.scene.material->is_constant_on_cells() ? 1 : 3);
+    const unsigned int of_fields = degree << (n_fields(data_) - 1),
+                       n = std::max(of_fields +
+                                      (data_.scene.material->is_constant_on_cells() ? 1 : 3),
+                                    (of_fields + load_degree_ + 1) / 2 + 1);
     if (!EquilibrationMesh::aligns(data_) && data_.scene.body_force != nullptr)
       return n + 6;
     return data_.space.mesh().is_curved() ? n + 2 : n;
@@ -124,6 +129,7 @@ private:
   const BoundData &data_;
   const Kinks<2> kinks_;
   const ExactMaps &maps_;
+  const unsigned int load_degree_;
   /** By the degree of the element, and the map. */
   std::map<std::pair<unsigned int, const Mapping<2> *>, std::unique_ptr<FEValues<2>>> values_;
   /** On graded meshes: the polynomials at the points by degree, and u_h on a cell. */
@@ -278,18 +284,25 @@ EnergyMisfit::Works EnergyMisfit::works(const EquilibrationMesh &mesh,
 void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const EquilibratedStress &stress,
                                   Works &works) const {
   using Sums = std::array<double, 2>;
+  const Kinks<2> none;
   integrate_by_chunks<Sums, 2>(
     data_.space,
     [&](const Cells<2> &cells) {
-      FieldVisitor visit(data_, data_.scene.kinks, maps_);
+      // f_K is smooth in cells of u_h, but may have a higher degree than the fields.
+      const Kinks<2> &kinks = is_aligned() ? none : data_.scene.kinks;
+      std::map<unsigned int, FieldVisitor> visitors;
       Sums sums = {{0., 0.}};
-      for (const auto &cell : cells)
+      for (const auto &cell : cells) {
+        const unsigned int degree =
+          is_aligned() ? stress.fits[mesh.find(cell)->active_cell_index()].load_degree() : 0;
+        auto &visit = visitors.try_emplace(degree, data_, kinks, maps_, degree).first->second;
         visit(cell, [&](const auto &values, const auto &weights, const auto &fields, bool) {
           const auto f = force(mesh, stress, cell, values.get_quadrature_points());
           for (std::size_t k = 0; k < fields.size(); ++k)
             for (std::size_t q = 0; q < weights.size(); ++q)
               sums[k] += weights[q] * (f[q] * (fields[k]->values[q] - translation_));
         });
+      }
       return sums;
     },
     [&works](const Sums &sums) {
@@ -399,17 +412,17 @@ double EnergyMisfit::distance(const std::size_t k, const EquilibratedStress &str
       square -= work;
       size += std::abs(work);
     }
-  // The terms cancel, up to rounding and what cells lack of balance.
-  const double rounding = (1e-14 + stress.defect) * (size + of_stress);
-  constexpr double most = 100.;
-  if (!(square + of_stress >= -most * rounding))
-    return std::numeric_limits<double>::infinity();
-  square = std::max(0., square + of_stress) + rounding;
   // With f in place of f_K: ∫ (f - f_K).v ≤ Σ osc_K |||v|||_K.
   double load_square = 0.;
   for (std::size_t c = 0; c < stress.fits.size() && !is_aligned(); ++c)
     load_square += std::pow(stress.load_oscillation(c), 2);
-  square += 2. * std::sqrt(load_square * strain);
+  const double oscillation = 2. * std::sqrt(load_square * strain);
+  // The terms cancel, up to that, rounding and what cells lack of balance.
+  const double rounding = (1e-14 + stress.defect) * (size + of_stress);
+  constexpr double most = 100.;
+  if (!(square + of_stress >= -most * rounding - oscillation))
+    return std::numeric_limits<double>::infinity();
+  square = std::max(0., square + of_stress) + rounding + oscillation;
   return std::sqrt(square);
 }
 

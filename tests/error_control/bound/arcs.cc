@@ -267,8 +267,9 @@ void moved_bore(Checks &checks) {
   std::ostringstream by_travel;
   by_travel << std::setprecision(16) << "Load/Plate travel = inner: " << travel << "\n";
   const StudyResult<2> driven = solve_to(by_travel.str(), "1e-2");
-  for (const auto [found, J] : {std::make_pair(&coarse, energy), std::make_pair(&fine, energy),
-                                 std::make_pair(&driven, energy + 0.02 * travel)}) {
+  const std::array<std::pair<const StudyResult<2> *, double>, 3> expected = {
+    {{&coarse, energy}, {&fine, energy}, {&driven, energy + 0.02 * travel}}};
+  for (const auto &[found, J] : expected) {
     checks.about("moved bore");
     checks.that("certified", found->verdict.outcome == Outcome::certified);
     checks.between("energy", J, last(*found, "energy_lower") - 1e-8 * std::abs(J),

@@ -33,6 +33,8 @@ struct CellFit {
   /** Returns f_K at points. */
   std::vector<Tensor<1, 2>> force(const TractionCell &place,
                                   const std::vector<Point<2>> &points) const;
+  /** Returns the degree of f_K up to rounding. */
+  unsigned int load_degree() const;
 
   CellId id;
   std::shared_ptr<const AiryCell> airy;
