@@ -192,7 +192,7 @@ std::optional<unsigned int> Coupling::empty_column(MPI_Comm communicator) const 
 }
 
 template <int dim>
-Coupling sum_over_ranks(const DisplacementSpace<dim> &space, std::vector<Coupling::Column> parts) {
+Coupling sum_columns(const DisplacementSpace<dim> &space, std::vector<Coupling::Column> parts) {
   if (!space.mesh().is_shared())
     return Coupling(std::move(parts));
   std::vector<Coupling::Column> columns(parts.size());
@@ -231,7 +231,7 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
         }
     }
   }
-  return sum_over_ranks(space, std::move(columns));
+  return sum_columns(space, std::move(columns));
 }
 
 dealii::Vector<double> join(const dealii::Vector<double> &normal,
@@ -263,6 +263,6 @@ Coupling condense(const Coupling &D, const AffineConstraints<double> &constraint
   return Coupling(std::move(columns));
 }
 
-INSTANTIATE_FUNCTION(sum_over_ranks);
+INSTANTIATE_FUNCTION(sum_columns);
 INSTANTIATE_FUNCTION(assemble_coupling);
 } // namespace Signorini

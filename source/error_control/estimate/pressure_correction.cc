@@ -185,8 +185,7 @@ Coupling::Column pressure_load(const DisplacementSpace<dim> &space,
 template <int dim>
 Coupling recovered_load(const DisplacementSpace<dim> &space,
                         const MultiplierSpace<dim> &multipliers, const Pressure &P) {
-  return condense(sum_over_ranks(space, {pressure_load(space, multipliers, P)}),
-                  space.constraints());
+  return condense(sum_columns(space, {pressure_load(space, multipliers, P)}), space.constraints());
 }
 
 template <int dim>
@@ -200,7 +199,7 @@ PressureCorrection correct_pressure(const Discretization<dim> &discretization,
   if (contact.P.has_friction()) {
     Coupling::Column load = pressure_load(space, multipliers, given);
     add_friction_load(discretization, scene, contact.P, load);
-    return correct_by<dim>(condense(sum_over_ranks(space, {load}), space.constraints()),
+    return correct_by<dim>(condense(sum_columns(space, {load}), space.constraints()),
                            discretization, contact);
   }
   if (contact.dual) {

@@ -209,7 +209,7 @@ DualVector test_on_contact(const DisplacementSpace<2> &space, const MultiplierSp
     return surface.rule(piece, n_points, Grading::towards_kinks);
   };
   DualVector b = space.make_vector();
-  sum_over_ranks(space, {contact_load(space, surface, rule_on, values_on)})
+  sum_columns(space, {contact_load(space, surface, rule_on, values_on)})
     .add_product(dealii::Vector<double>{1.}, b);
   return b;
 }

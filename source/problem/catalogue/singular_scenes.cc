@@ -26,7 +26,7 @@ const std::string field =
   "Exact u   (1-y^2)*w1; (1-y^2)*w2\n"
   "With      Y = max(y,0); R(a,b) = sqrt(a^2+b^2);\n"
   "          arg(a,b) = R(a,b) == 0 ? 0 : a > 0 ? 2*atan(b/(R(a,b)+a)) : pi-2*atan(b/(R(a,b)-a))\n";
-const std::string opening = "With      w1 = fr/2 - Y*gi; w2 = 3/2*fi - Y*gr\n";
+const std::string beginning = "With      w1 = fr/2 - Y*gi; w2 = 3/2*fi - Y*gr\n";
 
 /** F' = g re + i g im, a multiple of t^e with t = X + iY, singular at xi. */
 const std::string power =
@@ -37,7 +37,7 @@ const std::string power =
 const std::string at_half = "With      xi = 1/2\n", at_root = "With      xi = 1/sqrt(2)\n";
 
 /** Westergaard's Z = 2 F' = i t^(1/2): the true singularity of a contact end. */
-const std::string b1 = power + opening +
+const std::string b1 = power + beginning +
                        "Gap       0\n"
                        "Exact p   -sqrt(max(xi-x,0))\n"
                        "With      gr = -im/2; gi = re/2; e = 1/2; alpha = 0\n";
@@ -51,7 +51,7 @@ const std::string two_ends =
   "          H(a,b,c) = sqrt(R(a-c,b)*R(a+c,b))*sin((arg(a-c,b)+arg(a+c,b))/2);\n"
   "          re(a,b,c) = (c^2*arg(a+G(a,b,c),b+H(a,b,c)) - a*H(a,b,c) - b*G(a,b,c))/2;\n"
   "          im(a,b,c) = (a*G(a,b,c) - b*H(a,b,c) - c^2*log(R(a+G(a,b,c),b+H(a,b,c))/c))/2\n";
-const std::string between_two_ends = two_ends + opening +
+const std::string between_two_ends = two_ends + beginning +
                                      "Exact p   -2*sqrt(max((x-x1)*(x2-x),0))\n"
                                      "Kinks     x = x1; x = x2\n";
 const std::string hertz =
@@ -129,7 +129,7 @@ CatalogueEntry<2> cattaneo_mindlin(const bool unloaded) {
 std::vector<CatalogueEntry<2>> singular_scenes() {
   return {
     {"A3", "contact pressure with a kink where contact ends",
-     field + opening + at_root +
+     field + beginning + at_root +
        "Gap       max(x-xi,0)/2 - u2\n"
        "Exact p   -2*max(xi-x,0)\n"
        "Kinks     x = xi\n"
@@ -150,7 +150,7 @@ std::vector<CatalogueEntry<2>> singular_scenes() {
     {"B3", "Hertz' contact: elliptic pressure on a parabolic foundation",
      between_two_ends + hertz + "Gap       3/4*X^2\n"},
     {"B4", "a contact end with a stronger singularity, pressure like the fourth root",
-     power + opening + at_half +
+     power + beginning + at_half +
        "Gap       max(x-xi,0)/2 - u2\n"
        "Exact p   -sqrt(2)*max(xi-x,0)^0.25\n"
        "With      gr = -im; gi = re; e = 1/4; alpha = 0\n"},

@@ -11,7 +11,7 @@
 
 namespace Signorini {
 namespace {
-double rounding(const Geometry<2> &geometry) {
+double rounding_of(const Geometry<2> &geometry) {
   return 1e-10 * geometry.diameter();
 }
 
@@ -32,11 +32,11 @@ void refuse_touching(const Side<2> &side, const std::vector<Point<2>> &ends,
     for (const double share : {0., 0.5, 1.}) {
       const Point<2> x = side.piece(k).point(share * side.piece(k).length());
       const auto is_here = [&](const Point<2> &end) {
-        return x.distance(end) <= rounding(geometry);
+        return x.distance(end) <= rounding_of(geometry);
       };
-      if (x[0] <= rounding(geometry) && std::none_of(ends.begin(), ends.end(), is_here))
+      if (x[0] <= rounding_of(geometry) && std::none_of(ends.begin(), ends.end(), is_here))
         throw error_at(plane_state, "the side '", side.name(), "' touches the axis at y = ",
-                       std::abs(x[1]) <= rounding(geometry) ? 0. : x[1],
+                       std::abs(x[1]) <= rounding_of(geometry) ? 0. : x[1],
                        ", allowed: sides that lie on the axis, or meet it where such a side ends.");
     }
 }
@@ -46,7 +46,7 @@ void revolve(const Given<PlaneState> &given, Geometry<2> &geometry) {
   geometry.axisymmetric = given == PlaneState::axisymmetric;
   if (!geometry.axisymmetric)
     return;
-  if (geometry.lower[0] < -rounding(geometry))
+  if (geometry.lower[0] < -rounding_of(geometry))
     throw error_at(given, "found '", to_text(given.value),
                    "' with a body that begins at x = ", geometry.lower[0],
                    ", allowed: bodies with x >= 0, the distance from the axis.");

@@ -23,7 +23,7 @@
 
 namespace Signorini {
 namespace {
-constexpr rlim_t max_seconds = 30, max_memory = 4ULL << 30, max_file_size = 500000000;
+constexpr rlim_t max_seconds = 30, max_memory = 4ULL << 30, max_mesh_size = 500000000;
 
 /** How the files of each kind begin, behind blanks; empty: there is no sign. Gmsh runs other kinds
  * as scripts. */
@@ -140,7 +140,7 @@ void check_script(const std::string &text, const std::string &where) {
   };
   limit(RLIMIT_CPU, max_seconds);
   limit(RLIMIT_AS, max_memory);
-  limit(RLIMIT_FSIZE, max_file_size);
+  limit(RLIMIT_FSIZE, max_mesh_size);
   limit(RLIMIT_CORE, 0);
   alarm(max_seconds);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -236,7 +236,7 @@ std::string convert_with_gmsh(const std::string &content, const std::string &end
   std::error_code error;
   std::string text;
   if (status == 0 && std::filesystem::exists(result, error))
-    text = read_whole_file(result, where, "mesh file", max_file_size);
+    text = read_whole_file(result, where, "mesh file", max_mesh_size);
   if (text.find("$Elements") == std::string::npos)
     throw input_error(where, describe_failure(status, folder.path / "log"),
                       ", allowed: a file from which Gmsh makes a mesh (gmsh -2).");

@@ -31,14 +31,14 @@ double rounded(const double value, const double size) {
   return std::abs(value) <= rounding * size ? 0. : value;
 }
 
-std::string percent(const double share) {
+std::string signed_percent(const double share) {
   std::ostringstream text;
   text << std::showpos << std::setprecision(2) << 100. * rounded(share, 1.) << " %";
   return text.str();
 }
 
 /** Returns "0.25", of a vector "(0.25, 0)". */
-std::string number_text(const Json &x, const double size) {
+std::string scaled_text(const Json &x, const double size) {
   if (x.is_number())
     return digits(rounded(x, size));
   std::string text;
@@ -98,16 +98,16 @@ public:
   void add_plates(const Json &answer) {
     for (std::size_t i = 0; i < answer["plates"].size(); ++i) {
       const Json &plate = answer["plates"][i];
-      std::string text = "travel " + number_text(plate["travel"], size_) + " along " +
-                         number_text(plate["direction"], 1.) + ", force " +
-                         number_text(plate["force"], scale_);
+      std::string text = "travel " + scaled_text(plate["travel"], size_) + " along " +
+                         scaled_text(plate["direction"], 1.) + ", force " +
+                         scaled_text(plate["force"], scale_);
       if (level_.motions.plates[i].plate.drifts)
-        text += ", drift " + number_text(plate["drift"], size_) + " across, force " +
-                number_text(plate["cross_force"], scale_);
+        text += ", drift " + scaled_text(plate["drift"], size_) + " across, force " +
+                scaled_text(plate["cross_force"], scale_);
       if (level_.motions.plates[i].plate.turns)
-        text += ", rotation " + number_text(plate["rotation"], 1.) + " about " +
-                number_text(plate["centre"], size_) + ", moment " +
-                number_text(plate["moment"], scale_ * size_);
+        text += ", rotation " + scaled_text(plate["rotation"], 1.) + " about " +
+                scaled_text(plate["centre"], size_) + ", moment " +
+                scaled_text(plate["moment"], scale_ * size_);
       add("Plate on " + std::string(plate["side"]), text);
     }
     for (const std::string &motion : level_.motions.undetermined)
@@ -156,8 +156,8 @@ public:
       return;
     const Json &friction = answer["friction"];
     add("Friction",
-        "T = " + number_text(friction["tangential_force"], scale_) +
-          (friction["ratio"].is_null() ? "" : ", T/N = " + number_text(friction["ratio"], 1.)) +
+        "T = " + scaled_text(friction["tangential_force"], scale_) +
+          (friction["ratio"].is_null() ? "" : ", T/N = " + scaled_text(friction["ratio"], 1.)) +
           ", dissipation " + digits(friction["dissipation"]));
     if (answer.contains("contact_area"))
       add("  areas", "stick " + digits(friction["stick_length"]) + ", slip " +
@@ -236,23 +236,23 @@ private:
     }
   }
   std::string force_text(const Json &force) const {
-    std::string text = number_text(force["force"], scale_);
+    std::string text = scaled_text(force["force"], scale_);
     if (level_.answer.axisymmetric)
-      return number_text(force["force"][1], scale_) + " along the axis, " +
-             number_text(force["force"][0], scale_) + " outward in all";
+      return scaled_text(force["force"][1], scale_) + " along the axis, " +
+             scaled_text(force["force"][0], scale_) + " outward in all";
     if (force["through"].is_null())
       return text;
     const Json &moment = force["moment"];
-    return text + " through " + number_text(force["through"], size_) + ", moment " +
-           number_text(moment, scale_ * (moment.is_number() ? size_ : 1.));
+    return text + " through " + scaled_text(force["through"], size_) + ", moment " +
+           scaled_text(moment, scale_ * (moment.is_number() ? size_ : 1.));
   }
   /** Returns " at the corner (0, 0) like r^-0.455". */
   std::string growth_text(const Json &place) const {
     std::ostringstream power;
     power << std::setprecision(2) << double(place["exponent"]) - 1.;
-    return (place.contains("point") ? " at the corner " + number_text(place["point"], size_)
-                                    : " at the edge from " + number_text(place["ends"][0], size_) +
-                                        " to " + number_text(place["ends"][1], size_)) +
+    return (place.contains("point") ? " at the corner " + scaled_text(place["point"], size_)
+                                    : " at the edge from " + scaled_text(place["ends"][0], size_) +
+                                        " to " + scaled_text(place["ends"][1], size_)) +
            " like r^" + power.str();
   }
   /** Returns "u_x = 0.1, u_y = ...". */
@@ -261,14 +261,14 @@ private:
     for (const auto &[name, value] : values.items())
       if (name.size() > 1)
         text += (text.empty() ? "" : ", ") + name + " = " +
-                number_text(value, name[0] == 'u' ? size_ : 0.);
+                scaled_text(value, name[0] == 'u' ? size_ : 0.);
     return text;
   }
   std::string at(const Json &place) const {
-    return "on " + std::string(place["side"]) + " at " + number_text(place["point"], size_);
+    return "on " + std::string(place["side"]) + " at " + scaled_text(place["point"], size_);
   }
   std::string end_text(const Json &end) const {
-    const std::string point = number_text(end["point"], size_);
+    const std::string point = scaled_text(end["point"], size_);
     return end["uncertainty"] > 0. ? point + " +- " + digits(end["uncertainty"]) : point;
   }
   /** Returns value and place, "settled (-1 % from the level before)" with the @p place where the
@@ -276,15 +276,17 @@ private:
   std::string maximum_text(const Json &maximum, const Json &place) const {
     const bool is_pressure = maximum.contains("mean");
     std::string text = digits(maximum["value"]) + " " +
-                       (is_pressure ? at(maximum) : "at " + number_text(maximum["point"], size_)) +
+                       (is_pressure ? at(maximum) : "at " + scaled_text(maximum["point"], size_)) +
                        ", " + std::string(maximum["trend"]);
     if (!place.is_null())
       text += growth_text(place);
     if (!maximum["change"].is_null())
-      text += " (" + percent(maximum["change"]) + " from the " + level_.sizes.word() + " before)";
+      text +=
+        " (" + signed_percent(maximum["change"]) + " from the " + level_.sizes.word() + " before)";
     if (is_pressure) {
       const double mean = maximum["mean"], value = maximum["value"];
-      text += "; mean of its patch " + digits(mean) + " (" + percent(mean / value - 1.) + ")";
+      text +=
+        "; mean of its patch " + digits(mean) + " (" + signed_percent(mean / value - 1.) + ")";
     }
     return text;
   }

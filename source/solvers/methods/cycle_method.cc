@@ -16,7 +16,7 @@ namespace {
 /** The factor by which the scale t is expected to grow from level to level. */
 constexpr double growth_of_scale = 1.05;
 /** The largest number of cycles. Where MINRES needs more, a factorisation is the better choice. */
-constexpr unsigned int max_cycles = 1000;
+constexpr unsigned int max_contact_cycles = 1000;
 /** The ratio of the tolerance of stationarity to that of the KKT residual. */
 constexpr double stationarity_per_tolerance = 10.;
 /** The tolerance of the linear systems that the estimate of the error needs. */
@@ -113,7 +113,7 @@ private:
     ContactIterationOptions options;
     options.tolerance = solver.tolerance;
     options.stationarity = stationarity_per_tolerance * solver.tolerance;
-    options.maximum_cycles = std::min<unsigned int>(solver.maximum_iterations, max_cycles);
+    options.maximum_cycles = std::min<unsigned int>(solver.maximum_iterations, max_contact_cycles);
     options.scale = growth_of_scale * start.scale;
     return options;
   }

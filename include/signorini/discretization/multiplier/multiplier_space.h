@@ -200,7 +200,7 @@ private:
 /** Returns the coupling that is the sum of those of all ranks, which know some columns of their
  * cells. Collective. */
 template <int dim>
-Coupling sum_over_ranks(const DisplacementSpace<dim> &space, std::vector<Coupling::Column> parts);
+Coupling sum_columns(const DisplacementSpace<dim> &space, std::vector<Coupling::Column> parts);
 
 /** Assembles D_jk = ∫_{Γ_c} φ_j.n ψ_k, integrated exactly on the pieces face ∩ patch; with a
  * tangent in the place of n if the component is tangential.
