@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Writes one source that holds several tests: each in a namespace of its own, behind the headers of all.
 #   cmake -D OUTPUT=<file> -D SOURCES=<test>,<test>... -P join_tests.cmake
-# The function run_test_NAME(argc, argv) of that source is main() of the test NAME.
+# The function run_test_ROOM_NAME(argc, argv) of that source is main() of the test NAME.cc of the folder ROOM.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -27,7 +27,8 @@ inline int call(int (*test)(int, char **), int argc, char **argv)
 }
 ")
 foreach(source ${SOURCES})
-  get_filename_component(name ${source} NAME_WE)
+  string(REGEX MATCH "([^/]+)/([^/]+)\\.cc$" match ${source})
+  set(name ${CMAKE_MATCH_1}_${CMAKE_MATCH_2})
   string(APPEND text "
 namespace test_${name}
 {

@@ -1,18 +1,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # How tests are built and started.
 
-# signorini_test_executable(ROOM SOURCE...): the executable test_ROOM. "test_ROOM NAME ARGUMENTS" calls main() of NAME.cc
-# with the arguments. What the tests of a room have in common, the templates of deal.II above all, takes most of the time of
+# signorini_test_executable(GROUP SOURCE...): the executable test_GROUP. "test_GROUP ROOM/NAME ARGUMENTS" calls main() of
+# NAME.cc with the arguments. What tests have in common, the templates of deal.II above all, takes most of the time of
 # compiling them: where the build is a unity build, they are one source (join_tests.cmake), each in a namespace of its own.
-function(signorini_test_executable room)
+function(signorini_test_executable group)
   set(calls "")
   set(declarations "")
   foreach(source ${ARGN})
-    get_filename_component(name ${source} NAME_WE)
+    string(REGEX MATCH "([^/]+)/([^/]+)\\.cc$" match ${source})
+    set(name ${CMAKE_MATCH_1}_${CMAKE_MATCH_2})
     string(APPEND declarations "int run_test_${name}(int, char **);\n")
-    string(APPEND calls "  if (name == \"${name}\")\n    return run_test_${name}(argc - 1, argv + 1);\n")
+    string(APPEND calls "  if (name == \"${CMAKE_MATCH_1}/${CMAKE_MATCH_2}\")\n"
+                        "    return run_test_${name}(argc - 1, argv + 1);\n")
+    list(APPEND folders ${source})
+    list(TRANSFORM folders REPLACE "/[^/]+\\.cc$" "")
   endforeach()
-  set(main ${CMAKE_CURRENT_BINARY_DIR}/joined/${room}_main.cc)
+  set(main ${CMAKE_CURRENT_BINARY_DIR}/joined/${group}_main.cc)
   file(CONFIGURE OUTPUT ${main} @ONLY CONTENT [[
 #include <iostream>
 #include <string>
@@ -20,23 +24,23 @@ function(signorini_test_executable room)
 @declarations@
 int main(int argc, char **argv) {
   const std::string name = argc > 1 ? argv[1] : "";
-@calls@  std::cerr << "test_@room@: there is no test '" << name << "'." << std::endl;
+@calls@  std::cerr << "test_@group@: there is no test '" << name << "'." << std::endl;
   return 1;
 }
 ]])
 
-  set(groups ${ARGN})
+  set(parts ${ARGN})
   if(CMAKE_UNITY_BUILD)
-    list(JOIN ARGN "," groups)
+    list(JOIN ARGN "," parts)
   endif()
   set(joined "")
-  foreach(group ${groups})
-    string(REPLACE "," ";" sources ${group})
+  foreach(part ${parts})
+    string(REPLACE "," ";" sources ${part})
     list(GET sources 0 first)
-    get_filename_component(name ${first} NAME_WE)
-    set(source ${CMAKE_CURRENT_BINARY_DIR}/joined/${room}_${name}.cc)
+    string(REGEX REPLACE "^.*/([^/]+)/([^/]+)$" "\\1_\\2" name ${first})
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/joined/${group}_${name})
     add_custom_command(OUTPUT ${source}
-      COMMAND ${CMAKE_COMMAND} -D OUTPUT=${source} "-D SOURCES=${group}" -P ${PROJECT_SOURCE_DIR}/cmake/join_tests.cmake
+      COMMAND ${CMAKE_COMMAND} -D OUTPUT=${source} "-D SOURCES=${part}" -P ${PROJECT_SOURCE_DIR}/cmake/join_tests.cmake
       DEPENDS ${sources} ${PROJECT_SOURCE_DIR}/cmake/join_tests.cmake
       VERBATIM)
     list(APPEND joined ${source})
@@ -52,13 +56,13 @@ int main(int argc, char **argv) {
   endif()
   set_source_files_properties(${main} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 
-  set(target test_${room})
+  set(target test_${group})
   add_executable(${target} EXCLUDE_FROM_ALL ${main} ${joined})
   deal_ii_setup_target(${target})
   target_link_libraries(${target} signorini_library)
-  get_filename_component(folder ${first} DIRECTORY)
-  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${folder})
-  target_compile_definitions(${target} PRIVATE SOURCE_DIR="${folder}")
+  list(REMOVE_DUPLICATES folders)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${folders})
+  target_compile_definitions(${target} PRIVATE SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   target_precompile_headers(${target} REUSE_FROM signorini_library)
   set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
 endfunction()

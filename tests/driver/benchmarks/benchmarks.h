@@ -13,5 +13,5 @@ inline Signorini::StudyResult<2> run_benchmark(const std::string &name,
                                                const std::string &directory = "") {
   if (!directory.empty())
     std::filesystem::create_directories(directory);
-  return solve_file(SOURCE_DIR "/../../../prm/benchmarks/" + name + ".prm", overrides, directory);
+  return solve_file(SOURCE_DIR "/prm/benchmarks/" + name + ".prm", overrides, directory);
 }

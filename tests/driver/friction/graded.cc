@@ -77,7 +77,7 @@ void test_exponential(Checks &checks) {
 }
 
 StudyResult<2> solve_scene(const std::string &name, const std::string &target) {
-  return solve_file(SOURCE_DIR "/../../../prm/friction/" + name + ".prm", graded(target));
+  return solve_file(SOURCE_DIR "/prm/friction/" + name + ".prm", graded(target));
 }
 
 /** Hild's block: N and T on uniform meshes with 32 and 128 cells tend to those of the graded mesh.

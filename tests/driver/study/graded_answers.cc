@@ -12,7 +12,7 @@ void check_agreement(Checks &checks) {
   for (const std::string name : {"block_on_parabola", "pressed_plate"}) {
     checks.about(name);
     const auto study = [&](const std::vector<std::string> &overrides) {
-      return solve_file(SOURCE_DIR "/../../../prm/" + name + ".prm", overrides);
+      return solve_file(SOURCE_DIR "/prm/" + name + ".prm", overrides);
     };
     // Brackets belong to the finest level of a study.
     const StudyResult<2> coarse = study(levels(5, 5)), fine = study(levels(6, 6)),

@@ -74,8 +74,7 @@ void check_files(Checks &checks) {
     checks.about(name);
     std::vector<std::string> overrides = graded("1e-6");
     overrides.emplace_back(setting);
-    check_estimate(checks,
-                   solve_file(SOURCE_DIR "/../../../prm/" + std::string(name) + ".prm", overrides));
+    check_estimate(checks, solve_file(SOURCE_DIR "/prm/" + std::string(name) + ".prm", overrides));
   }
 }
 

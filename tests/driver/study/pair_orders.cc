@@ -49,7 +49,7 @@ Field lifted(const std::string &p, const std::string &p_x, const std::string &p_
 
 /** Returns the field of prm/described_b1.prm. */
 Field singular() {
-  const Parameters file = read_parameters(SOURCE_DIR "/../../../prm/described_b1.prm", {});
+  const Parameters file = read_parameters(SOURCE_DIR "/prm/described_b1.prm", {});
   const auto parts = [](const std::string &text) { return split_list(text, ';'); };
   const std::string traction = file.boundary.traction.value;
   const auto u = parts(file.exact.displacement.value),

@@ -15,7 +15,7 @@ using namespace Signorini;
 using dealii::numbers::PI;
 
 namespace {
-const std::string folder = SOURCE_DIR "/../../../prm/bodies/";
+const std::string folder = SOURCE_DIR "/prm/bodies/";
 
 /** Two cylinders: the pressure of the middle patch, the half width, and how far the normals turn.
  */

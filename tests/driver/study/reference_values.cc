@@ -26,7 +26,7 @@ const std::vector<Reference> references = {
   {"two_sides", "0", 4, 9, 2.23083963816478, -2.9371927226528616, 5.83514119178593}};
 
 StudyResult<2> solve_run(const std::string &name, const std::vector<std::string> &overrides) {
-  return solve_file(SOURCE_DIR "/../runs/" + name + ".prm", overrides);
+  return solve_file(SOURCE_DIR "/tests/driver/runs/" + name + ".prm", overrides);
 }
 
 void compare(Checks &checks) {

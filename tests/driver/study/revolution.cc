@@ -195,7 +195,7 @@ void check_far_ring(Checks &checks) {
 /** Graded meshes against closed forms: Lame's hollow sphere, Hertz' contact and Boussinesq's punch.
  */
 void check_closed_forms(Checks &checks) {
-  const std::string folder = SOURCE_DIR "/../../../prm/revolution/";
+  const std::string folder = SOURCE_DIR "/prm/revolution/";
   checks.about("closed forms");
   const StudyResult<2> sphere = solve_file(folder + "thick_sphere.prm");
   checks.near("hollow sphere, p", sphere.levels.back().answer.peak_pressure->mean, 0.0125, 1e-7);

@@ -17,8 +17,7 @@ using Levels = std::vector<LevelRecord>;
 StudyResult<3> solve_prm(Checks &checks, const std::string &name,
                          const std::vector<std::string> &overrides = {}) {
   checks.about(name);
-  const StudyResult<3> result =
-    solve_file<3>(SOURCE_DIR "/../../../prm/space/" + name + ".prm", overrides);
+  const StudyResult<3> result = solve_file<3>(SOURCE_DIR "/prm/space/" + name + ".prm", overrides);
   checks.that("equations hold", result.verdict.equations_hold());
   return result;
 }

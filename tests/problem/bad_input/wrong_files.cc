@@ -166,7 +166,8 @@ void test_settings(Checks &checks, const Block &block) {
 }
 
 void test_table(Checks &checks) {
-  const std::vector<Block> table = read_table(SOURCE_DIR "/wrong_files.txt");
+  const std::vector<Block> table =
+    read_table(SOURCE_DIR "/tests/problem/bad_input/wrong_files.txt");
   for (const Block &block : table)
     if (block.text.empty())
       test_settings(checks, block);

@@ -7,7 +7,7 @@
 using namespace Signorini;
 
 namespace {
-const std::string files = SOURCE_DIR "/", parts = SOURCE_DIR "/../../../prm/parts/";
+const std::string files = SOURCE_DIR "/tests/problem/mesh_file/", parts = SOURCE_DIR "/prm/parts/";
 
 /** E3 of the catalogue on a mesh of the half disc from a file, which has as many cells as the
  * scene's on level 3, or a few less. */

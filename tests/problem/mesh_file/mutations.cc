@@ -49,7 +49,7 @@ bool is_judged(const std::string &text) {
 void test_mutations(Checks &checks) {
   std::mt19937 random(5);
   for (const std::string file : {"bracket_1.msh", "bracket_1_v4.msh", "bracket_2_v2.msh"}) {
-    const std::string text = file_text(SOURCE_DIR "/" + file);
+    const std::string text = file_text(SOURCE_DIR "/tests/problem/mesh_file/" + file);
     for (unsigned int i = 0; i < 1000; ++i)
       checks.that(file, is_judged(damage(text, random)));
   }

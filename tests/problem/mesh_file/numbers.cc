@@ -60,8 +60,8 @@ std::string text_of(const FileMesh &mesh) {
 
 void test_numbers(Checks &checks) {
   for (const std::string name : {"bracket", "plate_with_hole", "half_disc"})
-    for (const std::string &file :
-         {SOURCE_DIR "/../../../prm/parts/" + name + ".msh", SOURCE_DIR "/" + name + "_1.msh"}) {
+    for (const std::string &file : {SOURCE_DIR "/prm/parts/" + name + ".msh",
+                                    SOURCE_DIR "/tests/problem/mesh_file/" + name + "_1.msh"}) {
       const FileMesh mesh = read_gmsh(file_text(file), name);
       checks.that(file + ": other numbers", text_of(mesh) == text_of(shuffle(mesh)));
     }

@@ -15,7 +15,7 @@ using namespace Signorini;
 using dealii::numbers::PI;
 
 namespace {
-const std::string files = SOURCE_DIR "/", parts = SOURCE_DIR "/../../../prm/parts/";
+const std::string files = SOURCE_DIR "/tests/problem/mesh_file/", parts = SOURCE_DIR "/prm/parts/";
 
 Geometry<2> read(const std::string &file, const std::vector<std::string> &arcs = {}) {
   return make_geometry(read_gmsh(file_text(file), file), arcs, "arcs");
