@@ -318,32 +318,20 @@ std::array<double, max_legendre> AiryCell::load_integrals(const unsigned int d,
   return integrals;
 }
 
-LAPACKFullMatrix<double> AiryCell::load_products(const std::vector<Point<2>> &on_diagonals,
-                                                 const std::vector<double> &weights) const {
-  LAPACKFullMatrix<double> products(degree_ * (degree_ + 1) / 2, weights.size());
-  for (std::size_t p = 0; p < weights.size(); ++p) {
-    const double root = std::sqrt(weights[p]);
-    const auto X = load_values(0, on_diagonals[p][0]), Y = load_values(1, on_diagonals[p][1]);
-    unsigned int l = 0;
-    for (unsigned int i = 0; i < degree_; ++i)
-      for (unsigned int j = 0; i + j < degree_; ++j)
-        products(l++, p) = root * X[i] * Y[j];
-  }
-  return products;
-}
-
 void AiryCell::factorise_loads() {
-  std::vector<Point<2>> on_diagonals;
-  std::vector<double> weights;
+  LAPACKFullMatrix<double> rows(n_points(), degree_ * (degree_ + 1) / 2);
+  unsigned int p = 0;
   for (const auto &triangle : points_)
     for (const AiryPoint &point : triangle) {
-      on_diagonals.push_back(point.on_diagonals);
-      weights.push_back(point.weight);
+      const auto X = load_values(0, point.on_diagonals[0]),
+                 Y = load_values(1, point.on_diagonals[1]);
+      unsigned int l = 0;
+      for (unsigned int i = 0; i < degree_; ++i)
+        for (unsigned int j = 0; i + j < degree_; ++j)
+          rows(p, l++) = std::sqrt(point.weight) * X[i] * Y[j];
+      ++p;
     }
-  const LAPACKFullMatrix<double> products = load_products(on_diagonals, weights);
-  LAPACKFullMatrix<double> rows(products.n(), products.m());
-  products.transpose(rows);
-  load_factor_.reinit(products.m());
+  load_factor_.reinit(rows.n());
   write_factor(rows, load_factor_);
 }
 
@@ -351,27 +339,25 @@ PolynomialLoad AiryCell::project(const std::vector<Point<2>> &on_diagonals,
                                  const std::vector<double> &weights,
                                  const std::vector<Tensor<1, 2>> &force,
                                  double &rest_square) const {
-  const LAPACKFullMatrix<double> products = load_products(on_diagonals, weights);
-  // f' = F⁻¹ f in columns.
-  LAPACKFullMatrix<double> values(weights.size(), 2), coefficients(products.m(), 2),
-    projected(weights.size(), 2);
+  // Point by point: rules on pieces of a cell may have a million of them.
+  LAPACKFullMatrix<double> coefficients(load_factor_.m(), 2);
   for (std::size_t p = 0; p < weights.size(); ++p) {
-    const Tensor<1, 2> f = std::sqrt(weights[p]) * (inverse_ * force[p]);
-    for (unsigned int c = 0; c < 2; ++c)
-      values(p, c) = f[c];
+    const auto X = load_values(0, on_diagonals[p][0]), Y = load_values(1, on_diagonals[p][1]);
+    const Tensor<1, 2> f = weights[p] * (inverse_ * force[p]);
+    unsigned int l = 0;
+    for (unsigned int i = 0; i < degree_; ++i)
+      for (unsigned int j = 0; i + j < degree_; ++j, ++l)
+        for (unsigned int c = 0; c < 2; ++c)
+          coefficients(l, c) += X[i] * Y[j] * f[c];
   }
-  products.mmult(coefficients, values);
   load_factor_.solve(coefficients, true);
   load_factor_.solve(coefficients);
-  products.Tmmult(projected, coefficients);
+  PolynomialLoad load;
+  for (unsigned int l = 0; l < coefficients.m(); ++l)
+    load.emplace_back(Tensor<1, 2>({coefficients(l, 0), coefficients(l, 1)}));
   rest_square = 0.;
   for (std::size_t p = 0; p < weights.size(); ++p)
-    rest_square +=
-      (F_ * Tensor<1, 2>({values(p, 0) - projected(p, 0), values(p, 1) - projected(p, 1)}))
-        .norm_square();
-  PolynomialLoad load;
-  for (unsigned int l = 0; l < products.m(); ++l)
-    load.emplace_back(Tensor<1, 2>({coefficients(l, 0), coefficients(l, 1)}));
+    rest_square += weights[p] * (force[p] - value(load, on_diagonals[p])).norm_square();
   return load;
 }
 

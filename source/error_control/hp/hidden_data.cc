@@ -50,11 +50,13 @@ double jump_share(const Material<2> &material, const Triangulation<2>::active_ce
 }
 
 /** Returns whether data of the body or of a side hides in a cell. A few boxes hide nothing from
- * elements of higher degree. */
+ * elements of higher degree. Where none of the smallest boxes shows its data, small cells would not
+ * either. */
 bool is_rough(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell) {
   constexpr unsigned int few = 6;
   for (const Kinks<2> *const kinks : {&scene.kinks, &scene.law_kinks})
-    if (kinks->boxes().divides(cell->bounding_box(), few))
+    if (kinks->boxes().divides(cell->bounding_box(), few) &&
+        kinks->boxes().shows_some(cell->bounding_box()))
       return true;
   for (const auto &face : cell->face_iterators())
     if (face->at_boundary() && scene.kinks.has_breaks(face->vertex(0), face->vertex(1)))
@@ -64,7 +66,7 @@ bool is_rough(const Scene<2> &scene, const Triangulation<2>::active_cell_iterato
 } // namespace
 
 void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan) {
-  constexpr unsigned int max_splits = 6, max_split_cells = 2000;
+  constexpr unsigned int max_splits = 6, max_split_cells = 800;
   unsigned int n_split = 0;
   const Mesh<2> mesh(
     scene.geometry, plan.base_level, plan.lines,

@@ -25,6 +25,14 @@ unsigned int next_direction(const Open &open, const std::array<bool, 2> &wanted,
       found = d;
   return found;
 }
+
+/** Returns whether the interior of a box meets the part before and the one behind a line. */
+std::array<bool, 2> halves_met(const KinkLine<2> &line, const BoundingBox<2> &box) {
+  const unsigned int d = line.normal[0] == 0. ? 1 : 0;
+  const double margin = 1e-10 * box.side_length(d);
+  return {
+    {box.lower_bound(d) < line.position - margin, box.upper_bound(d) > line.position + margin}};
+}
 } // namespace
 
 BoxTree::BoxTree(const BoundingBox<2> &body, const Look &look, const unsigned int max_looks) {
@@ -73,13 +81,18 @@ bool BoxTree::divides(const BoundingBox<2> &box, const unsigned int skipped,
   const auto &[line, parts, is_asked_for, is_rough] = nodes_[node];
   if (parts == 0)
     return false;
-  const unsigned int d = line.normal[0] == 0. ? 1 : 0;
-  const double margin = 1e-10 * box.side_length(d);
-  const bool before =
-    box.lower_bound(d)<line.position - margin, behind = box.upper_bound(d)> line.position + margin;
+  const auto [before, behind] = halves_met(line, box);
   if (before && behind && is_asked_for && skipped == 0)
     return true;
   const unsigned int rest = is_asked_for && skipped > 0 ? skipped - 1 : skipped;
   return (before && divides(box, rest, parts)) || (behind && divides(box, rest, parts + 1));
+}
+
+bool BoxTree::shows_some(const BoundingBox<2> &box, const unsigned int node) const {
+  const auto &[line, parts, is_asked_for, is_rough] = nodes_[node];
+  if (parts == 0)
+    return !is_rough;
+  const auto [before, behind] = halves_met(line, box);
+  return (before && shows_some(box, parts)) || (behind && shows_some(box, parts + 1));
 }
 } // namespace Signorini

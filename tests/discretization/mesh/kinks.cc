@@ -133,6 +133,19 @@ void test_ends(Checks &checks) {
                 !needs_cuts<2>(without_contact, near));
 }
 
+/** A comb: contact ends at few of its lines, and rules are graded to none. */
+void test_comb(Checks &checks) {
+  const Geometry<2> geometry = make_rectangle(Point(0., 0.), Point(1., 1.), {4, 4});
+  std::vector<double> positions;
+  for (unsigned int i = 0; i < 40; ++i)
+    positions.push_back((i + 0.5) / 40.);
+  Kinks<2> kinks(lines(positions, {}));
+  kinks.add_ends_on(geometry.sides[2]);
+  const auto mesh = mesh_of(geometry);
+  checks.between("comb: points in a cell",
+                 cut_quadrature(kinks, mesh.begin_active(), 4).size() / 11., 16., 36.);
+}
+
 /** The rules of all cells of a pentagon on the side from (0, 0) to (2, 0), where each line ends:
  * they hold the area 2.25 and the integrals of polynomials, for lines anywhere, through vertices,
  * almost so, and along edges. */
@@ -233,6 +246,6 @@ void test_sides(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests(
-    {test_quadrilateral, test_mesh, test_ends, test_many_ends, test_segments, test_sides});
+  return run_tests({test_quadrilateral, test_mesh, test_ends, test_comb, test_many_ends,
+                    test_segments, test_sides});
 }

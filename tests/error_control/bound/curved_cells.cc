@@ -5,6 +5,8 @@
 #include <signorini/error_control/equilibration/airy_cell.h>
 #include <signorini/error_control/loads/triangle_parts.h>
 
+#include <deal.II/base/utilities.h>
+
 #include <cmath>
 #include <complex>
 
@@ -55,6 +57,24 @@ AiryCell make_cell(const CellShape &shape, const unsigned int degree) {
         add(k, point_of(shape.triangle(k), rule.point(q)) - shape.crossing,
             rule.weight(q) * twice_area(shape.triangle(k)));
   return AiryCell(shape, degree, std::move(points));
+}
+
+/** A load at half a million points, as on the pieces of a comb, takes the memory of the points. */
+void many_points(Checks &checks) {
+  constexpr unsigned int n = 500000;
+  const AiryCell cell = make_cell(polar_cell(0.5, 1., 1., 0., false, false), 11);
+  const std::vector<Point<2>> points(n, Point<2>(0.1, 0.2));
+  const std::vector<double> weights(n, 1. / n);
+  const std::vector<Tensor<1, 2>> force(n, Tensor<1, 2>({1., 0.}));
+  const auto peak = [] {
+    Utilities::System::MemoryStats memory;
+    Utilities::System::get_memory_stats(memory);
+    return memory.VmHWM / 1024.;
+  };
+  const double before = peak();
+  double rest = 0.;
+  cell.project(points, weights, force, rest);
+  checks.between("MB that a load at many points takes", peak() - before, 0., 20.);
 }
 
 /** Returns P S P, where P projects onto the traces in balance that no lift changes. */
@@ -127,5 +147,5 @@ void curved_cells(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {curved_cells});
+  return run_tests(argc, argv, {many_points, curved_cells});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Meshes from plans: their sizes, degrees and lines.
 
+#include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/error_control/hp/next_plan.h>
 
 #include <algorithm>
@@ -151,8 +152,27 @@ void lines(Checks &checks) {
   checks.near("lines of the body", n_lines("Contact/Friction bound = 1\nLoad/Body force = 0;"), 2,
               0.);
 }
+/** Returns the number of cells of the first mesh that are split for a modulus. */
+std::size_t n_split_for(const std::string &modulus) {
+  const Scene<2> scene =
+    scene_of(square + "Material/Young's modulus = " + modulus + " ? 100 : 1\n");
+  MeshPlan plan = uniform_plan(3, 2);
+  resolve_hidden_data(scene, plan);
+  return plan.demands.size();
+}
+
+/** No cell is split for moduli that no box shows, nor more than a bound can afford for others;
+ * along a curve small cells help. */
+void hidden_data(Checks &checks) {
+  checks.near("splits where no box shows the moduli", n_split_for("cos(6000*pi*x) < 0"), 0, 0.);
+  checks.between("splits around a strip in which no box does",
+                 n_split_for("cos(6000*pi*x) < 0 && x > 0.3"), 0, 600);
+  checks.between("splits along a circle", n_split_for("(x - 0.4)^2 + (y - 0.5)^2 < 0.04"), 200,
+                 800);
+  checks.between("splits along many curves", n_split_for("sin(40*x*y) < 0"), 200, 800);
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {layers, degrees, demands, touching, lines});
+  return run_tests(argc, argv, {layers, degrees, demands, touching, lines, hidden_data});
 }

@@ -127,9 +127,6 @@ private:
   Components stress(const PolynomialLoad &load, const Point<2> &at) const;
   /** Returns Λ_i at X or Y. */
   std::array<double, max_legendre> load_values(unsigned int d, double at) const;
-  /** Returns w^{1/2} Λ_i(X) Λ_j(Y), i + j < q (rows), at points (columns). */
-  LAPACKFullMatrix<double> load_products(const std::vector<Point<2>> &on_diagonals,
-                                         const std::vector<double> &weights) const;
   /** Returns the integrals of Λ_i from zero to X or Y. */
   std::array<double, max_legendre> load_integrals(unsigned int d, double at) const;
   /** A point of a rule on an edge: each trace with the factors that stresses have in it. */

@@ -65,6 +65,9 @@ public:
   /** Returns whether the data asks for a line through the interior of a box. @param skipped the
    * number of halvings that do not count. */
   bool divides(const BoundingBox<2> &box, unsigned int skipped = 0, unsigned int node = 0) const;
+  /** Returns whether a few points show what data does in one of the smallest boxes that meet a
+   * box. */
+  bool shows_some(const BoundingBox<2> &box, unsigned int node = 0) const;
 
 private:
   /** Joins halves that nobody asked for. @return whether one of the parts was asked for. */
