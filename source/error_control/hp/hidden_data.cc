@@ -66,7 +66,7 @@ bool is_rough(const Scene<2> &scene, const Triangulation<2>::active_cell_iterato
 } // namespace
 
 void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan) {
-  constexpr unsigned int max_splits = 6, max_split_cells = 800;
+  constexpr unsigned int max_splits = 6, max_split_cells = 2000;
   unsigned int n_split = 0;
   const Mesh<2> mesh(
     scene.geometry, plan.base_level, plan.lines,

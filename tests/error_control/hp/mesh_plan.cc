@@ -161,8 +161,7 @@ std::size_t n_split_for(const std::string &modulus) {
   return plan.demands.size();
 }
 
-/** No cell is split for moduli that no box shows, nor more than a bound can afford for others;
- * along a curve small cells help. */
+/** No cell is split for moduli that no box shows; along a curve small cells help. */
 void hidden_data(Checks &checks) {
   checks.near("splits where no box shows the moduli", n_split_for("cos(6000*pi*x) < 0"), 0, 0.);
   checks.between("splits around a strip in which no box does",
