@@ -101,8 +101,9 @@ void add_guaranteed(const BoundData &data, const BestStress &best, const Contact
   const auto &[stress, stress_data] = best;
   const auto &J = stress_data.complementary_energy;
   const double work = lift.trace.work_of_penetration(),
-               unseen = unseen_load(data.scene) * data.U.linfty_norm();
-  Consequences consequences(J ? Bracket{J->lower + work - unseen, J->upper + work + unseen}
+               unseen = unseen_load(data.scene) * data.U.linfty_norm(),
+               around = unseen + 1e-12 * scale * scale; // with rounding
+  Consequences consequences(J ? Bracket{J->lower + work - around, J->upper + work + around}
                               : Bracket{0., 0.},
                             stress_data.square, *lift.bound);
   if (const auto &post = stress_data.interpolated_part) {

@@ -28,10 +28,15 @@ Displacement interpolate(const RigidMotion &motion, const DisplacementSpace<2> &
 Displacement lift(const FreeMotion &motion, const DisplacementSpace<2> &space,
                   const Scene<2> &scene) {
   Displacement k = space.prescribed(with_only_plates_moved(scene, motion.plates));
-  if (motion.rigid)
+  if (motion.rigid) {
+    Displacement of_pins = space.zero();
     for (const auto &pin : space.pins())
-      if (k.in_local_range(pin.dof))
-        k(pin.dof) = motion.rigid->bodies[pin.body].velocity(pin.node)[pin.component];
+      if (of_pins.in_local_range(pin.dof))
+        of_pins(pin.dof) = motion.rigid->bodies[pin.body].velocity(pin.node)[pin.component];
+    // Hanging nodes may follow a pin.
+    space.distribute_without_pins(of_pins);
+    k += of_pins;
+  }
   k.update_ghost_values();
   return k;
 }

@@ -2,6 +2,8 @@
 // Answers of graded meshes without an exact solution: they lie in what nested levels guarantee, are
 // found where the first mesh misses the contact, and are not claimed where unknowns run out.
 
+#include <deal.II/base/numbers.h>
+
 #include "graded_steps.h"
 #include "tests.h"
 
@@ -140,10 +142,26 @@ void check_load_cases(Checks &checks) {
   check("A case that touches as the scene does",
         with_cases("0.1", "shift y -0.002 to 0 in 2 cases", graded("1e-3")), 1e-6, 1e-2, true);
 }
+
+/** A half disc that turns about its centre on its rollers, until its flat side presses. Its pin is
+ * a node that hanging nodes follow. Rollers have no moment about the centre, so that contact has
+ * that of the load, -int y f_x = -0.01 int y^2 = -0.01 pi/8, turned round. */
+void check_rollers_on_an_arc(Checks &checks) {
+  const StudyResult<2> result = solve("Geometry/Shape = half disc\nBoundary/Rollers = arc\n"
+                                      "Boundary/Contact = flat\nLoad/Body force = 0.01*y; -0.1\n",
+                                      graded("1e-3"));
+  checks.about("Rollers on an arc");
+  checks.that("certified", result.verdict.is_certified());
+  checks.near("moment of contact",
+              result.levels.back().answer.contact_force.resultant.moment[0] /
+                (0.01 * dealii::numbers::PI / 8.),
+              1., 1e-6);
+}
 } // namespace
 
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {check_agreement, check_missed_contact, check_body_at_rest,
-                    check_too_few_unknowns, check_moduli_on_a_curve, check_load_cases});
+                    check_too_few_unknowns, check_moduli_on_a_curve, check_load_cases,
+                    check_rollers_on_an_arc});
 }
