@@ -102,7 +102,7 @@ void add_guaranteed(const BoundData &data, const BestStress &best, const Contact
   const auto &J = stress_data.complementary_energy;
   const double work = lift.trace.work_of_penetration(),
                unseen = unseen_load(data.scene) * data.U.linfty_norm(),
-               around = unseen + 1e-12 * scale * scale; // with rounding
+               around = unseen + 2e-13 * scale * scale; // with rounding
   Consequences consequences(J ? Bracket{J->lower + work - around, J->upper + work + around}
                               : Bracket{0., 0.},
                             stress_data.square, *lift.bound);
