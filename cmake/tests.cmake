@@ -13,8 +13,8 @@ function(signorini_test_executable group)
     string(APPEND declarations "int run_test_${name}(int, char **);\n")
     string(APPEND calls "  if (name == \"${CMAKE_MATCH_1}/${CMAKE_MATCH_2}\")\n"
                         "    return run_test_${name}(argc - 1, argv + 1);\n")
-    list(APPEND folders ${source})
-    list(TRANSFORM folders REPLACE "/[^/]+\\.cc$" "")
+    get_filename_component(folder ${source} DIRECTORY)
+    list(APPEND folders ${folder})
   endforeach()
   set(main ${CMAKE_CURRENT_BINARY_DIR}/joined/${group}_main.cc)
   file(CONFIGURE OUTPUT ${main} @ONLY CONTENT [[

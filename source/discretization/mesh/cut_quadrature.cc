@@ -152,8 +152,8 @@ double jacobian(const Triangulation<2>::cell_iterator &cell, const Point<2> &xi)
 }
 
 /** Returns the possible ends of contact zones that are near the cell, measured by its diameter.
- * Contact ends at few of the lines of a comb, and rules that are graded to all of them would have a
- * million points: there it is none. */
+ * Returns none where there are many, as in a comb of lines: contact ends at few of them, and a rule
+ * that is graded to all of them would have a million points. */
 template <int dim>
 std::vector<Point<dim>> ends_near(const Kinks<dim> &kinks,
                                   const typename Triangulation<dim>::cell_iterator &cell) {

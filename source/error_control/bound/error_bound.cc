@@ -102,8 +102,8 @@ void add_guaranteed(const BoundData &data, const BestStress &best, const Contact
   const auto &J = stress_data.complementary_energy;
   const double work = lift.trace.work_of_penetration(),
                unseen = unseen_load(data.scene) * data.U.linfty_norm(),
-               around = unseen + 2e-13 * scale * scale; // with rounding
-  Consequences consequences(J ? Bracket{J->lower + work - around, J->upper + work + around}
+               margin = unseen + 2e-13 * scale * scale; // and rounding
+  Consequences consequences(J ? Bracket{J->lower + work - margin, J->upper + work + margin}
                               : Bracket{0., 0.},
                             stress_data.square, *lift.bound);
   if (const auto &post = stress_data.interpolated_part) {
