@@ -3,6 +3,8 @@
 
 #include <signorini/results/files/matrix_market.h>
 
+#include <Epetra_CrsMatrix.h>
+
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
@@ -30,11 +32,18 @@ void write_matrix_market(std::ostream &stream, const FullMatrix<double> &matrix,
 std::string lower_triangle(const TrilinosWrappers::SparseMatrix &matrix, const double factor) {
   std::ostringstream lines;
   lines << std::setprecision(17);
-  const auto [first, end] = matrix.local_range();
-  for (auto row = first; row < end; ++row)
-    for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
-      if (entry->column() <= row && entry->value() != 0.)
-        lines << row + 1 << " " << entry->column() + 1 << " " << factor * entry->value() << "\n";
+  // deal.II's iterators copy a row for each of its entries.
+  const Epetra_CrsMatrix &A = matrix.trilinos_matrix();
+  for (int row = 0; row < A.NumMyRows(); ++row) {
+    int n_entries = 0;
+    double *values = nullptr;
+    int *columns = nullptr;
+    A.ExtractMyRowView(row, n_entries, values, columns);
+    for (int k = 0; k < n_entries; ++k)
+      if (A.GCID64(columns[k]) <= A.GRID64(row) && values[k] != 0.)
+        lines << A.GRID64(row) + 1 << " " << A.GCID64(columns[k]) + 1 << " " << factor * values[k]
+              << "\n";
+  }
   return lines.str();
 }
 
