@@ -187,8 +187,12 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
   if (!held.empty()) {
     Vector F = nodes.E.transpose_product(solve_homogeneous(data.inverse, data.space, forces));
     F -= required;
+    // Any w is admissible that is raised afterwards: where nodes lie so close that their compliance
+    // is singular, a few sweeps have to do.
+    DualSolverOptions options;
+    options.maximum_iterations = 300;
     Vector minus_Q = solve_dual_problem(make_compliance(data.inverse, nodes.E), F,
-                                        AdmissibleSet(intervals), start, {})
+                                        AdmissibleSet(intervals), start, options)
                        .P;
     minus_Q *= -1.;
     for (unsigned int i = 0; i < F.size(); ++i)

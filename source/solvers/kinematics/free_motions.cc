@@ -198,9 +198,12 @@ Vector balance_in_intervals(const Matrix &projector, const AdmissibleSet &K, Bal
   const unsigned int m = balances.P.size();
   Matrix C(m, m);
   C.triple_product(projector, balances.B, balances.B, false, true);
-  C.diagadd(small * C.trace());
   Vector F(m), left(balances.size()), rest(balances.b);
   projector.vmult(left, balances.b);
+  // Where the stiffness resists all motions, contact has nothing to balance.
+  if (C.trace() == 0.)
+    return left;
+  C.diagadd(small * C.trace());
   balances.B.vmult(F, left);
   F *= -1.;
   balances.P = solve_by_active_set({std::make_shared<const DenseCompliance>(C), F, K}, {}, {}).P;

@@ -157,11 +157,26 @@ void check_rollers_on_an_arc(Checks &checks) {
                 (0.01 * dealii::numbers::PI / 8.),
               1., 1e-6);
 }
+
+/** A force presses a plate towards the foundation of the contact side beside it: no displacement of
+ * finite energy has u_n <= 0 on one side of the corner and u_n = travel on the other. The run says
+ * so on a mesh whose equations are solved. */
+void check_plate_into_the_foundation(Checks &checks) {
+  const StudyResult<2> result = solve("Boundary/Contact = bottom\nBoundary/Plates = right: 0, -1\n"
+                                      "Load/Plate force = right: 0.02\nContact/Friction = coulomb\n"
+                                      "Contact/Friction coefficient = 0.2\n",
+                                      graded("0.01"));
+  checks.about("Plate into the foundation");
+  checks.that("not resolved", result.verdict.outcome == Outcome::not_resolved);
+  checks.that("few steps", result.levels.size() <= 4);
+  checks.that("reason",
+              result.verdict.reason.find("no displacement of finite energy") != std::string::npos);
+}
 } // namespace
 
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {check_agreement, check_missed_contact, check_body_at_rest,
                     check_too_few_unknowns, check_moduli_on_a_curve, check_load_cases,
-                    check_rollers_on_an_arc});
+                    check_rollers_on_an_arc, check_plate_into_the_foundation});
 }

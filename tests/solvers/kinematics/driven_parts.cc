@@ -317,6 +317,18 @@ void test_interference(Checks &checks) {
  * in its place. */
 void test_rotation_of_a_ring(Checks &checks) {
   const double weight = 0.01 * 0.75 * std::acos(-1.);
+  checks.about("ring that sticks");
+  const double gap = 0.001;
+  const StudyResult<2> sticking =
+    solve("Geometry/Shape = ring\nBoundary/Rollers = inner\nBoundary/Contact = outer\n"
+          "Load/Body force = 0; -0.01\nContact/Friction = tresca\nContact/Friction bound = 1e3\n" +
+            entry("Contact", "Gap", std::to_string(gap)),
+          levels(2, 3));
+  checks.that("verdict", sticking.verdict.outcome == Outcome::equations_certified);
+  const Answer &stuck = sticking.levels.back().answer;
+  checks.near("weight",
+              stuck.contact_force.resultant.force[1] + stuck.reactions.at(0).resultant.force[1],
+              weight, 1e-3 * weight);
   for (const std::string rollers : {"inner", "outer"})
     for (const std::string centre : {"0, 0", "0.1, 0.2"}) {
       checks.about("ring, rollers " + rollers);
