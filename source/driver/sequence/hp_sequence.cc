@@ -83,7 +83,7 @@ public:
     progress("estimate");
     StepFindings findings = examine(discretization, solution);
     progress("errors");
-    add_errors<2>(parameters, context_.scene, discretization, nullptr, solution);
+    add_errors<2>(parameters, scene_, discretization, nullptr, solution);
     last_ = {next_, solution.contact.U, solution.contact.P};
     result.is_last = finish(problem, discretization, progress, findings, solution);
     ++n_steps_;
@@ -210,7 +210,6 @@ private:
   }
 
   StudyContext<2> context_;
-  /** The scene for everything but the errors against an exact solution. */
   Scene<2> scene_;
   StepExamination examination_;
   MeshPlan plan_;
