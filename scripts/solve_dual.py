@@ -11,11 +11,17 @@ if len(sys.argv) != 3 or not sys.argv[2].isdigit():
     print(__doc__, file=sys.stdout if asks else sys.stderr)
     sys.exit(0 if asks else 2)
 
-import numpy
-from scipy.io import mmread
-from scipy.linalg import cholesky, solve_triangular
-from scipy.optimize import nnls
-from scipy.sparse.linalg import splu
+try:
+    import numpy
+    from scipy.io import mmread
+    from scipy.linalg import cholesky, solve_triangular
+    from scipy.optimize import nnls
+    from scipy.sparse.linalg import splu
+except ImportError:  # the python3 found first may be another one than Debian's, which has the package
+    debian = "/usr/bin/python3"
+    if os.path.exists(debian) and sys.executable != debian:
+        os.execv(debian, [debian, *sys.argv])
+    sys.exit("solve_dual.py: SciPy is missing; install it (the package python3-scipy in Debian).")
 
 results, level = sys.argv[1], int(sys.argv[2])
 
