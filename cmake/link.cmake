@@ -22,7 +22,7 @@ if(EXISTS "${DEAL_II_TARGET_CONFIG}")
     list(FILTER _named EXCLUDE REGEX "^/.*\\.so[.0-9]*$")
     set(_files ${_libraries})
     list(FILTER _files INCLUDE REGEX
-      "^/.*/lib(tbb|lapack|blas|trilinos_epetra|trilinos_teuchos[a-z]*|boost_[a-z]*|petsc|mpi|z)[^/a-z]*\\.so[.0-9]*$")
+      "^/.*/lib(tbb|lapack|blas|trilinos_amesos|trilinos_epetra|trilinos_teuchos[a-z]*|boost_[a-z]*|petsc|mpi|z)[^/a-z]*\\.so[.0-9]*$")
     if(SIGNORINI_SHORT_LINK)
       set_target_properties(${_target} PROPERTIES INTERFACE_LINK_LIBRARIES "${_files};${_named}")
     endif()

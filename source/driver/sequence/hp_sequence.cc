@@ -9,7 +9,6 @@
 #include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/error_control/hp/step_examination.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
-#include <signorini/problem/scene/contradictions.h>
 
 #include <cmath>
 
@@ -98,8 +97,8 @@ private:
     const LevelRecord &record = solution.record;
     const Judge &judge = context_.judge;
     // Where the contact solver did not converge, there is no solution to plan a mesh from.
-    const bool fails =
-      !record.dual.converged || examination_.stagnates() || plates_penetrate(solution.scene);
+    const bool fails = !record.dual.converged || examination_.stagnates() ||
+                       examination_.plates_penetrate(solution.scene);
     const bool may_suffice = !fails && judge.reaches_target(record);
     if (may_suffice)
       finish_level(problem, discretization, true, progress, solution);
@@ -117,16 +116,6 @@ private:
 
   std::shared_ptr<const Discretization<2>> make_discretization() const {
     return std::make_shared<const Discretization<2>>(context_.parameters, scene_, plan_);
-  }
-
-  /** Returns whether forces press a plate into the foundation at a corner of a contact side, as
-   * they do on every mesh: no displacement of finite energy is there to converge to.
-   * @param scene with the plates where they have moved. */
-  bool plates_penetrate(Scene<2> scene) const {
-    constexpr unsigned int patience = 3;
-    // What is left of a plate are the displacements of its side.
-    scene.plates.clear();
-    return n_steps_ >= patience && !find_contradiction(scene).empty();
   }
 
   /** Returns whether the error is not half of what it was two steps before, since a bound has

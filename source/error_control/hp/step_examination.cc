@@ -8,6 +8,7 @@
 #include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/error_control/hp/step_examination.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
+#include <signorini/problem/scene/contradictions.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
@@ -208,5 +209,12 @@ StepFindings StepExamination::examine(const Discretization<2> &discretization,
     scale.norm < findings.scale && error <= rounding_of_rigid_motions * findings.scale;
   findings.error = is_rigid ? 0. : error;
   return findings;
+}
+
+bool StepExamination::plates_penetrate(Scene<2> scene) const {
+  constexpr unsigned int patience = 3;
+  // What is left of a plate are the displacements of its side.
+  scene.plates.clear();
+  return history_.n_steps() > patience && !find_contradiction(scene).empty();
 }
 } // namespace Signorini

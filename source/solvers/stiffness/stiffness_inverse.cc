@@ -7,11 +7,12 @@
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/trilinos_solver.h>
+#include <deal.II/lac/trilinos_sparse_matrix.h>
 
+#include <Amesos.h>
 #include <Epetra_CrsMatrix.h>
 #include <Epetra_Import.h>
+#include <Epetra_LinearProblem.h>
 #include <Epetra_Vector.h>
 
 #include <algorithm>
@@ -76,32 +77,51 @@ StiffnessInverse::Vector diagonal_of(const TrilinosWrappers::SparseMatrix &matri
   return diagonal;
 }
 
-/** The inverse by KLU (gathers the matrix on one rank) or MUMPS (distributed), through Amesos. */
+/** The inverse by KLU (gathers the matrix on one rank) or MUMPS (distributed), through Amesos:
+ * deal.II's class takes one right-hand side at a time, of which KLU solves four in the time of one.
+ */
 class AmesosInverse final : public MatrixInverse {
 public:
   AmesosInverse(const TrilinosWrappers::SparseMatrix &matrix, const double unit,
                 const char *const type, const unsigned int n_threads)
     : MatrixInverse(matrix, unit)
-    , n_threads_(n_threads)
-    , solver_(control_, TrilinosWrappers::SolverDirect::AdditionalData(false, type)) {
+    , matrix_(matrix.trilinos_matrix())
+    , n_threads_(n_threads) {
+    problem_.SetOperator(const_cast<Epetra_CrsMatrix *>(&matrix_));
+    solver_.reset(Amesos().Create(type, problem_));
     const LibraryThreads threads(n_threads_);
     call_solver("The factorisation of the stiffness matrix by " + std::string(type) + " failed",
-                [&]() { solver_.initialize(matrix); });
+                [&]() {
+                  succeed(solver_->SymbolicFactorization());
+                  succeed(solver_->NumericFactorization());
+                });
     refuse_singular_matrix();
   }
 
 private:
-  void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override {
-    const LibraryThreads threads(n_threads_);
-    call_solver("A linear solve failed", [&]() {
-      for (std::size_t k = 0; k < x.size(); ++k)
-        solver_.solve(x[k], b[k]);
-    });
+  static void succeed(const int error) {
+    AssertThrow(error == 0, ExcTrilinosError(error));
   }
 
+  void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override {
+    const auto n = static_cast<int>(x.size());
+    if (n == 0)
+      return;
+    Epetra_MultiVector X(matrix_.DomainMap(), n), B(matrix_.RangeMap(), n);
+    for (int k = 0; k < n; ++k)
+      std::copy(b[k].begin(), b[k].end(), B[k]);
+    problem_.SetLHS(&X);
+    problem_.SetRHS(&B);
+    const LibraryThreads threads(n_threads_);
+    call_solver("A linear solve failed", [&]() { succeed(solver_->Solve()); });
+    for (int k = 0; k < n; ++k)
+      std::copy_n(X[k], x[k].locally_owned_size(), x[k].begin());
+  }
+
+  const Epetra_CrsMatrix &matrix_;
   unsigned int n_threads_;
-  mutable SolverControl control_;
-  mutable TrilinosWrappers::SolverDirect solver_;
+  mutable Epetra_LinearProblem problem_;
+  std::unique_ptr<Amesos_BaseSolver> solver_;
 };
 } // namespace
 

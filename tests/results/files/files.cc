@@ -40,8 +40,7 @@ void matrix_market(Checks &checks) {
   matrix(1, 1) = 1e-20;
   write_matrix_market(dense, matrix, true);
   checks.that("a symmetric matrix, its lower triangle only",
-              dense.str() ==
-                banner + "array real symmetric\n2 2\n" + third + "\n-2\n1e-20\n");
+              dense.str() == banner + "array real symmetric\n2 2\n" + third + "\n-2\n1e-20\n");
   dealii::FullMatrix<double> vector(2, 1);
   vector(1, 0) = 1. / 3.;
   checks.that("a vector",
