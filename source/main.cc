@@ -41,7 +41,7 @@ RunSummary run_file(const CommandLine &command_line, const std::size_t i, MPI_Co
                     Screen &screen) {
   return tell_errors(screen, [&]() {
     RunInput input = read_input(command_line.parameter_files[i], command_line.overrides,
-                                command_line.directories[i], communicator, screen);
+                                command_line.directories[i], communicator);
     input.others.assign(command_line.parameter_files.begin() + i + 1,
                         command_line.parameter_files.end());
     input.only_show = command_line.check;
@@ -57,9 +57,11 @@ RunSummary run_file(const CommandLine &command_line, const std::size_t i, MPI_Co
 int run(CommandLine command_line, MPI_Comm communicator) {
   Screen screen(communicator, command_line.quiet);
   const std::string others = share_command_line(command_line, communicator);
-  if (!others.empty())
+  if (!others.empty()) {
     screen.complain("another command line was given to " + others +
-                    " than to the first rank, whose command line all of them use.");
+                    " than to the first rank, allowed: the same for all.");
+    return 1;
+  }
   int code = 0;
   std::vector<RunSummary> summaries;
   for (std::size_t i = 0; i < command_line.parameter_files.size(); ++i) {

@@ -63,14 +63,20 @@ std::string name_file(const std::string &message, const std::string &file_name) 
   return named ? message : file_name + ": " + message;
 }
 
-/** Returns the names of the ranks that read another text from a file than the first rank, on
- * several machines. Ranks that cannot read it are left out. Collective. */
-std::string ranks_with_another(const std::string &file_name, MPI_Comm communicator) {
+/** Refuses a file of which ranks, on several machines, have another version than the first rank.
+ * Ranks that cannot read it are left out. Collective. @throws InputError if there are such ranks.
+ */
+void require_one_version(const std::string &name, const std::string &file_name,
+                         MPI_Comm communicator) {
   std::ifstream file(file_name, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const std::size_t digest = file.is_open() ? std::hash<std::string>()(text) : 0;
   const std::size_t of_first = Utilities::MPI::broadcast(communicator, digest);
-  return list_ranks(communicator, digest != of_first && digest != 0 && of_first != 0);
+  const std::string others =
+    list_ranks(communicator, digest != of_first && digest != 0 && of_first != 0);
+  if (!others.empty())
+    throw InputError(name + ": found another text on " + others +
+                     " than on the first rank, allowed: the same file for all.");
 }
 
 /** Returns the text without the comments in front, in which a run describes its scene. */
@@ -185,18 +191,14 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
 } // namespace
 
 RunInput read_input(const std::string &file_name, const std::vector<std::string> &overrides,
-                    const std::filesystem::path &directory, MPI_Comm communicator,
-                    const Screen &screen) {
+                    const std::filesystem::path &directory, MPI_Comm communicator) {
   RunInput input = {file_name, shorten_path(file_name), "", overrides, directory, false, {}};
   agree(communicator, [&]() {
     if (is_first_rank(communicator))
       input.text = read_text_file(file_name);
   });
   input.text = Utilities::MPI::broadcast(communicator, input.text);
-  const std::string others = ranks_with_another(file_name, communicator);
-  if (!others.empty())
-    screen.complain(input.name + ": another text is found on " + others +
-                    " than on the first rank, whose text all of them use.");
+  require_one_version(input.name, file_name, communicator);
   return input;
 }
 

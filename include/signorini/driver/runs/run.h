@@ -60,12 +60,11 @@ struct RunSummary {
 };
 
 /**
- * Reads a parameter file on the first rank, for all ranks. The screen names the ranks on which the
- * file has another text. Collective. @throws InputError
+ * Reads a parameter file on the first rank, for all ranks. Collective. @throws InputError, also
+ * where the file has another text on another rank.
  */
 RunInput read_input(const std::string &file_name, const std::vector<std::string> &overrides,
-                    const std::filesystem::path &directory, MPI_Comm communicator,
-                    const Screen &screen);
+                    const std::filesystem::path &directory, MPI_Comm communicator);
 
 /** Calls run(). An InputError, a ComputationError or a WritingError is printed on the screen, and
  * the summary of the run that it ended is returned. */
