@@ -63,8 +63,8 @@ std::string name_file(const std::string &message, const std::string &file_name) 
   return named ? message : file_name + ": " + message;
 }
 
-/** Refuses a file of which ranks, on several machines, have another version than the first rank.
- * Ranks that cannot read it are left out. Collective. @throws InputError if there are such ranks.
+/** Refuses a file that differs between ranks, which may run on several machines. Ranks that cannot
+ * read it are left out. Collective. @throws InputError if there are such ranks.
  */
 void require_one_version(const std::string &name, const std::string &file_name,
                          MPI_Comm communicator) {
@@ -75,8 +75,8 @@ void require_one_version(const std::string &name, const std::string &file_name,
   const std::string others =
     list_ranks(communicator, digest != of_first && digest != 0 && of_first != 0);
   if (!others.empty())
-    throw InputError(name + ": found another text on " + others +
-                     " than on the first rank, allowed: the same file for all.");
+    throw input_error(name, ": found another text on ", others,
+                      " than on the first rank, allowed: the same file for all.");
 }
 
 /** Returns the text without the comments in front, in which a run describes its scene. */

@@ -77,9 +77,8 @@ StiffnessInverse::Vector diagonal_of(const TrilinosWrappers::SparseMatrix &matri
   return diagonal;
 }
 
-/** The inverse by KLU (gathers the matrix on one rank) or MUMPS (distributed), through Amesos:
- * deal.II's class takes one right-hand side at a time, of which KLU solves four in the time of one.
- */
+/** The inverse by KLU (gathers the matrix on one rank) or MUMPS (distributed), through Amesos.
+ * KLU solves a block of right-hand sides in half the time; deal.II's class takes only one. */
 class AmesosInverse final : public MatrixInverse {
 public:
   AmesosInverse(const TrilinosWrappers::SparseMatrix &matrix, const double unit,

@@ -80,9 +80,9 @@ public:
   bool stagnates() const {
     return history_.stagnates();
   }
-  /** Returns whether forces press a plate into the foundation at a corner of a contact side, as
-   * they do on every mesh: no displacement of finite energy is there to converge to. The first
-   * steps see more and more of what the scene holds.
+  /** Returns whether forces press a plate into the foundation at a corner of a contact side. They
+   * do so on every mesh, because no displacement of finite energy solves such a scene. The first
+   * steps are not asked: their travel is inaccurate.
    * @param scene with the plates where they have moved. */
   bool plates_penetrate(Scene<2> scene) const;
   /** Returns whether a second mesh confirms the error. Bodies that nothing deforms need none. */
