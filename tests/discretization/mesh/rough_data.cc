@@ -83,7 +83,8 @@ void test_jump_between_boxes(Checks &checks) {
 void test_smooth(Checks &checks) {
   for (const char *formula :
        {"0.1 + 0.3*x - 0.2*y", "0.25*x^2", "sin(pi*y)*cos(3*x)", "(1 + x^2)*(2 + y)",
-        "exp(3*x)*(1 + 0.1*y)", "x*(1 - x)*y*(1 - y)", "1/(x + y + 0.3)"}) {
+        "exp(3*x)*(1 + 0.1*y)", "x*(1 - x)*y*(1 - y)", "1/(x + y + 0.3)", "(x*(1 - x)*y*(1 - y))^2",
+        "atan2(y + 1, x - 0.7)", "atan2(abs(y) + 1, 0.3 - x)", "(1 - y)*(1 - 3*y)*x*(1 - x)"}) {
     const Scene<2> scene = scene_with(formula, formula);
     checks.about(formula);
     const dealii::BoundingBox<2> square({Point(0., 0.), Point(1., 1.)});

@@ -152,17 +152,24 @@ void lines(Checks &checks) {
   checks.near("lines of the body", n_lines("Contact/Friction bound = 1\nLoad/Body force = 0;"), 2,
               0.);
 }
-/** Returns the number of cells of the first mesh that are split for a modulus. */
-std::size_t n_split_for(const std::string &modulus) {
-  const Scene<2> scene =
-    scene_of(square + "Material/Young's modulus = " + modulus + " ? 100 : 1\n");
+/** Returns the number of cells of the first mesh that are split for the data of a scene. */
+std::size_t n_split(const Scene<2> &scene) {
   MeshPlan plan = uniform_plan(3, 2);
   resolve_hidden_data(scene, plan);
   return plan.demands.size();
 }
+std::size_t n_split_for(const std::string &modulus) {
+  return n_split(scene_of(square + "Material/Young's modulus = " + modulus + " ? 100 : 1\n"));
+}
 
-/** No cell is split for moduli that no box shows; along a curve small cells help. */
+/** No cell is split for moduli that no box shows; along a curve small cells help. A smooth force
+ * hides nothing, and one that is singular at a point asks for layers there alone. */
 void hidden_data(Checks &checks) {
+  const auto n_split_in = [](const std::string &file) {
+    return n_split(make_scene<2>(read_parameters(SOURCE_DIR "/prm/" + file, {})));
+  };
+  checks.near("splits of a smooth force", n_split_in("smooth_contact_two_ends.prm"), 0, 0.);
+  checks.between("splits around a singular point", n_split_in("described_b1.prm"), 4, 24);
   checks.near("splits where no box shows the moduli", n_split_for("cos(6000*pi*x) < 0"), 0, 0.);
   checks.between("splits around a strip in which no box does",
                  n_split_for("cos(6000*pi*x) < 0 && x > 0.3"), 0, 600);

@@ -31,6 +31,10 @@ const std::vector<std::string> formulas = {"0.1 + 0.3*x - 0.2*y",
                                            "sign(x - y)*x",
                                            "log(1 + x)^3",
                                            "atan2(y - 0.5, x - 0.5)",
+                                           "atan2(abs(y - 0.5), x - 0.5)",
+                                           "atan2(0.5 - x, 0)",
+                                           "atan2(0, x - y)",
+                                           "atan2(x - 0.5, (y - 0.5)*(x - a))",
                                            "tan(x) + asin(x) - acos(y)",
                                            "erf(5*x) - erfc(y) + tanh(3*y)",
                                            "cos(40*x) < 0 ? 1 : y",
@@ -121,7 +125,8 @@ void test_samples(Checks &checks) {
        {"abs(y - 0.3) < 0.006 ? -4 : 0", "exp(-((x - 0.317)/3e-5)^2)", "x < a && y < a ? 1 : 0",
         "cos(400*pi*x) < 0 ? 1 : 0", "(x - 0.3)^2 + y^2 < 1e-3 ? 1 : 0"})
     checks.that("hides: " + std::string(text), !tree(text).is_shown(square, {}, 1e-3));
-  for (const char *text : {"0.1 + x - y", "x^2", "sin(pi*y)*cos(3*x)", "(1 + x^2)*(2 + y)"})
+  for (const char *text :
+       {"0.1 + x - y", "x^2", "sin(pi*y)*cos(3*x)", "(1 + x^2)*(2 + y)", "atan2(y, x - a)"})
     checks.that("shown: " + std::string(text), tree(text).is_shown(part, {}, 1e-3));
 
   bool all = false;
@@ -141,6 +146,12 @@ void test_samples(Checks &checks) {
   checks.that("steps hide no peak", !peak.is_shown(square, peak.lines_in(square, all), 1e-3));
   checks.near("two steps on one line",
               tree("sign(x - a) + floor(x - a)").lines_in(part, all).size(), 1., 0.);
+  checks.near("the line on which an angle jumps",
+              tree("atan2(y - 0.4, x - 0.9)").lines_in(part, all).size(), 1., 0.);
+  checks.that("and no other",
+              all && tree("atan2(y, x - 0.4)").lines_in(square, all).empty() && all);
+  checks.near("an angle on the axis", tree("atan2(0, x - 0.4)").lines_in(square, all).size(), 1.,
+              0.);
   checks.near("the lines of a band", tree("abs(x - a) < 0.01 ? 1 : 0").lines_in(square, all).size(),
               3., 0.);
   checks.that("a circle is no line", tree("x^2 + y^2 < 1 ? 1 : 0").lines_in(square, all).empty());

@@ -88,7 +88,7 @@ public:
   /** Returns whether few points show what the formula does in a box: it varies by at most
    * @p tolerance, or no switch but those of the given @p lines is undecided, and on all sides of
    * these lines 8 samples in each direction are close enough for its largest slope and have small
-   * fourth differences. */
+   * fourth differences. Where these are smaller still, the slopes in parts of the box count. */
   bool is_shown(const FormulaBox<dim> &box, const std::vector<KinkLine<dim>> &lines,
                 double tolerance) const;
 
