@@ -148,7 +148,13 @@ refuse "found 'ListFromFile' in line 1" list.geo
 echo 'Sleep 1000;' >sleep.geo
 refuse "found 'Sleep' in line 1" sleep.geo
 printf 'For i In {1:1000000000}\n  x = i;\nEndFor\n' >loop.geo
+# A program gmsh that waits: the limit without half a minute of work.
+mkdir waiting
+printf '#!/bin/sh\nexec /bin/sleep 100\n' >waiting/gmsh
+chmod +x waiting/gmsh
+path=$PWD/waiting
 refuse "Gmsh did not end within" loop.geo
+path=$PATH
 for signal in INT TERM KILL; do
   env --default-signal timeout -s KILL 20 "$program" "$prm/bracket_from_step.prm" --output none --set Geometry/File=loop.geo >stdout 2>stderr </dev/null &
   process=$!
