@@ -40,6 +40,11 @@ public:
     return some;
   }
 
+  /** Returns whether the test was called with the argument "long". */
+  bool is_long() const {
+    return whole_table_;
+  }
+
   /** The names of all checks that follow begin with @p subject. */
   void about(const std::string &subject) {
     subject_ = subject.empty() ? "" : subject + ": ";

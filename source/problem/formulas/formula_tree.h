@@ -15,6 +15,10 @@ using Interval =
   boost::numeric::interval<double,
                            lib::policies<lib::save_state_nothing<lib::rounded_transc_exact<double>>,
                                          lib::checking_base<double>>>;
+inline bool is_zero(const Interval &a) {
+  return singleton(a) && zero_in(a);
+}
+
 using Index = unsigned int;
 using Indices = std::array<Index, 3>;
 

@@ -5,6 +5,7 @@
 #include <signorini/problem/catalogue/catalogue.h>
 
 #include <cmath>
+#include <fstream>
 #include <tuple>
 
 #include "one_level.h"
@@ -51,10 +52,17 @@ void test_orders(Checks &checks) {
 }
 
 /** The end of stick or contact lies somewhere in its patch: the order 1 + e is that of a line
- * through the errors on many meshes. */
+ * through the errors on many meshes. In KOr the end does not show yet. */
 void test_singular_orders(Checks &checks) {
-  for (const auto &[name, order] : checks.rows<std::pair<std::string, double>>(
-         {{"TS", 1.5}, {"KS", 1.5526}, {"KSr", 1.4474}, {"KO", 1.4474}}, 1)) {
+  std::ofstream table("friction_slopes.csv");
+  table << "scene,expected,u_superclose_h1\n";
+  for (const auto &[name, order, tolerance] :
+       checks.rows<std::tuple<std::string, double, double>>({{"TS", 1.5, 0.15},
+                                                             {"KS", 1.5526, 0.15},
+                                                             {"KSr", 1.4474, 0.15},
+                                                             {"KO", 1.4474, 0.15},
+                                                             {"KOr", 1.5526, 0.4}},
+                                                            1)) {
     const Parameters parameters = parse_parameters(named_scene(name), "test");
     Scene<2> scene = make_scene<2>(parameters);
     std::vector<double> x, y;
@@ -67,7 +75,9 @@ void test_singular_orders(Checks &checks) {
       x.push_back(-std::log(2. * half));
       y.push_back(std::log(*value(solution.record, "u_superclose_h1")));
     }
-    checks.between(name + ": order of |Iu-uh|1", fit(x, y).slope, order - 0.15, order + 0.15);
+    const double slope = fit(x, y).slope;
+    checks.between(name + ": order of |Iu-uh|1", slope, order - tolerance, order + tolerance);
+    table << name << ',' << order << ',' << std::round(100. * slope) / 100. << '\n';
   }
 }
 

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The operations of formulas, on numbers and on intervals.
+
+#include <algorithm>
+#include <cmath>
+
+#include "formula_tree.h"
+
+namespace Signorini {
+namespace FormulaParts {
+namespace {
+// The answer of a comparison is 0, 1, or both.
+double positive(const double a) {
+  return a > 0.;
+}
+double not_negative(const double a) {
+  return a >= 0.;
+}
+double equals_zero(const double a) {
+  return a == 0.;
+}
+Interval equals_zero(const Interval &a) {
+  return {double(is_zero(a)), double(zero_in(a))};
+}
+double choose(const double a, const double b, const double c) {
+  return a != 0. ? b : c;
+}
+/** Returns what contains both values; BoxRun knows where the condition is decided. */
+Interval choose(const Interval &, const Interval &b, const Interval &c) {
+  return hull(b, c);
+}
+
+/** Whether a part is zero in the whole box. */
+double vanishes(const double a) {
+  return a == 0.;
+}
+Interval vanishes(const Interval &a) {
+  return double(is_zero(a));
+}
+
+/** Whether (b, a) lies above the negative half axis, where atan2(a, b) jumps by 2 pi: a box that
+ * touches it has points on both sides, all others count as above. */
+double above_cut(double, double) {
+  return 1.;
+}
+Interval above_cut(const Interval &a, const Interval &b) {
+  return {double(!(a.lower() < 0. && a.upper() >= 0. && b.lower() <= 0.)), 1.};
+}
+
+/** Returns the angle of (b, a) in the part of a box that lies above the cut. On each line along an
+ * axis it increases or decreases, so that the corners have the bounds. */
+double angle(const double a, const double b) {
+  return std::atan2(a + 0., b);
+}
+Interval angle(const Interval &a, const Interval &b) {
+  const Interval upper = singleton(above_cut(a, b)) ? a : Interval(0., a.upper());
+  return hull(hull(Interval(angle(upper.lower(), b.lower())), angle(upper.lower(), b.upper())),
+              hull(Interval(angle(upper.upper(), b.lower())), angle(upper.upper(), b.upper())));
+}
+
+/** A product in which zero times infinity is zero. */
+double times(const double a, const double b) {
+  const double product = a * b;
+  return product == product || !(a == 0. || b == 0.) ? product : 0.;
+}
+Interval times(const Interval &a, const Interval &b) {
+  return is_zero(a) || is_zero(b) ? 0. : zero_in(a) || zero_in(b) ? hull(a * b, 0.) : a * b;
+}
+
+/** Makes an operation of a function that takes numbers and intervals. */
+template <typename Rule>
+Operation rule(const char *name, const Rule &function, const char *in_a = nullptr,
+               const char *in_b = nullptr, unsigned int kind = 0) {
+  static const Rule f = function;
+  return {name,
+          in_a,
+          in_b,
+          kind,
+          [](double a, double b, double c) { return f(a, b, c); },
+          [](const double *a, const double *b, const double *c, std::size_t n, double *result) {
+            for (std::size_t q = 0; q < n; ++q)
+              result[q] = f(a[q], b[q], c[q]);
+          },
+          [](const Interval &a, const Interval &b, const Interval &c) { return f(a, b, c); }};
+}
+
+template <double (*f)(double)>
+double monotone(const double a, double, double) {
+  return f(a);
+}
+/** Returns f on an interval where it increases or decreases, restricted to where it is defined. */
+template <double (*f)(double)>
+Interval monotone(const Interval &a, const double low, const double high) {
+  return hull(Interval(f(std::clamp(a.lower(), low, high))), f(std::clamp(a.upper(), low, high)));
+}
+template <double (*f)(double)>
+Operation monotone(const char *name, const char *derivative, unsigned int kind = 0,
+                   double low = -HUGE_VAL, double high = HUGE_VAL) {
+  [[maybe_unused]] static const double ends[] = {low, high};
+  return rule(
+    name, [](auto a, auto, auto) { return monotone<f>(a, ends[0], ends[1]); }, derivative, nullptr,
+    kind);
+}
+
+double power(const double a, const double b) {
+  return b == 2. ? a * a : b == 3. ? a * a * a : std::pow(a, b);
+}
+Interval power(const Interval &a, const Interval &b) {
+  const double n = b.lower();
+  return singleton(b) && n == std::round(n) && std::abs(n) < 1e9
+           ? pow(a, static_cast<int>(n))
+           : exp(b * monotone<std::log>(a, 0., HUGE_VAL));
+}
+
+/** The derivative of what jumps: zero, but anything in a box that does not decide. */
+constexpr const char *jump = "1e300*(f - f)";
+} // namespace
+
+const std::vector<Operation> &operations() {
+  using std::cos, std::max, std::min, std::sin;
+  static const std::vector<Operation> list = {
+    {"||", "a ? 1 : b ? 1 : 0", nullptr, 1},
+    {"&&", "a ? b ? 1 : 0 : 0", nullptr, 2},
+    {"<=", "not_negative(b - a)", nullptr, 3},
+    {">=", "b <= a", nullptr, 3},
+    {"==", "zero(b - a)", nullptr, 3},
+    {"!=", "a == b ? 0 : 1", nullptr, 3},
+    {"<", "positive(b - a)", nullptr, 3},
+    {">", "b < a", nullptr, 3},
+    rule(
+      "+", [](auto a, auto b, auto) { return a + b; }, "1", "1", 4),
+    rule(
+      "-", [](auto a, auto b, auto) { return a - b; }, "1", "-1", 4),
+    rule(
+      "*", [](auto a, auto b, auto) { return a * b; }, "b", "a", 5),
+    rule(
+      "times", [](auto a, auto b, auto) { return times(a, b); }, "b", "a"),
+    rule(
+      "/", [](auto a, auto b, auto) { return a / b; }, "1/b", "-f/b", 5),
+    rule(
+      "^", [](auto a, auto b, auto) { return power(a, b); }, "b*a^(b-1)", "f*log(a)"),
+    monotone<positive>("positive", jump, step),
+    monotone<not_negative>("not_negative", jump, step),
+    rule(
+      "zero", [](auto a, auto, auto) { return equals_zero(a); }, jump, nullptr, step),
+    rule(
+      "?", [](auto a, auto b, auto c) { return choose(a, b, c); }, jump, nullptr, choice),
+    rule(
+      "larger", [](auto, auto b, auto c) { return max(c, b); }, nullptr, nullptr, choice),
+    rule(
+      "smaller", [](auto, auto b, auto c) { return min(c, b); }, nullptr, nullptr, choice),
+    rule(
+      "sin", [](auto a, auto, auto) { return sin(a); }, "cos(a)"),
+    rule(
+      "cos", [](auto a, auto, auto) { return cos(a); }, "-sin(a)"),
+    monotone<std::floor>("floor", jump, step),
+    monotone<std::exp>("exp", "f"),
+    monotone<std::log>("log", "1/a", 0, 0.),
+    monotone<std::log2>("log2", "1/(a*log(2))", 0, 0.),
+    monotone<std::log10>("log10", "1/(a*log(10))", 0, 0.),
+    monotone<std::sqrt>("sqrt", "0.5/f", 0, 0.),
+    monotone<std::asin>("asin", "1/sqrt(1 - a^2)", 0, -1., 1.),
+    monotone<std::acos>("acos", "-1/sqrt(1 - a^2)", 0, -1., 1.),
+    monotone<std::atan>("atan", "1/(1 + a^2)"),
+    monotone<std::sinh>("sinh", "sqrt(1 + f^2)"),
+    monotone<std::tanh>("tanh", "1 - f^2"),
+    monotone<std::asinh>("asinh", "1/sqrt(a^2 + 1)"),
+    monotone<std::acosh>("acosh", "1/sqrt(a^2 - 1)", 0, 1.),
+    monotone<std::atanh>("atanh", "1/(1 - a^2)", 0, -1., 1.),
+    monotone<std::erf>("erf", "2/sqrt(pi)*exp(-a^2)"),
+    monotone<std::erfc>("erfc", "-2/sqrt(pi)*exp(-a^2)"),
+    {"ln", "log(a)"},
+    {"tan", "sin(a)/cos(a)"},
+    {"cosh", "0.5*(exp(a) + exp(-a))"},
+    {"ceil", "-floor(-a)"},
+    {"rint", "floor(a + 0.5)"},
+    {"abs", "larger(positive(a), a, 0 - a)"},
+    {"sign", "positive(a) - positive(-a)"},
+    {"if", "a ? b : c"},
+    {"pow", "a^b"},
+    {"max", "larger(a < b, b, a)"},
+    {"min", "smaller(b < a, b, a)"},
+    {"sum", "a + b"},
+    {"avg", "a + b"},
+    rule("vanishes", [](auto a, auto, auto) { return vanishes(a); }),
+    rule(
+      "above_cut", [](auto a, auto b, auto) { return above_cut(a, b); }, jump, nullptr, step),
+    rule(
+      "angle", [](auto a, auto b, auto) { return angle(a, b); }, "b/(a^2 + b^2)", "-a/(a^2 + b^2)"),
+    {"atan2", "vanishes(a) ? (b < 0 ? pi : 0) : above_cut(a, b) ? angle(a, b) : -angle(-a, b)"}};
+  return list;
+}
+} // namespace FormulaParts
+} // namespace Signorini
