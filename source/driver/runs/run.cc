@@ -63,9 +63,8 @@ std::string name_file(const std::string &message, const std::string &file_name) 
   return named ? message : file_name + ": " + message;
 }
 
-/** Refuses a file that differs between ranks, which may run on several machines. Ranks that cannot
- * read it are left out. Collective. @throws InputError if there are such ranks.
- */
+/** Refuses a file of which a rank, on another machine, has another version than the first rank.
+ * Ranks that cannot read it are left out. Collective. @throws InputError */
 void require_one_version(const std::string &name, const std::string &file_name,
                          MPI_Comm communicator) {
   std::ifstream file(file_name, std::ios::binary);

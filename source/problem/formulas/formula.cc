@@ -153,15 +153,24 @@ public:
     // A parabola with its top in the box has a largest step of 0.65 of what the samples show. There
     // the slopes of the whole box may be too large by any factor; those of its parts are not.
     const double shown = *high - *low;
-    return (fourth <= 0.05 * shown && largest_step(n, 1) <= 0.7 * shown) ||
-           (fourth <= 0.002 * shown && largest_step(n, 4) <= 0.7 * shown);
+    if (fourth <= 0.05 * shown && largest_step(n) <= 0.7 * shown)
+      return true;
+    constexpr unsigned int n_parts = 4;
+    bool is_shown = fourth <= 0.002 * shown;
+    BoxRun part(*this);
+    for (Index i = 0; is_shown && i < n_box_parts(n_parts); ++i) {
+      part.evaluate(box_part(i, n_parts), parts_.size());
+      is_shown = part.largest_step(n) <= 0.7 * shown;
+    }
+    return is_shown;
   }
 
 private:
   const Interval &slope_of(const Index i, const int d) const {
     return parts_[formula_.slopes[i][d]].value;
   }
-  /** Returns part i of a box that is cut into n parts in each direction in which it has a width. */
+  /** Returns part i of the box, which is cut into n parts in each direction in which it has a
+   * width. */
   FormulaBox<dim> box_part(Index i, const unsigned int n) const {
     FormulaBox<dim> part = box_;
     for (int d = 0; d < dim; ++d)
@@ -172,24 +181,20 @@ private:
       }
     return part;
   }
-  /** Returns a bound of what the formula changes from one of @p n samples in each direction to the
-   * next, from its slopes on @p n_parts parts of the box in each direction. */
-  double largest_step(const unsigned int n, const unsigned int n_parts) const {
-    double largest = 0.;
-    BoxRun run(*this);
-    Index n_boxes = 1;
+  Index n_box_parts(const unsigned int n) const {
+    Index product = 1;
     for (int d = 0; d < dim; ++d)
-      n_boxes *= box_.upper[d] > box_.lower[d] ? n_parts : 1;
-    for (Index i = 0; i < n_boxes; ++i) {
-      if (n_parts > 1)
-        run.evaluate(box_part(i, n_parts), run.parts_.size());
-      double step = 0.;
-      for (int d = 0; d < dim; ++d)
-        if (const double width = box_.upper[d] - box_.lower[d]; width > 0.)
-          step += norm(run.slope_of(formula_.root, d)) * width / n;
-      largest = std::max(largest, step);
-    }
-    return largest;
+      product *= box_.upper[d] > box_.lower[d] ? n : 1;
+    return product;
+  }
+  /** Returns a bound of the change from one of n samples of the box in each direction to the next,
+   * by the slopes where the parts were evaluated last. */
+  double largest_step(const unsigned int n) const {
+    double step = 0.;
+    for (int d = 0; d < dim; ++d)
+      if (const double width = box_.upper[d] - box_.lower[d]; width > 0.)
+        step += norm(slope_of(formula_.root, d)) * width / n;
+    return step;
   }
   /** Returns the value of the argument at which a switch changes: what is rounded down changes at
    * the upper one of two values. */

@@ -30,16 +30,8 @@ Interval choose(const Interval &, const Interval &b, const Interval &c) {
   return hull(b, c);
 }
 
-/** Whether a part is zero in the whole box. */
-double vanishes(const double a) {
-  return a == 0.;
-}
-Interval vanishes(const Interval &a) {
-  return double(is_zero(a));
-}
-
-/** Whether (b, a) lies above the negative half axis, where atan2(a, b) jumps by 2 pi: a box that
- * touches it has points on both sides, all others count as above. */
+/** Whether (b, a) lies above the negative half axis, where atan2(a, b) jumps by 2 pi. Only a box
+ * that touches this axis leaves it open: elsewhere one formula holds on both sides. */
 double above_cut(double, double) {
   return 1.;
 }
@@ -50,6 +42,7 @@ Interval above_cut(const Interval &a, const Interval &b) {
 /** Returns the angle of (b, a) in the part of a box that lies above the cut. On each line along an
  * axis it increases or decreases, so that the corners have the bounds. */
 double angle(const double a, const double b) {
+  // The sum of -0 and 0 is 0.
   return std::atan2(a + 0., b);
 }
 Interval angle(const Interval &a, const Interval &b) {
@@ -72,16 +65,17 @@ template <typename Rule>
 Operation rule(const char *name, const Rule &function, const char *in_a = nullptr,
                const char *in_b = nullptr, unsigned int kind = 0) {
   static const Rule f = function;
-  return {name,
-          in_a,
-          in_b,
-          kind,
-          [](double a, double b, double c) { return f(a, b, c); },
-          [](const double *a, const double *b, const double *c, std::size_t n, double *result) {
-            for (std::size_t q = 0; q < n; ++q)
-              result[q] = f(a[q], b[q], c[q]);
-          },
-          [](const Interval &a, const Interval &b, const Interval &c) { return f(a, b, c); }};
+  return {
+    name,
+    in_a,
+    in_b,
+    kind,
+    [](double a, double b, double c) { return f(a, b, c); },
+    [](const double *a, const double *b, const double *c, std::size_t n, double *result) {
+      for (std::size_t q = 0; q < n; ++q)
+        result[q] = f(a[q], b[q], c[q]);
+    },
+    [](const Interval &a, const Interval &b, const Interval &c) -> Interval { return f(a, b, c); }};
 }
 
 template <double (*f)(double)>
@@ -182,7 +176,7 @@ const std::vector<Operation> &operations() {
     {"min", "smaller(b < a, b, a)"},
     {"sum", "a + b"},
     {"avg", "a + b"},
-    rule("vanishes", [](auto a, auto, auto) { return vanishes(a); }),
+    rule("vanishes", [](auto a, auto, auto) { return double(is_zero(a)); }),
     rule(
       "above_cut", [](auto a, auto b, auto) { return above_cut(a, b); }, jump, nullptr, step),
     rule(

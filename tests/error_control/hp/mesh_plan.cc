@@ -152,12 +152,14 @@ void lines(Checks &checks) {
   checks.near("lines of the body", n_lines("Contact/Friction bound = 1\nLoad/Body force = 0;"), 2,
               0.);
 }
+
 /** Returns the number of cells of the first mesh that are split for the data of a scene. */
 std::size_t n_split(const Scene<2> &scene) {
   MeshPlan plan = uniform_plan(3, 2);
   resolve_hidden_data(scene, plan);
   return plan.demands.size();
 }
+
 std::size_t n_split_for(const std::string &modulus) {
   return n_split(scene_of(square + "Material/Young's modulus = " + modulus + " ? 100 : 1\n"));
 }
