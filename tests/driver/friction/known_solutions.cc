@@ -34,7 +34,7 @@ const std::vector<Expectation> expectations = {{"T1", 1.9, 2.1},
                                                {"CM", 1.4, 1.9, 0.7, 1.3}};
 
 void test_orders(Checks &checks) {
-  for (const Expectation &expected : checks.rows(expectations, 3)) {
+  for (const Expectation &expected : checks.rows(expectations, 2)) {
     checks.about(expected.scene);
     const StudyResult<2> found = solve(named_scene(expected.scene), levels(3, 6));
     // Tresca's law has a guaranteed bound.

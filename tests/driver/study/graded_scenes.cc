@@ -52,7 +52,7 @@ void check_catalogue(Checks &checks) {
     if (scene.name != "block on parabola" && scene.name != "A1L" && scene.name != "B1t" &&
         scene.make().friction == Friction::none)
       scenes.push_back(scene.name);
-  for (const std::string &scene : checks.rows(scenes, 4)) {
+  for (const std::string &scene : checks.rows(scenes, 3)) {
     checks.about(scene);
     const std::vector<GradedStep> steps = check_estimate(
       checks, solve(named_scene(scene), graded("1e-6")), scene[0] == 'R' ? "revolution" : "curved");

@@ -152,7 +152,7 @@ std::vector<Pair> pairs() {
 void test_orders(Checks &checks) {
   std::ofstream table("pair_orders.csv");
   table << "scene,ratio_of_E,cells,u_h1,u_superclose_h1,p_l2,bound_over_error\n";
-  for (const auto &[name, field, k, meshes, least, least_of_p] : checks.rows(pairs(), 6)) {
+  for (const auto &[name, field, k, meshes, least, least_of_p] : checks.rows(pairs(), 3)) {
     checks.about(name + ", E " + k + ", " + meshes.cells);
     const auto result =
       solve(pair_of(field, k, meshes.cells),

@@ -79,7 +79,7 @@ void unresolved(Checks &checks) {
   // Scenes that differ in their discretization share the reference.
   std::string known;
   std::unique_ptr<const Reference> fine;
-  for (const Unresolved::Given &given : checks.rows(scenes, 8)) {
+  for (const Unresolved::Given &given : checks.rows(scenes, 4)) {
     const std::string text =
       text_of(given) + "Discretization/Finest level = 14\nOutput/Inf-sup constant = false\n";
     if (text != known)
