@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # One part in the formats that Gmsh reads has one contact force; files that are no part are refused with one sentence, and
-# nothing is left behind. Skipped without the program gmsh.
+# nothing is left behind. One start solves all parts, another one gets all files that are refused. Skipped without the program
+# gmsh.
 # usage: gmsh.sh PROGRAM ROOT
 
 program=$(realpath "$1")
@@ -14,51 +15,50 @@ fi
 mkdir left
 export TMPDIR=$PWD/left
 
-# value COLUMN FOLDER: of the finest level.
+# value COLUMN FOLDER [LEVEL]: of this level, or of the finest one.
 value() {
-  awk -F, -v name="$1" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i } END { print $c }' "$2/convergence.csv"
+  awk -F, -v name="$1" -v level="${3:-}" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i }
+    NR > 1 && (level == "" || $1 == level) { found = $c } END { print found }' "$2/convergence.csv"
 }
 # close VALUE REFERENCE SHARE
 close() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; if (d < 0) d = -d; exit !(b > 0 && d <= t * b) }'; }
+# start PATH FOLDER SCENE...: one start for these scenes, with results in folders of the scenes' names.
+start() {
+  timeout 600 env PATH="$1" "$program" --output "$2" "${@:3}" >stdout 2>stderr </dev/null
+}
+# scene NAME FROM FILE ENTRY=VALUE...: NAME.prm is bracket_from_FROM.prm with the part of this file.
+scene() {
+  local entry changes=()
+  for entry in "File=$3" "${@:4}"; do changes+=(-e $'s\1set '"${entry%%=*}"$' .*\1set '"${entry%%=*} = ${entry#*=}"$'\1'); done
+  sed "${changes[@]}" "$prm/bracket_from_$2.prm" >"$1.prm"
+}
 
 geo=$prm/parts/bracket.geo
 grep -v '^Mesh\.\|^Physical' "$geo" >plain.geo
 grep -v '^Mesh.Re\|^Mesh.Sub' "$geo" >triangles.geo
 sed -i 's/MeshSizeMax = 20/MeshSizeMax = 12/' triangles.geo
-make() { gmsh -v 1 "$@" >/dev/null 2>&1; }
-make -0 "$geo" -format brep -o part.brep
-make -2 -order 2 -bin "$geo" -o binary.msh
-make -2 -order 2 "$geo" -format msh2 -bin -o old.msh
-make -2 -order 2 -format msh22 triangles.geo -o triangles.msh
-make -2 triangles.geo -o first_order.msh
-make -2 triangles.geo -o part.unv
-# What the program finds; without gmsh where it is /nowhere.
-path=$PATH
-run() {
-  timeout 200 env PATH="$path" "$program" "$prm/bracket_from_$1.prm" --output "$2" --set Geometry/File="$3" "${@:4}" >stdout 2>stderr </dev/null
-}
-run file reference "$prm/parts/bracket.msh"
-force=$(value contact_force_n reference)
-check "the mesh of quadrilaterals has a force" close "$force" 1216 0.002
-same() {
-  local name=$1
-  shift
-  run "$@"
-  check "$name: exit code 0" [ $? -eq 0 ]
-  check "  the force of the other mesh" close "$(value contact_force_n "$2")" "$force" 0.001
-}
-same "STEP" step step "$prm/parts/bracket.step"
-same "BREP" step brep part.brep
-same "a script without names" step plain plain.geo
-same "a script with names" file geo "$geo"
-same "binary, version 4.1" file binary binary.msh
-same "binary, version 2.2" file old old.msh
-same "triangles of second order" file triangles triangles.msh
-check "  the run says that they are split" grep -q '^Mesh .*triangle' stdout
-same "UNV, triangles of first order" file unv part.unv --set Geometry/Arcs=fillet
-path=/nowhere
-same "triangles of text, without Gmsh" file first first_order.msh --set Geometry/Arcs=fillet
-path=$PATH
+# Gmsh writes a part in several formats in one start.
+make() { gmsh -v 1 -0 "$1" -o nothing.msh >/dev/null 2>&1; }
+cat "$geo" - >make_quadrilaterals.geo <<'GEO'
+Mesh.ElementOrder = 2;
+Mesh.Binary = 1;
+Mesh 2;
+Save "binary.msh";
+Mesh.MshFileVersion = 2.2;
+Save "old.msh";
+Save "part.brep";
+GEO
+cat triangles.geo - >make_triangles.geo <<'GEO'
+Mesh 2;
+Save "first_order.msh";
+Save "part.unv";
+Mesh.ElementOrder = 2;
+Mesh 2;
+Mesh.MshFileVersion = 2.2;
+Save "triangles.msh";
+GEO
+make make_quadrilaterals.geo
+make make_triangles.geo
 
 # Two squares of different stiffness, on the same mesh as a rectangle with moduli that depend on x.
 cat >two.geo <<'GEO'
@@ -74,7 +74,7 @@ Mesh.MeshSizeMax = 1;
 Transfinite Surface {1, 2};
 Transfinite Curve "*" = 2;
 GEO
-cat >two.prm <<'PRM'
+cat >regions.prm <<'PRM'
 subsection Geometry
   set Shape = file
   set File  = two.geo
@@ -92,29 +92,57 @@ subsection Discretization
   set Finest level   = 3
 end
 PRM
-solve() { timeout 100 "$program" two.prm --output "$1" "${@:2}" >stdout 2>stderr </dev/null; }
-solve regions
-check "two regions: exit code 0" [ $? -eq 0 ]
-solve expressions --set Geometry/Shape=rectangle --set Geometry/File= --set 'Geometry/Upper right=2,1' --set 'Geometry/Cells=4,2' \
-  --set "Material/Young's modulus=x < 1 ? 1 : 5" --set "Material/Poisson's ratio=x < 1 ? 0.4 : 0.2"
-check "  the force of moduli that depend on x" \
-  close "$(value contact_force_n regions)" "$(value contact_force_n expressions)" 1e-9
-check "  the energy, too" close "$(value energy regions | tr -d -)" "$(value energy expressions | tr -d -)" 1e-9
+sed -e 's/set Shape = .*/set Shape = rectangle/' -e 's/set File .*/set Upper right = 2,1\n  set Cells = 4,2/' \
+  -e 's/soft: 1 | hard: 5/x < 1 ? 1 : 5/' -e 's/soft: 0.4 | hard: 0.2/x < 1 ? 0.4 : 0.2/' regions.prm >expressions.prm
 
-# refuse MESSAGE FILE ARGUMENTS...: exit code 1 and a line that contains the message.
-refuse() {
-  local message=$1 file=$2
-  shift 2
-  timeout 100 env PATH="$path" "$program" "$prm/bracket_from_step.prm" --output none --set Geometry/File="$file" "$@" >stdout 2>stderr </dev/null
-  check "exit code 1: $message" [ $? -eq 1 ]
-  check "  one line" one_line_of_complaint
-  check "  that sentence" grep -qF "$message" stderr
-  check "  and leaves nothing behind" [ ! -e none -a -z "$(ls -A left)" ]
+# The reference, and the part in each format on level 2; "first" is text, which is read without Gmsh.
+scene reference file "$prm/parts/bracket.msh"
+parts=(step brep plain geo binary old triangles unv)
+part() { scene "$@" 'Coarsest level=2' 'Finest level=2'; }
+part step step "$prm/parts/bracket.step"
+part brep step part.brep
+part plain step plain.geo
+part geo file "$geo"
+part binary file binary.msh
+part old file old.msh
+part triangles file triangles.msh
+part unv file part.unv
+part first file first_order.msh
+for name in unv first; do printf 'subsection Geometry\n  set Arcs = fillet\nend\n' >>"$name.prm"; done
+start "$PATH" solved reference.prm regions.prm expressions.prm "${parts[@]/%/.prm}"
+check "parts in all formats, and two regions: exit code 0" [ $? -eq 0 ]
+check "the mesh of quadrilaterals has a force" close "$(value contact_force_n solved/reference)" 1216 0.002
+force=$(value contact_force_n solved/reference 2)
+# same_force NAME FOLDER
+same_force() {
+  check "$1: exit code 0" grep -q "^$1\.prm: .*, exit code 0, $2/$1\$" stdout
+  check "  the force of the other mesh" close "$(value contact_force_n "$2/$1")" "$force" 0.001
 }
-refuse "allowed: 1 at (40 0), 2 at (80 10)" "$prm/parts/bracket.step" --set Boundary/Contact=foot
-refuse "allowed: one of 1, ':' and its value" "$prm/parts/bracket.step" --set "Material/Young's modulus=steel: 1"
-refuse "the number of entries for 'hard' is 0" two.geo --set "Material/Young's modulus=soft: 1" \
-  --set "Material/Poisson's ratio=soft: 0.4 | hard: 0.2"
+for name in "${parts[@]}"; do same_force "$name" solved; done
+awk '/^Mesh .*triangle/ { said = 1 } /^  Results / { if (said) print $NF; said = 0 }' stdout >split
+check "triangles: the run says that they are split" grep -qx solved/triangles split
+check "two regions: the force of moduli that depend on x" \
+  close "$(value contact_force_n solved/regions)" "$(value contact_force_n solved/expressions)" 1e-9
+check "  the energy, too" close "$(value energy solved/regions | tr -d -)" "$(value energy solved/expressions | tr -d -)" 1e-9
+
+# refused NAME MESSAGE: of the last start.
+refused() {
+  check "exit code 1: $2" grep -q "^$1\.prm: wrong input, exit code 1, [a-z]*/$1\$" stdout
+  grep "^signorini: $1\.prm:" stderr >line
+  check "  one line" [ "$(wc -l <line)" -eq 1 ]
+  check "  that sentence" grep -qF "$2" line
+}
+nothing_left() { [ ! -e none ] && [ -z "$(ls -A left)" ]; }
+names=() messages=()
+# refuse MESSAGE FILE ENTRY=VALUE...: the part of this file is refused, in a sentence that contains the message.
+refuse() {
+  names+=("wrong${#names[@]}")
+  messages+=("$1")
+  scene "${names[-1]}" step "${@:2}"
+}
+refuse "allowed: 1 at (40 0), 2 at (80 10)" "$prm/parts/bracket.step" Contact=foot
+refuse "allowed: one of 1, ':' and its value" "$prm/parts/bracket.step" "Young's modulus=steel: 1"
+refuse "the number of entries for 'hard' is 0" two.geo "Young's modulus=soft: 1" "Poisson's ratio=soft: 0.4 | hard: 0.2"
 head -c 3000 /dev/urandom >noise.step
 head -c 3000 "$prm/parts/bracket.step" >cut.step
 head -c 5000 binary.msh >cut.msh
@@ -142,31 +170,59 @@ for ending in inp su2 txt; do
   cp call.unv call.$ending
   refuse "allowed: a file that Gmsh reads" call.$ending
 done
-check "nothing was called" [ ! -e done ]
 echo 'x() = ListFromFile["/etc/hostname"]; Error("%g", x(0));' >list.geo
 refuse "found 'ListFromFile' in line 1" list.geo
 echo 'Sleep 1000;' >sleep.geo
 refuse "found 'Sleep' in line 1" sleep.geo
-printf 'For i In {1:1000000000}\n  x = i;\nEndFor\n' >loop.geo
+echo 'Point(1) = {0, 0, 0' >wrong.geo
+refuse "Gmsh says" wrong.geo
+start "$PATH" none "${names[@]/%/.prm}"
+check "${#names[@]} files: exit code 1" [ $? -eq 1 ]
+check "  a line for each" [ "$(wc -l <stderr)" -eq "${#names[@]}" ]
+check "  which is a sentence" [ "$(grep -c '^signorini: .*[.)]$' stderr)" -eq "${#names[@]}" ]
+for i in "${!names[@]}"; do refused "${names[i]}" "${messages[i]}"; done
+check "nothing is left behind" nothing_left
+check "nothing was called" [ ! -e "done" ]
+
+# No program gmsh.
+scene without step plain.geo
+start /nowhere none first.prm without.prm
+check "without Gmsh: exit code 1" [ $? -eq 1 ]
+same_force first none
+check "one line" one_line_of_complaint
+refused without "apt install gmsh"
+rm -r none/first && rmdir none
+check "  and leaves nothing behind" nothing_left
+
 # A program gmsh that waits: the limit without half a minute of work.
 mkdir waiting
 printf '#!/bin/sh\nexec /bin/sleep 100\n' >waiting/gmsh
 chmod +x waiting/gmsh
-path=$PWD/waiting
-refuse "Gmsh did not end within" loop.geo
-path=$PATH
+scene loop step plain.geo
+start "$PWD/waiting" none loop.prm
+check "a Gmsh that does not end: exit code 1" [ $? -eq 1 ]
+check "  one line" one_line_of_complaint
+check "  that sentence" grep -qF "Gmsh did not end within" stderr
+check "  and leaves nothing behind" nothing_left
+
+printf 'For i In {1:1000000000}\n  x = i;\nEndFor\n' >loop.geo
+scene loop step loop.geo
+is_left() { compgen -G 'left/*' >/dev/null; }
+is_none_left() { ! is_left; }
+wait_until() {
+  for i in $(seq 1000); do
+    if "$1"; then break; fi
+    sleep 0.1
+  done
+}
 for signal in INT TERM KILL; do
-  env --default-signal timeout -s KILL 20 "$program" "$prm/bracket_from_step.prm" --output none --set Geometry/File=loop.geo >stdout 2>stderr </dev/null &
+  env --default-signal timeout -s KILL 100 "$program" loop.prm --output none >stdout 2>stderr </dev/null &
   process=$!
-  for i in $(seq 100); do [ -n "$(ls -A left)" ] && break; sleep 0.05; done
+  wait_until is_left
   pkill -"$signal" -P "$process"
   wait "$process"
-  for i in $(seq 100); do [ -z "$(ls -A left)" ] && break; sleep 0.05; done
+  wait_until is_none_left
   check "SIG$signal while Gmsh runs leaves no folder" [ -z "$(ls -A left)" ]
 done
-echo 'Point(1) = {0, 0, 0' >wrong.geo
-refuse "Gmsh says" wrong.geo
-path=/nowhere
-refuse "apt install gmsh" plain.geo
 echo "$failures failures"
 [ "$failures" -eq 0 ]
