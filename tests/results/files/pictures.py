@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What the pictures of runs show: a narrow zone, graded meshes, a body in 3-D; skipped (127) where matplotlib is missing.
 usage: pictures.py PROGRAM ROOT"""
+import contextlib
 import importlib.machinery
 import importlib.util
+import io
 import json
 import os
 import subprocess
 import sys
 import tempfile
+import warnings
 
 program, root = map(os.path.realpath, sys.argv[1:3])
 script, scenes = root + "/scripts/signorini-plot", root + "/prm"
@@ -17,6 +20,7 @@ sys.dont_write_bytecode = True
 loader.exec_module(plot)  # starts this test again where another Python has matplotlib
 import numpy as np
 from matplotlib.image import imread
+from matplotlib.text import Text
 
 failures = 0
 
@@ -34,20 +38,50 @@ def run(scene, directory, *settings, environment=None):
     return subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
 
 
-def draw(directory, *options):
-    command = [sys.executable, script, directory, "--facts", "--format", "svg", "png", *options]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    check(f"{directory}: drawn", done.returncode == 0 and not done.stderr)
-    facts = json.loads(done.stdout)
+def draw_here(directory, *options):
+    """Draws in this process, which saves a start of Python and its libraries. Returns the exit code, the output and errors."""
+    sys.argv = [script, directory, *options]
+    out, errors, code = io.StringIO(), io.StringIO(), 0
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(errors), warnings.catch_warnings():
+        warnings.simplefilter("always")
+        try:
+            plot.main()
+        except SystemExit as end:
+            code = 1
+            print(end.code, file=sys.stderr)
+    return code, out.getvalue(), errors.getvalue()
+
+
+def check_pictures(directory, code, out, errors, words):
+    check(f"{directory}: drawn", code == 0 and not errors)
+    facts = json.loads(out)
     for name in facts["files"]:
         if name.endswith(".png"):
             pixels = np.round(255 * imread(os.path.join(directory, name))[..., :3]).astype(int)
             drawn = (pixels.min(2) < 250).mean()
             check(f"  {name} is no empty canvas", drawn > 0.02 and len(np.unique(pixels @ [1, 256, 65536])) > 20)
-    text = open(os.path.join(directory, "deformed.svg"), encoding="utf-8").read()
-    check("  the factor is stated", f"× {facts['factor']:g}" in text)
+    check("  the factor is stated", f"× {facts['factor']:g}" in words)
     check("  no cell is folded", facts["least_jacobian"] > 0.)
     return facts
+
+
+def draw(directory, *options):
+    """Draws coarse pictures; their words are read from the figures before these are saved."""
+    words.clear()
+    code, out, errors = draw_here(directory, "--facts", "--format", "png", *options)
+    return check_pictures(directory, code, out, errors, words["deformed"])
+
+
+words, save = {}, plot.Results.save
+
+
+def note_words(results, figure, name):
+    words[name] = "\n".join(text.get_text() for text in figure.findobj(Text))
+    save(results, figure, name)
+
+
+plot.Results.save = note_words
+plot.STYLE["savefig.dpi"] = 60
 
 
 def names(facts):
@@ -90,16 +124,27 @@ os.chdir(tempfile.mkdtemp())
 # A steep foundation is touched along 1/1000 of the side.
 done = run(f"{scenes}/b1.prm", "b1", "Discretization/Finest level=5", "Output/Pictures=true")
 check("the program draws", done.returncode == 0 and "Pictures:" not in done.stdout and os.path.exists("b1/pressure.svg"))
-check("  pressure, body, bound, convergence", {"pressure", "deformed", "bound", "convergence"} <= names(draw("b1")))
+done = subprocess.run([sys.executable, script, "b1", "--facts", "--format", "png"], capture_output=True, text=True, check=False)
+with open("b1/deformed.svg", encoding="utf-8") as file:
+    facts = check_pictures("b1", done.returncode, done.stdout, done.stderr, file.read())
+check("  pressure, body, bound, convergence", {"pressure", "deformed", "bound", "convergence"} <= names(facts))
 lines = open("b1/convergence.md", encoding="utf-8").read().splitlines()
 check("  a table of three levels in Markdown", len(lines) == 5 and len({line.count("|") for line in lines}) == 1)
 check("  and in LaTeX", open("b1/convergence.tex", encoding="utf-8").read().count("&") == 4 * (lines[0].count("|") - 2))
-facts = draw("b1", "--factor", "1e9")
+whole = plot.draw
+plot.draw = lambda results: plot.draw_deformed(results, results.of_level("solution", "vtu"))
+facts = draw("b1", "--factor", "1e9", "--format", "svg", "png")
+plot.draw = whole
 check("  a factor that would fold cells is not used", facts["factor"] < 1e9)
+with open("b1/deformed.svg", encoding="utf-8") as file:
+    check("  two formats, both state it", facts["files"] == ["deformed.svg", "deformed.png"] and f"× {facts['factor']:g}" in file.read())
 with open("narrow.prm", "w", encoding="utf-8") as file:
     file.write("subsection Boundary\n set Displacement = top: 0; -1e-7\n set Contact = bottom\nend\n"
                "subsection Contact\n set Gap = 0.5*(x-0.3)^2\nend\nsubsection Discretization\n set Strategy = hp\nend\n")
-check("a narrow zone", run("narrow.prm", "narrow").returncode == 0)
+done = run("narrow.prm", "narrow", "Output/Pictures=true", environment={**os.environ, "PATH": os.getcwd()})
+check("a narrow zone; without Python a run succeeds", done.returncode == 0)
+check("  and says what to install", "\nPictures: not drawn, because Python's matplotlib is missing (the package python3-matplotlib" in
+      done.stdout and "draw them later with" in done.stdout)
 facts = draw("narrow")
 (zone,), views = facts["zones"]["bottom"], facts["views"]["bottom"]
 check("  of less than 1/300 of the side", 0. < zone[1] - zone[0] < 1 / 300 and zone[0] < 0.3 < zone[1])
@@ -117,22 +162,17 @@ facts = draw("k1")
 with open("k1/answer.json", encoding="utf-8") as file:
     zones = [[zone["start"]["arc_length"], zone["end"]["arc_length"]] for zone in json.load(file)["friction"]["stick_zones"]]
 check("  the zones of stick", np.allclose(facts["stick"]["bottom"], zones))
-check("  and the limits of friction", "limits of friction" in open("k1/pressure.svg", encoding="utf-8").read())
-done = run("narrow.prm", "without", "Output/Pictures=true", environment={**os.environ, "PATH": os.getcwd()})
-check("without Python a run succeeds", done.returncode == 0)
-check("  and says what to install", "\nPictures: not drawn, because Python's matplotlib is missing (the package python3-matplotlib" in
-      done.stdout and "draw them later with" in done.stdout)
+check("  and the limits of friction", "limits of friction" in words["pressure"])
 done = subprocess.run([sys.executable, script, "nowhere"], capture_output=True, text=True, check=False)
 check("no results: one sentence", done.returncode == 1 and done.stderr.count("\n") == 1)
-for name in ["certificate.json", "convergence.csv"] + sorted(name for name in os.listdir("without") if name.endswith(".vtu")):
-    with open(os.path.join("without", name), "rb") as file:
+for name in ["certificate.json", "convergence.csv"] + sorted(name for name in os.listdir("narrow") if name.endswith(".vtu")):
+    with open(os.path.join("narrow", name), "rb") as file:
         whole = file.read()
-    with open(os.path.join("without", name), "wb") as file:
+    with open(os.path.join("narrow", name), "wb") as file:
         file.write(whole[:len(whole) // 2 - 3])
-    done = subprocess.run([sys.executable, script, "without"], capture_output=True, text=True, check=False)
-    check(f"half of {name}: drawn, or one sentence",
-          done.returncode == 0 or done.stderr.count("\n") == 1 and "damaged or incomplete" in done.stderr)
-    check("  which names the file", name.endswith(".csv") or name in done.stderr)
-    with open(os.path.join("without", name), "wb") as file:
+    code, _, errors = draw_here("narrow")
+    check(f"half of {name}: drawn, or one sentence", code == 0 or errors.count("\n") == 1 and "damaged or incomplete" in errors)
+    check("  which names the file", name.endswith(".csv") or name in errors)
+    with open(os.path.join("narrow", name), "wb") as file:
         file.write(whole)
 sys.exit(failures > 0)
