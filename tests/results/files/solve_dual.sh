@@ -22,12 +22,39 @@ for arguments in "" nowhere "nowhere one" "nowhere 3"; do
   check "'$arguments': a message" eval "[ $? -ne 0 ] && ! grep -q Traceback stderr"
 done
 
-for scene in block_on_parabola two_contact_sides patch_test_distorted pressed_by_force o1; do
-  "$program" "$scenes/$scene.prm" --set 'Discretization/Finest level=3' --set Output/Compliance=true \
-    --set 'Solver/Tolerated error=1' --output "$scene" >stdout 2>stderr
-  check "$scene" [ $? -eq 0 ]
-  check "  the same P, C and F" "$python" "$script" "$scene" 3
-done
+# solve SCENES SETTINGS: one start for these scenes, with results in folders of their names.
+solve() {
+  local scene paths=() settings=()
+  for scene in $1; do paths+=("$scenes/$scene.prm"); done
+  while IFS= read -r setting; do settings+=(--set "$setting"); done <<<"$2"
+  "$program" "${paths[@]}" "${settings[@]}" --output . >stdout 2>stderr
+  check "$1" [ $? -eq 0 ]
+  for scene in $1; do check "  exit code 0: $scene" grep -q "/$scene\.prm: .*, exit code 0, " stdout; done
+}
+plane="block_on_parabola two_contact_sides patch_test_distorted pressed_by_force o1"
+friction="friction/t1 friction/k1 friction/ssnv128 friction/torsion"
+common='Discretization/Finest level=3
+Output/Compliance=true
+Solver/Tolerated error=1'
+solve "$plane" "$common"
+solve "$friction" "$common
+Discretization/Coarsest level=2
+Discretization/Target error=0"
+# One start of Python for all of them.
+cat >all.py <<'ALL'
+import runpy, sys
+script, *folders = sys.argv[1:]
+for folder in folders:
+    sys.argv = [script, folder, "3"]
+    try:
+        runpy.run_path(script, run_name="__main__")
+    except SystemExit as end:
+        print(f"{folder}: exit code {end.code}", flush=True)
+ALL
+"$python" all.py "$script" $plane ${friction//friction\//} >stdout 2>stderr
+check "the same P, C and F are looked for" [ $? -eq 0 ]
+for scene in $plane $friction; do check "  the same P, C and F: $scene" grep -qx "${scene##*/}: exit code 0" stdout; done
+cat stdout
 "$python" - o1/P-03.mtx <<'CHANGE'
 import sys
 lines = open(sys.argv[1]).read().split("\n")
@@ -36,11 +63,5 @@ open(sys.argv[1], "w").write("\n".join(lines))
 CHANGE
 "$python" "$script" o1 3 >stdout 2>stderr
 check "a pressure that is wrong by a thousandth is found" [ $? -eq 1 ]
-for scene in friction/t1 friction/k1 friction/ssnv128 friction/torsion; do
-  "$program" "$scenes/$scene.prm" --set 'Discretization/Coarsest level=2' --set 'Discretization/Finest level=3' \
-    --set 'Discretization/Target error=0' --set Output/Compliance=true --set 'Solver/Tolerated error=1' --output friction >stdout 2>stderr
-  check "$scene" [ $? -eq 0 ]
-  check "  the same P, C and F" "$python" "$script" friction 3
-done
 echo "$failures failures"
 [ "$failures" -eq 0 ]
