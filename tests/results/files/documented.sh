@@ -1,20 +1,18 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Every file of a run, every column, key and field in it stands in doc/output.md.
+# Every file of a run, every column, key and field in it stands in doc/output.md: three runs, in one start.
 # usage: documented.sh PROGRAM ROOT
 
 program=$(realpath "$1")
 document=$(realpath "$2")/doc/output.md
-scene=$(realpath "$2")/prm/a1.prm
 . "$(dirname "$0")/../../checks.bash"
 
 # all_named WORDS...: each stands in backticks.
 all_named() {
-  local name complete=true
-  for name in "$@"; do
-    grep -qF "\`$name\`" "$document" || { echo "not in $document: $name"; complete=false; }
-  done
-  [ "$#" -gt 0 ] && $complete
+  printf '`%s`\n' "$@" | sort -u >words
+  grep -oF -f words "$document" | sort -u | comm -23 words - >missing
+  sed "s|^|not in $document: |" missing
+  [ "$#" -gt 0 ] && is_empty missing
 }
 columns_of() { head -n 1 "$1" | sed 's/reaction_[a-z]*_/reaction_SIDE_/g' | tr ',' ' '; }
 keys_of() { grep -o '"[a-z_]*":' "$1" | tr -d '":' | sort -u; }
@@ -22,9 +20,67 @@ keys_of() { grep -o '"[a-z_]*":' "$1" | tr -d '":' | sort -u; }
 fields_of() { grep -o 'Name="[^"]*"' "$1" | sed 's/.*="//; s/"//' | grep -vx 'connectivity\|offsets\|types'; }
 files_of() { ls "$1" | sed 's/-[0-9][0-9]\./-LL./' | sort -u; }
 
-"$program" "$scene" --set 'Discretization/Finest level=3' --set Output/Compliance=true --set Output/VTU=all \
-  --set 'Solver/Tolerated error=1e-9' --output run >stdout 2>stderr
-check "a run that is not resolved, which has every key" [ $? -eq 2 ]
+cat >run.prm <<'PRM'
+subsection Scene
+  set Name = A1
+end
+subsection Discretization
+  set Coarsest level = 3
+  set Finest level   = 3
+end
+subsection Output
+  set Compliance = true
+  set VTU        = all
+end
+subsection Solver
+  set Tolerated error = 1e-9
+end
+PRM
+cat >driven.prm <<'PRM'
+subsection Boundary
+  set Plates  = top: 0, -1 turning
+  set Contact = bottom
+end
+subsection Load
+  set Plate force = top: 0.05
+end
+subsection Contact
+  set Gap = 0.5*(x-0.5)^2
+end
+subsection Load cases
+  set Cases  = force 0.5 to 2 in 3 cases | force -1
+  set Fields = 3
+end
+subsection Discretization
+  set Finest level = 3
+end
+subsection Output
+  set Compliance = true
+end
+subsection Solver
+  set Tolerated error = 0.3
+end
+PRM
+cat >hp.prm <<'PRM'
+subsection Scene
+  set Name = B1
+end
+subsection Discretization
+  set Strategy       = hp
+  set Coarsest level = 2
+  set Finest level   = 7
+  set Target error   = 0.02
+end
+subsection Output
+  set Compliance = true
+  set VTU        = all
+end
+PRM
+"$program" run.prm driven.prm hp.prm --output . >stdout 2>stderr
+check "three runs, one of which is not resolved" [ $? -eq 2 ]
+ended() { grep -qx "$1\.prm: .*, exit code $2, \./$1" stdout; }
+
+check "a run that is not resolved, which has every key" ended run 2
 check "files" all_named $(files_of run)
 check "columns of convergence.csv" all_named $(columns_of run/convergence.csv)
 check "columns of contact-03.csv" all_named $(columns_of run/contact-03.csv)
@@ -47,24 +103,7 @@ p=$(awk -F, 'NR > 1 && !seen[$10]++ { printf "%.12e ", $5 }' run/contact-03.csv)
 check "P from contact-03.csv" [ "$p" = "$(tail -n +3 run/P-03.mtx | awk '{ printf "%.12e ", $1 }')" ]
 
 # Bodies that move freely, and load cases.
-cat >driven.prm <<END
-subsection Boundary
-  set Plates  = top: 0, -1 turning
-  set Contact = bottom
-end
-subsection Load
-  set Plate force = top: 0.05
-end
-subsection Contact
-  set Gap = 0.5*(x-0.5)^2
-end
-subsection Load cases
-  set Cases  = force 0.5 to 2 in 3 cases | force -1
-  set Fields = 3
-end
-END
-"$program" driven.prm --set 'Discretization/Finest level=3' --set 'Solver/Tolerated error=0.3' --set Output/Compliance=true --output driven >stdout 2>stderr
-check "a plate with load cases" [ $? -eq 0 ]
+check "a plate with load cases" ended driven 0
 check "  files" all_named $(ls driven | sed 's/-[0-9][0-9]\./-LL./; s/-[0-9]\{6\}\./-NNNNNN./' | sort -u)
 check "  columns" all_named $(columns_of driven/cases.csv)
 check "  keys" all_named $(keys_of driven/certificate.json) $(keys_of driven/answer.json)
@@ -72,9 +111,7 @@ check "  forces in balance in every case" awk -F, 'NR > 1 && $NF == "solved" { n
 check "  the last case lifts off" grep -q '^4,-1,.*,it lifts off$' driven/cases.csv
 
 # Graded meshes write other files, fields and columns.
-"$program" "${scene%/*}/b1.prm" --set Discretization/Strategy=hp --set 'Discretization/Coarsest level=2' \
-  --set 'Discretization/Target error=0.001' --set Output/VTU=all --set Output/Compliance=true --output hp >stdout 2>stderr
-check "a run on graded meshes" [ $? -eq 0 ]
+check "a run on graded meshes" ended hp 0
 last=$(ls hp/solution-*.vtu | tail -n 1 | sed 's/.*solution-\(..\).*/\1/')
 check "  with several steps" [ "$last" -ge 2 ]
 check "  files" all_named $(files_of hp)
