@@ -110,7 +110,7 @@ refuse_all early
 refuse_all late
 refuse no "Contact/Gap: found the value nan of component 1 at (0.0001 0), allowed: values up to 1e+30 on the whole body." \
   Contact/Gap=0/0
-refuse yes "Discretization/Patches: found 16384 patches on the 8 contact faces of the finest level, allowed: at most 4 per face." \
-  Discretization/Patches=16384
+refuse yes "Discretization/Patches: found 33 patches on the 8 contact faces of the finest level, allowed: at most 4 per face." \
+  Discretization/Patches=33
 echo "$failures failures"
 [ "$failures" -eq 0 ]
