@@ -15,124 +15,133 @@ program=$(realpath "$1")
 mpirun=$3
 . "$(dirname "$0")/results.bash"
 
-write_scene 5
-run() {
-  timeout 600 "$program" scene.prm "$@" >stdout 2>stderr
-  code=$?
-}
-could_not_write() { grep -q "^signorini: The file '$1.*' could not be written: the disk is full" stderr; }
+write_scene 9
+mv scene.prm long.prm
+write_scene 2
+sed '$a subsection Solver\n  set Tolerated error = 1\nend' scene.prm >brief.prm
+write_scene 4
 
 # failed_honestly DIRECTORY: after a run that could not write all its files.
 failed_honestly() {
-  check "  exit code 3" [ "$code" -eq 3 ]
-  check "  one sentence" one_line stderr
-  check "  which names the file" could_not_write "$1/"
+  check "  one sentence, which names the file" \
+    [ "$(grep -c "^signorini: The file '$1/.*' could not be written: the disk is full" stderr)" -eq 1 ]
   check "  no temporary files" no_temporary_files "$1"
   check "  complete files" no_half_files "$1"
-  check "  no word of residuals" [ "$(grep -c 'KKT residuals are' stdout)" -eq 0 ]
   check "  no wrong verdict" grep -Eq '"verdict": "(unfinished|not certified)"' "$1/certificate.json"
 }
+sentences() { check "  $1 sentences" [ "$(wc -l <stderr)" -eq "$1" ]; }
+no_residuals() { check "  no word of residuals" [ "$(grep -c 'KKT residuals are' stdout)" -eq 0 ]; }
 
+# One run for each of several disks, which are mounted on one that is itself read-only.
 small_disks() {
-  local options
+  local disk disks=(48k 96k 160k 240k few)
   mkdir small
-  # The last one: bytes enough, but no room for more than ten files.
-  for options in size=48k size=96k size=160k size=240k size=9m,nr_inodes=10; do
-    mount -t tmpfs -o "$options" none small
-    run --output small
-    check "a disk of $options" [ "$code" -ne 0 ]
-    failed_honestly small
-    mount -o remount,size=9m,nr_inodes=100 small
-    run --output small
-    check "  with more room: as good as ever" same_results large small
-    umount small
+  mount -t tmpfs none small
+  for disk in "${disks[@]}" full; do
+    mkdir "small/$disk"
+    cp scene.prm "$disk.prm"
   done
-  mount -t tmpfs -o size=4k,nr_inodes=4 none small
-  head -c 4096 /dev/zero >small/other
-  run --output small
-  check "a disk that is full from the start: exit code 1" [ "$code" -eq 1 ]
-  check "  one sentence" one_line stderr
-  check "  leaves nothing behind" [ "$(ls -A small)" = other ]
-  umount small
-  if [ -x "$mpirun" ]; then
-    mount -t tmpfs -o size=96k none small
-    timeout 600 "$mpirun" -np 2 "$program" scene.prm --output small >stdout 2>stderr.all
-    code=$?
-    # mpirun has something to say about exit codes, too.
-    grep '^signorini' stderr.all >stderr
-    check "a disk of 96k, two ranks" [ "$code" -ne 0 ]
-    failed_honestly small
-    umount small
-  else
-    echo "SKIP two ranks: there is no mpirun"
-  fi
+  cp scene.prm results.prm
+  mount -o remount,ro small
+  for disk in 48k 96k 160k 240k; do mount -t tmpfs -o "size=$disk" none "small/$disk"; done
+  # Bytes enough, but no room for more than ten files.
+  mount -t tmpfs -o size=9m,nr_inodes=10 none small/few
+  mount -t tmpfs -o size=4k,nr_inodes=4 none small/full
+  head -c 4096 /dev/zero >small/full/other
+  timeout 600 "$program" "${disks[@]/%/.prm}" full.prm results.prm --output small >stdout 2>stderr
+  check "small disks: exit code 3" [ $? -eq 3 ]
+  sentences $((${#disks[@]} + 2))
+  no_residuals
+  for disk in "${disks[@]}"; do
+    check "a disk of $disk: exit code 3" ends_with "$disk.prm" 'not written' 3 "small/$disk"
+    failed_honestly "small/$disk"
+  done
+  check "a disk that is full from the start: exit code 1" ends_with full.prm 'wrong input' 1 small/full
+  check "  one sentence" [ "$(grep -c "^signorini: .*'small/full" stderr)" -eq 1 ]
+  check "  leaves nothing behind" [ "$(ls -A small/full)" = other ]
+  check "a read-only disk: exit code 1" ends_with results.prm 'wrong input' 1 small/results
+  check "  one sentence" grep -q "^signorini: --output: found 'small/results', allowed: a directory that can be" stderr
+  for disk in "${disks[@]}"; do mount -o remount,size=9m,nr_inodes=100 "small/$disk"; done
+  timeout 600 "$program" "${disks[@]/%/.prm}" --output small >stdout 2>stderr
+  for disk in "${disks[@]}"; do check "$disk with more room: as good as ever" same_results reference/large "small/$disk"; done
+  umount -R small
 }
 
-read_only_disks() {
-  mkdir protected
-  mount -t tmpfs -o ro none protected
-  run --output protected/results
-  check "a read-only disk: exit code 1" [ "$code" -eq 1 ]
-  check "  one sentence" grep -q "^signorini: --output: found 'protected/results', allowed: a directory that can be" stderr
-  mount -o remount,rw protected
-  "$program" scene.prm --set 'Discretization/Finest level=9' --output protected >stdout 2>stderr &
-  local process=$!
-  until [ -e protected/contact-04.csv ] || ! kill -0 "$process"; do sleep 0.02; done
-  until mount -o remount,ro protected 2>/dev/null; do sleep 0.001; done
-  wait "$process"
-  code=$?
-  check "a disk that becomes read-only" [ "$code" -ne 0 ]
-  failed_honestly protected
-  umount protected
+# A small disk under a run on two ranks.
+shared_disk() {
+  mkdir shared
+  mount -t tmpfs -o size=96k none shared
+  timeout 600 "$mpirun" -np 2 "$program" scene.prm --output shared >stdout 2>stderr.all
+  check "a disk of 96k, two ranks: exit code 3" [ $? -eq 3 ]
+  # mpirun has something to say about exit codes, too.
+  grep '^signorini' stderr.all >stderr
+  sentences 1
+  no_residuals
+  failed_honestly shared
+  umount shared
 }
 
-run --output large
-check "a disk that is large enough" verdict_is large certified
-check "complete files" no_half_files large
+cp scene.prm large.prm
+"$program" large.prm brief.prm --output reference >stdout 2>stderr
+check "a disk that is large enough" verdict_is reference/large certified
+check "complete files" no_half_files reference/large
+taken=(gone)
 if [ "$SIGNORINI_MAY_MOUNT" = yes ]; then
   small_disks
-  read_only_disks
+  if [ -x "$mpirun" ]; then shared_disk; else echo "SKIP two ranks: there is no mpirun"; fi
+  taken+=(protected)
+  mkdir -p taken/protected
+  mount -t tmpfs none taken/protected
 else
   echo "SKIP small and read-only disks: this system does not let tests mount any"
 fi
-
-"$program" scene.prm --set 'Discretization/Finest level=9' --output gone >stdout 2>stderr &
-process=$!
-until [ -e gone/contact-03.csv ] || ! kill -0 "$process"; do sleep 0.02; done
-until rm -rf gone 2>/dev/null; do :; done
-wait "$process"
-check "a directory that is removed: exit code 3" [ $? -eq 3 ]
-check "  one sentence" one_line stderr
-check "  which names the file" grep -q "^signorini: The file 'gone/" stderr
-check "  and stays removed" [ ! -e gone ]
-
-# From here on the process may write no file of more than 100 kB.
-"$program" scene.prm --set 'Discretization/Finest level=9' --output limited >stdout 2>stderr &
-process=$!
-until [ -e limited/contact-02.csv ] || ! kill -0 "$process"; do sleep 0.02; done
-if prlimit --pid "$process" --fsize=100000 2>/dev/null; then
-  wait "$process"
-  code=$?
-  check "a limit to the size of files" [ "$code" -ne 0 ]
-  failed_honestly limited
+if (prlimit --pid "$BASHPID" --fsize=100000) 2>stderr; then
+  taken+=(limited)
 else
   echo "SKIP a limit to the size of files: there is no prlimit"
-  kill "$process"
 fi
 
+# From three long runs, one after the other, is taken away: the directory, the right to write to the disk, and the right to
+# write a file of more than 100 kB.
+for scene in "${taken[@]}"; do cp long.prm "$scene.prm"; done
+"$program" "${taken[@]/%/.prm}" --output taken >stdout 2>stderr &
+process=$!
+wait_for taken/gone/contact-01.csv "$process"
+until rm -rf taken/gone 2>/dev/null; do :; done
+if [[ " ${taken[*]} " == *' protected '* ]]; then
+  wait_for taken/protected/contact-02.csv "$process"
+  until mount -o remount,ro taken/protected 2>/dev/null; do pause 0.001; done
+fi
+if [[ " ${taken[*]} " == *' limited '* ]]; then
+  wait_for taken/limited/contact-02.csv "$process"
+  prlimit --pid "$process" --fsize=100000
+fi
+wait "$process"
+check "runs from which something is taken away: exit code 3" [ $? -eq 3 ]
+sentences "${#taken[@]}"
+no_residuals
+check "a directory that is removed: exit code 3" ends_with gone.prm 'not written' 3 taken/gone
+check "  one sentence, which names the file" [ "$(grep -c "^signorini: The file 'taken/gone/" stderr)" -eq 1 ]
+check "  and stays removed" [ ! -e taken/gone ]
+for scene in "${taken[@]:1}"; do
+  check "a disk that becomes $scene: exit code 3" ends_with "$scene.prm" 'not written' 3 "taken/$scene"
+  failed_honestly "taken/$scene"
+done
+if [ "$SIGNORINI_MAY_MOUNT" = yes ]; then umount taken/protected; fi
+
 told_on_stderr() { [ "$(cat stderr)" = 'signorini: the standard output could not be written.' ]; }
-"$program" scene.prm --output printed >/dev/full 2>stderr
+"$program" brief.prm --output printed >/dev/full 2>stderr
 check "a full disk under the standard output: exit code 3" [ $? -eq 3 ]
 check "  one sentence" told_on_stderr
-check "  the results are there" same_results large printed
-"$program" scene.prm --output printed >&- 2>stderr
+check "  the results are there" same_results reference/brief printed
+"$program" brief.prm --output printed >&- 2>stderr
 check "a closed standard output: exit code 3" [ $? -eq 3 ]
 check "  one sentence" told_on_stderr
-check "  and nothing printed into the results" same_results large printed
+check "  and nothing printed into the results" same_results reference/brief printed
 "$program" scene.prm --output printed 2>stderr | head -n 1 >stdout
 check "a reader that goes away: exit code 3" [ "${PIPESTATUS[0]}" -eq 3 ]
 check "  one sentence" told_on_stderr
-check "  the results are there" same_results large printed
+check "  the results are there" same_results reference/large printed
 "$program" --help >/dev/full 2>stderr
 check "no room for the help: exit code 3" [ $? -eq 3 ]
 check "  one sentence" told_on_stderr

@@ -57,8 +57,8 @@ no_half_files() {
   [ -z "$(tail -qc 1 /dev/null "${tables[@]}")" ] || { echo "half a line in one of ${tables[*]}"; return 1; }
   awk -F, '
     function finish() {
-      if (kind == "csv" ? odd : kind == "json" ? first last != "{}" : kind == "prm" ? last != "end" :
-          kind == "mtx" ? first !~ /^%%MatrixMarket/ : before "\n" last !~ /<\/VTKFile>/) {
+      if (kind == "csv" ? odd : kind == "json" ? (first last) != "{}" : kind == "prm" ? last != "end" :
+          kind == "mtx" ? first !~ /^%%MatrixMarket/ : (before "\n" last) !~ /<\/VTKFile>/) {
         print "half a file: " file
         wrong = 1
       }
