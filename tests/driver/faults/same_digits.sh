@@ -24,47 +24,69 @@ largest_difference() {
 }
 rounding() { awk "BEGIN { exit !(${1% *} < $2) }"; }
 
-# same_digits SCENE LEVEL THREADS: the run, and again with numbers of threads, one of them twice, and on two ranks, each of which
-# solves all levels alone.
-same_digits() {
-  local scene=$1 arguments=("$scenes/$1.prm" --set "Discretization/Finest level=$2" --set Output/VTU=all --set Output/Compliance=true)
-  "$program" "${arguments[@]}" --output "$scene" >stdout 2>stderr
-  check "$scene" [ $? -eq 0 ]
-  for threads in $3; do
-    DEAL_II_NUM_THREADS=$threads "$program" "${arguments[@]}" --output again >stdout 2>stderr
-    check "  the same digits with $threads threads" same_results "$scene" again
+# scene NAME FILE ENTRIES...: NAME.prm, the text of a scene with these entries in place of its own.
+scene() {
+  local name=$1 entry parameter
+  cat "$scenes/$2.prm" >"$name.prm"
+  for entry in "${@:3}"; do
+    parameter=${entry%%=*}
+    sed -i "/^ *set ${parameter#*/} *=/d" "$name.prm"
+    printf '\nsubsection %s\n  set %s = %s\nend\n' "${parameter%/*}" "${parameter#*/}" "${entry#*=}" >>"$name.prm"
   done
-  [ -x "$mpirun" ] || return
-  OPENBLAS_NUM_THREADS=1 "$mpirun" -np 2 "$program" "${arguments[@]}" --output again >stdout 2>stderr
-  check "  the same digits on two ranks" same_results "$scene" again
 }
 
-# shared DIFFERENCE RANKS SCENE ENTRIES...: the run on one rank, and on numbers of ranks that share the last level.
+# on_ranks N SCENES...: the scenes on some ranks, with the results in ranks-N.
+on_ranks() {
+  local scenes_of_call=("${@:2}")
+  OPENBLAS_NUM_THREADS=1 "$mpirun" -np "$1" "$program" "${scenes_of_call[@]/%/.prm}" --output "ranks-$1" >stdout 2>stderr
+  check "${*:2} on $1 ranks" [ $? -eq 0 ]
+}
+
+# shared DIFFERENCE RANKS SCENE: what ranks that shared the last level say, beside the run on one rank.
 shared() {
-  local most=$1 all_ranks=$2 scene=$3 arguments=("$scenes/$3.prm" --set Output/VTU=finest)
-  for entry in "${@:4}"; do arguments+=(--set "$entry"); done
-  "$program" "${arguments[@]}" --output alone >stdout 2>stderr
-  check "$scene" [ $? -eq 0 ]
-  for ranks in $all_ranks; do
-    OPENBLAS_NUM_THREADS=1 "$mpirun" -np "$ranks" "$program" "${arguments[@]}" --output again >stdout 2>stderr
-    check "  $ranks ranks" [ $? -eq 0 ]
-    check "  complete files" no_half_files again
-    check "  a file of the body from every rank" [ "$(ls again/solution-*.[0-9]*.vtu | wc -l)" -eq "$ranks" ]
-    difference=$(largest_difference alone again)
-    check "  the largest difference in convergence.csv: $difference" rounding "$difference" "$most"
-    table=$(ls alone | grep -E '^contact-[0-9]+\.csv$' | tail -n 1)
-    check "  all rows of $table" [ "$(cut -d, -f1-4 "alone/$table" | md5sum)" = "$(cut -d, -f1-4 "again/$table" | md5sum)" ]
-  done
+  local alone=alone/$3 again=ranks-$2/$3 difference table
+  echo "$3 on $2 ranks"
+  check "  complete files" no_half_files "$again"
+  check "  a file of the body from every rank" [ "$(ls "$again"/solution-*.[0-9]*.vtu | wc -l)" -eq "$2" ]
+  difference=$(largest_difference "$alone" "$again")
+  check "  the largest difference in convergence.csv: $difference" rounding "$difference" "$1"
+  table=$(ls "$alone" | grep -E '^contact-[0-9]+\.csv$' | tail -n 1)
+  check "  all rows of $table" [ "$(cut -d, -f1-4 "$alone/$table")" = "$(cut -d, -f1-4 "$again/$table")" ]
 }
 
-same_digits a1 5 "1 3 3"
+scene a1 a1 "Discretization/Finest level=5" Output/VTU=all Output/Compliance=true
+names=(a1)
 if [ -x "$mpirun" ]; then
-  # On shared levels sums are rounded in another order, and V-cycles end at their tolerance.
-  shared 1e-10 "2 3" space/d3 "Discretization/Finest level=4"
-  shared 1e-10 2 space/d3 "Discretization/Finest level=4" "Solver/Linear solver=amesos_mumps" "Solver/Tolerated error=1"
-  shared 1e-8 2 bracket_from_file Output/Bound=false "Solver/Contact solver=multigrid" Discretization/Strategy=nested
+  scene d3 space/d3 Output/VTU=finest "Discretization/Finest level=4"
+  # Only the level that is shared; d3 has the levels before, which each rank solves alone.
+  scene d3_mumps space/d3 Output/VTU=finest "Discretization/Coarsest level=4" "Discretization/Finest level=4" \
+    "Solver/Linear solver=amesos_mumps" "Solver/Tolerated error=1"
+  ln -s "$scenes/parts" parts
+  scene bracket bracket_from_file Output/VTU=finest Output/Bound=false "Solver/Contact solver=multigrid" \
+    Discretization/Strategy=nested
   # A ring, with curved cells, more of them on every level, and p4est's own order of the coarse mesh.
-  shared 1e-9 3 e2 "Discretization/Finest level=4" Output/Bound=false "Solver/Linear solver=amesos_mumps"
+  scene e2 e2 Output/VTU=finest "Discretization/Finest level=3" Output/Bound=false "Solver/Linear solver=amesos_mumps"
+  names+=(d3 d3_mumps bracket e2)
+fi
+"$program" "${names[@]/%/.prm}" --output alone >stdout 2>stderr
+check "${names[*]}" [ $? -eq 0 ]
+DEAL_II_NUM_THREADS=1 "$program" a1.prm --output threads-1 >stdout 2>stderr
+check "the same digits with 1 thread" same_results alone/a1 threads-1
+cp a1.prm a1_again.prm
+DEAL_II_NUM_THREADS=3 "$program" a1.prm a1_again.prm --output threads-3 >stdout 2>stderr
+check "the same digits with 3 threads" same_results alone/a1 threads-3/a1
+check "and once more" same_results alone/a1 threads-3/a1_again
+if [ -x "$mpirun" ]; then
+  on_ranks 2 a1 d3 d3_mumps bracket
+  on_ranks 3 d3 e2
+  # Where each rank solves all levels alone.
+  check "the same digits on two ranks" same_results alone/a1 ranks-2/a1
+  # On shared levels sums are rounded in another order, and V-cycles end at their tolerance.
+  shared 1e-10 2 d3
+  shared 1e-10 3 d3
+  shared 1e-10 2 d3_mumps
+  shared 1e-8 2 bracket
+  shared 1e-9 3 e2
 else
   echo "SKIP several ranks: there is no mpirun"
 fi
