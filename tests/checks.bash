@@ -22,7 +22,28 @@ check() {
 is_empty() { [ ! -s "$1" ]; }
 # What the program has to say about wrong input, in the file stderr.
 one_line_of_complaint() {
-  [ "$(wc -l <stderr)" -eq 1 ] && grep -q '^signorini: .*[.)]$' stderr
+  local lines
+  mapfile lines <stderr
+  [[ ${#lines[@]} -eq 1 && ${lines[0]} == 'signorini: '*[.\)]$'\n' ]]
+}
+# ends_with SCENE VERDICT CODE DIRECTORY: the line of a scene at the end of what a call with several scenes prints.
+ends_with() { grep -qxF "$1: $2, exit code $3, $4" stdout; }
+# variant FILE NAME ENTRIES...: NAME.prm, the text of a scene with these entries, "Subsection/Entry=value", in place of its own.
+variant() {
+  local line lines entry parameter text=''
+  mapfile -t lines <"$1"
+  for line in "${lines[@]}"; do
+    for entry in "${@:3}"; do
+      parameter=${entry%%=*}
+      if [[ $line =~ ^\ *set\ +"${parameter#*/}"\ *= ]]; then continue 2; fi
+    done
+    text+=$line$'\n'
+  done
+  for entry in "${@:3}"; do
+    parameter=${entry%%=*}
+    text+="subsection ${parameter%/*}"$'\n'"  set ${parameter#*/} = ${entry#*=}"$'\n'"end"$'\n'
+  done
+  printf '%s' "$text" >"$2.prm"
 }
 # Whether the directory holds what it held when "inputs=$(ls -A)" was set.
 only_the_inputs() { [ "$(ls -A)" = "$inputs" ]; }

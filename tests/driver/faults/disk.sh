@@ -17,9 +17,8 @@ mpirun=$3
 
 write_scene 9
 mv scene.prm long.prm
-write_scene 2
-sed '$a subsection Solver\n  set Tolerated error = 1\nend' scene.prm >brief.prm
 write_scene 4
+variant scene.prm brief 'Discretization/Finest level=2' 'Solver/Tolerated error=1'
 
 # failed_honestly DIRECTORY: after a run that could not write all its files.
 failed_honestly() {

@@ -97,15 +97,12 @@ mkdir -p wrong/late
 cp -r fresh wrong/gap
 cp -r fresh wrong/ratio
 echo mine >wrong/late/notes.txt
-cp short.prm gap.prm
-printf 'subsection Contact\n  set Gap = y\nend\n' >>gap.prm
-cp short.prm ratio.prm
-printf 'subsection Discretization\n  set Patch ratio = 1\nend\nsubsection Solver\n  set Require stability = true\nend\n' >>ratio.prm
+variant short.prm gap Contact/Gap=y
+variant short.prm ratio 'Discretization/Patch ratio=1' 'Solver/Require stability=true'
 cp ratio.prm late.prm
 # No number in a strip that is narrower than all distances of points.
-sed 's/A1/described/' short.prm >nothing.prm
-printf 'subsection %s\n  set %s\nend\n' Boundary $'Clamped = top\n  set Contact = bottom' \
-  Load 'Body force = 0; sqrt(abs(x-0.351207)-1e-6)' >>nothing.prm
+variant short.prm nothing Scene/Name=described Boundary/Clamped=top Boundary/Contact=bottom \
+  'Load/Body force=0; sqrt(abs(x-0.351207)-1e-6)'
 "$program" gap.prm ratio.prm late.prm nothing.prm --output wrong >stdout 2>stderr
 check "wrong input: exit code 1" [ $? -eq 1 ]
 # refused SCENE WHAT

@@ -33,8 +33,6 @@ one_line() {
   mapfile lines <"$1"
   [[ ${#lines[@]} -eq 1 && ${lines[0]} == *$'\n' ]]
 }
-# ends_with SCENE VERDICT CODE DIRECTORY: the line of a scene at the end of the standard output of a call with several scenes.
-ends_with() { grep -qxF "$1: $2, exit code $3, $4" stdout; }
 
 # pause SECONDS: sleeps without starting a process.
 mkfifo silence

@@ -24,17 +24,6 @@ largest_difference() {
 }
 rounding() { awk "BEGIN { exit !(${1% *} < $2) }"; }
 
-# scene NAME FILE ENTRIES...: NAME.prm, the text of a scene with these entries in place of its own.
-scene() {
-  local name=$1 entry parameter
-  cat "$scenes/$2.prm" >"$name.prm"
-  for entry in "${@:3}"; do
-    parameter=${entry%%=*}
-    sed -i "/^ *set ${parameter#*/} *=/d" "$name.prm"
-    printf '\nsubsection %s\n  set %s = %s\nend\n' "${parameter%/*}" "${parameter#*/}" "${entry#*=}" >>"$name.prm"
-  done
-}
-
 # on_ranks N SCENES...: the scenes on some ranks, with the results in ranks-N.
 on_ranks() {
   local scenes_of_call=("${@:2}")
@@ -54,18 +43,18 @@ shared() {
   check "  all rows of $table" [ "$(cut -d, -f1-4 "$alone/$table")" = "$(cut -d, -f1-4 "$again/$table")" ]
 }
 
-scene a1 a1 "Discretization/Finest level=5" Output/VTU=all Output/Compliance=true
+variant "$scenes/a1.prm" a1 "Discretization/Finest level=5" Output/VTU=all Output/Compliance=true
 names=(a1)
 if [ -x "$mpirun" ]; then
-  scene d3 space/d3 Output/VTU=finest "Discretization/Finest level=4"
+  variant "$scenes/space/d3.prm" d3 Output/VTU=finest "Discretization/Finest level=4"
   # Only the level that is shared; d3 has the levels before, which each rank solves alone.
-  scene d3_mumps space/d3 Output/VTU=finest "Discretization/Coarsest level=4" "Discretization/Finest level=4" \
+  variant "$scenes/space/d3.prm" d3_mumps Output/VTU=finest "Discretization/Coarsest level=4" "Discretization/Finest level=4" \
     "Solver/Linear solver=amesos_mumps" "Solver/Tolerated error=1"
   ln -s "$scenes/parts" parts
-  scene bracket bracket_from_file Output/VTU=finest Output/Bound=false "Solver/Contact solver=multigrid" \
+  variant "$scenes/bracket_from_file.prm" bracket Output/VTU=finest Output/Bound=false "Solver/Contact solver=multigrid" \
     Discretization/Strategy=nested
   # A ring, with curved cells, more of them on every level, and p4est's own order of the coarse mesh.
-  scene e2 e2 Output/VTU=finest "Discretization/Finest level=3" Output/Bound=false "Solver/Linear solver=amesos_mumps"
+  variant "$scenes/e2.prm" e2 Output/VTU=finest "Discretization/Finest level=3" Output/Bound=false "Solver/Linear solver=amesos_mumps"
   names+=(d3 d3_mumps bracket e2)
 fi
 "$program" "${names[@]/%/.prm}" --output alone >stdout 2>stderr
