@@ -13,6 +13,7 @@ benchmark_*.png: error against t_nested, time per unknown by stage, bytes per un
 import argparse
 import csv
 import glob
+import importlib.util
 import os
 import re
 import resource
@@ -262,6 +263,9 @@ class Benchmark:
     # Pictures.
 
     def draw(self, table, worst):
+        # Only now: this takes longer than to refuse wrong options.
+        import matplotlib
+        matplotlib.use("Agg")
         from matplotlib import pyplot
         colours, blues = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#000000"], pyplot.get_cmap("viridis_r")
         pyplot.rcParams.update({"axes.grid": True, "axes.axisbelow": True, "font.size": 8, "figure.constrained_layout.use": True,
@@ -362,13 +366,8 @@ def read_options():
 
 def main():
     o = read_options()
-    if not o.no_pictures:
-        try:
-            import matplotlib
-            matplotlib.use("Agg")
-        except ImportError:
-            if o.program:
-                stop("Python's matplotlib is missing; --no-pictures does without.")
+    if o.program and not o.no_pictures and not importlib.util.find_spec("matplotlib"):
+        stop("Python's matplotlib is missing; --no-pictures does without.")
     os.chdir(ROOT)
     if not o.program:
         subprocess.run(["bash", "scripts/install_packages", *([] if o.no_pictures else ["python3-matplotlib"])], check=True)

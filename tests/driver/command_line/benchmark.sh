@@ -22,7 +22,7 @@ sum() {
 }
 
 pictures=(--no-pictures)
-if python3 -c "import matplotlib" 2>stderr; then pictures=(); fi
+if python3 -c "import importlib.util as i, sys; sys.exit(not i.find_spec('matplotlib'))"; then pictures=(); fi
 python3 "$script" --program "$program" --output "$directory/out" --coarsest 4 --largest 5 --repetitions 2 \
   --scenes "two_ends no_contact" --linear-solvers amesos_klu --strategies nested --targets "" "${pictures[@]}" >stdout 2>stderr
 check "exit code 0" [ $? -eq 0 ]
