@@ -54,13 +54,14 @@ no_half_files() {
   done
   [ -z "$(tail -qc 1 /dev/null "${tables[@]}")" ] || { echo "half a line in one of ${tables[*]}"; return 1; }
   awk -F, '
-    function finish() {
-      if (kind == "csv" ? odd : kind == "json" ? (first last) != "{}" : kind == "prm" ? last != "end" :
-          kind == "mtx" ? first !~ /^%%MatrixMarket/ : (before "\n" last) !~ /<\/VTKFile>/) {
-        print "half a file: " file
-        wrong = 1
-      }
+    function is_half() {
+      if (kind == "csv") return odd
+      if (kind == "json") return (first last) != "{}"
+      if (kind == "prm") return last != "end"
+      if (kind == "mtx") return first !~ /^%%MatrixMarket/
+      return (before "\n" last) !~ /<\/VTKFile>/
     }
+    function finish() { if (is_half()) { print "half a file: " file; wrong = 1 } }
     FNR == 1 { if (NR > 1) finish(); file = kind = FILENAME; sub(/.*\./, "", kind); first = $0; last = ""; fields = NF; odd = 0 }
     kind == "mtx" { nextfile }
     { before = last; last = $0 }
