@@ -71,7 +71,7 @@ void check_scene(Checks &checks, const Expectation &expected, const bool is_know
 }
 
 void test_exponential(Checks &checks) {
-  for (const Expectation &expected : checks.rows(expectations, 2))
+  for (const Expectation &expected : checks.rows(expectations, 1))
     for (const bool is_known : {true, false})
       check_scene(checks, expected, is_known);
 }
