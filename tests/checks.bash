@@ -28,6 +28,12 @@ one_line_of_complaint() {
 }
 # ends_with SCENE VERDICT CODE DIRECTORY: the line of a scene at the end of what a call with several scenes prints.
 ends_with() { grep -qxF "$1: $2, exit code $3, $4" stdout; }
+# verdict_is DIRECTORY VERDICT
+verdict_is() {
+  local text=''
+  [ -e "$1/certificate.json" ] && text=$(<"$1/certificate.json")
+  [[ $text == *$'\n  "verdict": "'$2$'",\n'* ]]
+}
 # variant FILE NAME ENTRIES...: NAME.prm, the text of a scene with these entries, "Subsection/Entry=value", in place of its own.
 variant() {
   local line lines entry parameter text=''

@@ -181,7 +181,6 @@ header_is_right() { head -n 1 "$1" | grep -q "^$columns$times\(,.*\)\?$"; }
 cells_of() { tail -n +2 "$1/convergence.csv" | cut -d, -f1,2 | tr '\n' ' '; }
 numbers_of() { cut -d, -f1-27 "$1/convergence.csv"; }
 same_numbers() { [ "$(numbers_of "$1")" = "$(numbers_of "$2")" ]; }
-verdict_is() { [[ $(<"$1/certificate.json") == *"\"verdict\": \"$2\""* ]]; }
 n_lines() { wc -l <"$1"; }
 
 # described TOP GAP [DIMENSION]: a block whose top is displaced.

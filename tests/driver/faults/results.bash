@@ -21,12 +21,6 @@ end
 PRM
 }
 
-# verdict_is DIRECTORY VERDICT
-verdict_is() {
-  local text=''
-  [ -e "$1/certificate.json" ] && text=$(<"$1/certificate.json")
-  [[ $text == *$'\n  "verdict": "'$2$'",\n'* ]]
-}
 no_temporary_files() { [ -z "$(find "$1" -name '*.part')" ]; }
 one_line() {
   local lines
