@@ -9,6 +9,8 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
 
+#include <boost/container/small_vector.hpp>
+
 #include <map>
 
 namespace Signorini {
@@ -129,10 +131,13 @@ Tensor<1, 2> CellField::on_face(const unsigned int face, const double s) const {
 CellField::CellField(const DoFHandler<2>::active_cell_iterator &cell, const Displacement &U)
   : degree_(cell->get_fe().degree) {
   const FiniteElement<2> &element = cell->get_fe();
-  dealii::Vector<double> nodal(element.n_dofs_per_cell());
-  cell->get_dof_values(U, nodal);
+  boost::container::small_vector<double, 50> nodal(element.n_dofs_per_cell());
+  cell->get_dof_values(U, nodal.begin(), nodal.end());
   values_.resize(nodal.size() / 2);
-  const auto numbers = FETools::hierarchic_to_lexicographic_numbering<2>(degree_);
+  thread_local std::map<unsigned int, std::vector<unsigned int>> known;
+  std::vector<unsigned int> &numbers = known[degree_];
+  if (numbers.empty())
+    numbers = FETools::hierarchic_to_lexicographic_numbering<2>(degree_);
   for (unsigned int i = 0; i < nodal.size(); ++i) {
     const auto [component, node] = element.system_to_component_index(i);
     values_[numbers[node]][component] = nodal[i];

@@ -187,9 +187,9 @@ void divide(const Polygon &polygon, const BoxTree &boxes, const unsigned int nod
 
 template <int dim>
 bool crosses(const KinkLine<dim> &line, const typename Triangulation<dim>::cell_iterator &cell) {
-  std::vector<double> distances;
+  std::array<double, GeometryInfo<dim>::vertices_per_cell> distances;
   for (const unsigned int v : cell->vertex_indices())
-    distances.push_back(line.signed_distance(cell->vertex(v)));
+    distances[v] = line.signed_distance(cell->vertex(v));
   const auto [lowest, highest] = std::minmax_element(distances.begin(), distances.end());
   const double margin = Kinks<dim>::tolerance * (*highest - *lowest);
   return *lowest<-margin && * highest> margin;

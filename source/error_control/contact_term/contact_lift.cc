@@ -329,10 +329,12 @@ dealii::Vector<double> LiftField::cell_energies() const {
   const bool constant = data_.scene.material->is_constant_on_cells();
   const std::size_t n_cells = data_.space.mesh().triangulation().n_active_cells();
   const auto n_equal_parts = [&](const CellIterator &cell) {
+    if (!needs_equal_parts(cell))
+      return 1U;
     // Boxes of the law are hardly smaller.
     constexpr double smallest = 1. / 512.;
     const double n = cell->diameter() / (smallest * data_.scene.geometry.diameter());
-    return needs_equal_parts(cell) ? static_cast<unsigned int>(std::clamp(n, 1., 24.)) : 1;
+    return static_cast<unsigned int>(std::clamp(n, 1., 24.));
   };
   // Products of derivatives of w_h, or of r_F, which has the degree two; more where E or maps vary.
   const auto n_points = [&](const unsigned int degree, const bool is_cut) {
@@ -350,10 +352,16 @@ dealii::Vector<double> LiftField::cell_energies() const {
       continue;
     nodal.reinit(cell->get_fe().n_dofs_per_cell());
     cell->get_dof_values(w_h_, nodal);
-    if (nodal.all_zero() && columns_.count(cell->active_cell_index()) == 0)
+    const bool has_column = columns_.count(cell->active_cell_index()) > 0;
+    if (nodal.all_zero() && !has_column)
       continue;
-    const unsigned int n_equal = n_equal_parts(cell);
-    const std::vector<double> x = cuts(cell, 0, n_equal), y = cuts(cell, 1, n_equal);
+    unsigned int n_equal = 1;
+    std::vector<double> x = {0., 1.}, y = x;
+    if (has_column || needs_cuts<2>(data_.scene.law_kinks, cell)) {
+      n_equal = n_equal_parts(cell);
+      x = cuts(cell, 0, n_equal);
+      y = cuts(cell, 1, n_equal);
+    }
     const bool is_cut = x.size() > 2 || y.size() > 2;
     const unsigned int degree = cell->get_fe().degree;
     const Mapping<2> &map = maps_.of(cell);

@@ -10,9 +10,16 @@
 
 namespace Signorini {
 std::array<double, max_legendre> legendre(const unsigned int degree, const double z) {
+  // A division takes longer than the rest.
+  static const auto inverse = [] {
+    std::array<double, max_legendre> inverse = {};
+    for (unsigned int k = 1; k < max_legendre; ++k)
+      inverse[k] = 1. / k;
+    return inverse;
+  }();
   std::array<double, max_legendre> P = {{1., z}};
   for (unsigned int k = 2; k <= degree; ++k)
-    P[k] = ((2. * k - 1.) * z * P[k - 1] - (k - 1.) * P[k - 2]) / k;
+    P[k] = (2. - inverse[k]) * z * P[k - 1] - (1. - inverse[k]) * P[k - 2];
   return P;
 }
 

@@ -42,30 +42,32 @@ PairMatrix pair_matrix(const unsigned int d) {
 
 } // namespace
 
-FullMatrix<double> seminorm_matrix(const unsigned int n_cells) {
-  FullMatrix<double> matrix(n_cells + 1, n_cells + 1);
+LAPACKFullMatrix<double> seminorm_matrix(const unsigned int n_cells) {
+  std::vector<PairMatrix> pairs(n_cells);
+  for (unsigned int d = 1; d < n_cells; ++d)
+    pairs[d] = pair_matrix(d);
+  LAPACKFullMatrix<double> matrix(n_cells + 1);
   for (unsigned int c = 0; c < n_cells; ++c) {
     matrix(c, c) += 1.;
     matrix(c + 1, c + 1) += 1.;
     matrix(c, c + 1) -= 1.;
     matrix(c + 1, c) -= 1.;
-  }
-  for (unsigned int d = 1; d < n_cells; ++d) {
-    const PairMatrix pair = pair_matrix(d);
-    for (unsigned int c = 0; c + d < n_cells; ++c) {
-      const std::array<unsigned int, 4> nodes = {c, c + 1, c + d, c + d + 1};
-      for (unsigned int i = 0; i < 4; ++i)
-        for (unsigned int j = 0; j < 4; ++j)
-          matrix(nodes[i], nodes[j]) += pair[i][j];
-    }
+    // The columns of this cell, as they lie in memory.
+    for (unsigned int j = 0; j < 2; ++j)
+      for (unsigned int other = 0; other < n_cells; ++other)
+        if (other != c) {
+          const auto [first, last] = std::minmax(c, other);
+          const std::array<unsigned int, 4> nodes = {first, first + 1, last, last + 1};
+          for (unsigned int i = 0; i < 4; ++i)
+            matrix(nodes[i], c + j) += pairs[last - first][i][c == first ? j : 2 + j];
+        }
   }
   return matrix;
 }
 SlobodeckijNorm::SlobodeckijNorm(const double length, const unsigned int n_cells)
   : length_(length)
   , n_cells_(n_cells)
-  , factor_(n_cells + 1, n_cells + 1) {
-  factor_ = seminorm_matrix(n_cells);
+  , factor_(seminorm_matrix(n_cells)) {
   const double h = length / n_cells;
   for (unsigned int c = 0; c < n_cells; ++c) {
     factor_(c, c) += h / 3.;

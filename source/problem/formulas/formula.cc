@@ -15,30 +15,6 @@
 namespace Signorini {
 namespace FormulaParts {
 namespace {
-/** The values of the first parts at n points. */
-struct PointRun : boost::container::small_vector<double, 1024> {
-  template <int dim>
-  PointRun(const Formula &formula, const Point<dim> *points, const std::size_t n,
-           const Index n_parts)
-    : small_vector(n * n_parts, boost::container::default_init) {
-    for (std::size_t q = 0; q < n; ++q)
-      for (Index d = 0; d < dim; ++d)
-        (*this)[d * n + q] = points[q][d];
-    double *part = data() + 3 * n;
-    for (Index i = 3; i < n_parts; ++i, part += n) {
-      const auto &[operation, arguments, value, is_fixed, bit] = formula.nodes[i];
-      const double *const a = data() + arguments[0] * n, *const b = data() + arguments[1] * n,
-                          *const c = data() + arguments[2] * n;
-      if (n == 1)
-        *part = operation == nullptr ? value : operation->value(*a, *b, *c);
-      else if (operation == nullptr)
-        std::fill_n(part, n, value);
-      else
-        operation->values(a, b, c, n, part);
-    }
-  }
-};
-
 /** Returns whether a line is among others in a box, up to rounding. */
 template <int dim>
 bool is_among(const std::vector<KinkLine<dim>> &lines, const KinkLine<dim> &line,
@@ -290,14 +266,32 @@ bool FormulaTree<dim>::is_constant() const {
 }
 
 namespace {
-/** Evaluates the first parts at many points, some of them at a time. @param visit takes the number
- * of the first point, how many they are, and their values. */
+/** Evaluates parts at many points, some of them at a time. @param visit takes the number of the
+ * first point, how many they are, and a function that returns the values of a part there. */
 template <int dim, typename Visitor>
 void evaluate(const Formula &formula, const Point<dim> *const points, const std::size_t n,
-              const Index n_parts, const Visitor &visit) {
+              const std::vector<Index> &parts, const Visitor &visit) {
+  const std::size_t width = std::min<std::size_t>(n, 16);
+  boost::container::small_vector<double, 2048> run(formula.nodes.size() * width,
+                                                   boost::container::default_init);
+  const auto at = [&](const Index part) { return run.data() + part * width; };
+  for (const Index i : parts)
+    if (formula.nodes[i].operation == nullptr)
+      std::fill_n(at(i), width, formula.nodes[i].value);
   for (std::size_t start = 0, size; start < n; start += size) {
-    size = std::min<std::size_t>(n - start, 32);
-    visit(start, size, PointRun(formula, points + start, size, n_parts));
+    size = std::min(n - start, width);
+    for (std::size_t q = 0; q < size; ++q)
+      for (Index d = 0; d < dim; ++d)
+        at(d)[q] = points[start + q][d];
+    for (const Index i : parts)
+      if (const auto &[operation, of, value, is_fixed, bit] = formula.nodes[i];
+          operation != nullptr) {
+        if (size == 1)
+          *at(i) = operation->value(*at(of[0]), *at(of[1]), *at(of[2]));
+        else
+          operation->values(at(of[0]), at(of[1]), at(of[2]), size, at(i));
+      }
+    visit(start, size, at);
   }
 }
 } // namespace
@@ -312,23 +306,24 @@ double FormulaTree<dim>::value(const Point<dim> &x) const {
 template <int dim>
 void FormulaTree<dim>::values(const Point<dim> *const points, const std::size_t n,
                               double *const values) const {
-  evaluate(*formula_, points, n, formula_->n_values,
-           [&](const std::size_t start, const std::size_t size, const PointRun &run) {
+  evaluate(*formula_, points, n, formula_->for_values,
+           [&](const std::size_t start, const std::size_t size, const auto &at) {
              for (std::size_t c = 0; c < formula_->roots.size(); ++c)
-               std::copy_n(run.data() + formula_->roots[c] * size, size, values + c * n + start);
+               std::copy_n(at(formula_->roots[c]), size, values + c * n + start);
            });
 }
 
 template <int dim>
 void FormulaTree<dim>::gradients(const Point<dim> *const points, const std::size_t n,
                                  Tensor<1, dim> *const gradients) const {
-  evaluate(*formula_, points, n, formula_->nodes.size(),
-           [&](const std::size_t start, const std::size_t size, const PointRun &run) {
+  evaluate(*formula_, points, n, formula_->for_gradients,
+           [&](const std::size_t start, const std::size_t size, const auto &at) {
              for (std::size_t c = 0; c < formula_->roots.size(); ++c)
-               for (std::size_t q = 0; q < size; ++q)
-                 for (int d = 0; d < dim; ++d)
-                   gradients[c * n + start + q][d] =
-                     run[formula_->slopes[formula_->roots[c]][d] * size + q];
+               for (int d = 0; d < dim; ++d) {
+                 const double *const slope = at(formula_->slopes[formula_->roots[c]][d]);
+                 for (std::size_t q = 0; q < size; ++q)
+                   gradients[c * n + start + q][d] = slope[q];
+               }
            });
 }
 

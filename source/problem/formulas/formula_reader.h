@@ -34,6 +34,12 @@ public:
     for (Index i = 0; i < formula.n_values; ++i)
       for (Index d = 0; d < 3; ++d)
         slope(i, d);
+    formula.for_values = needed_by(formula.roots);
+    std::vector<Index> derivatives;
+    for (const Index root : formula.roots)
+      derivatives.insert(derivatives.end(), formula.slopes[root].begin(),
+                         formula.slopes[root].begin() + dim);
+    formula.for_gradients = needed_by(derivatives);
   }
 
 private:
@@ -82,6 +88,21 @@ private:
       }
     expect(false);
     return zero;
+  }
+
+  /** Returns the given parts and those that they are computed from, in their order. */
+  std::vector<Index> needed_by(const std::vector<Index> &results) const {
+    std::vector<bool> is_needed(nodes_.size());
+    for (const Index i : results)
+      is_needed[i] = true;
+    std::vector<Index> parts;
+    for (Index i = nodes_.size() - 1; i >= zero; --i)
+      if (is_needed[i]) {
+        parts.insert(parts.begin(), i);
+        for (const Index argument : nodes_[i].arguments)
+          is_needed[argument] = true;
+      }
+    return parts;
   }
 
   /** Returns the derivative of a part, which is made at the first call. */

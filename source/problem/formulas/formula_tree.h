@@ -61,6 +61,8 @@ struct Formula {
   std::vector<Index> roots = {};
   /** The derivatives of all that the value needs. */
   std::vector<Indices> slopes = {};
+  /** The parts that the formulas and their derivatives need, but for coordinates. */
+  std::vector<Index> for_values = {}, for_gradients = {};
   /** The steps that have a number. */
   std::vector<Index> switches = {};
 };

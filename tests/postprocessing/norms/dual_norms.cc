@@ -94,14 +94,19 @@ void check_constants(Checks &checks) {
 void check_seminorm(Checks &checks) {
   double before = 0.;
   for (const unsigned int n : {4U, 16U, 64U}) {
-    const dealii::FullMatrix<double> gram = seminorm_matrix(n);
+    const auto gram = seminorm_matrix(n);
+    const auto square = [&](const dealii::Vector<double> &v) {
+      dealii::Vector<double> product(v.size());
+      gram.vmult(product, v);
+      return v * product;
+    };
     dealii::Vector<double> linear(n + 1), quadratic(n + 1);
     for (unsigned int i = 0; i <= n; ++i) {
       linear[i] = double(i) / n;
       quadratic[i] = linear[i] * linear[i];
     }
-    checks.near("|x|_{1/2}, N = " + std::to_string(n), gram.matrix_norm_square(linear), 1., 1e-10);
-    const double error = std::abs(gram.matrix_norm_square(quadratic) - 7. / 6.);
+    checks.near("|x|_{1/2}, N = " + std::to_string(n), square(linear), 1., 1e-10);
+    const double error = std::abs(square(quadratic) - 7. / 6.);
     if (before > 0.)
       checks.that("|x^2|_{1/2} converges", error < 0.1 * before);
     before = error;

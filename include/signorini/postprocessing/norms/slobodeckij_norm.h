@@ -3,7 +3,6 @@
 
 #include <signorini/base/dealii.h>
 
-#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <vector>
@@ -11,7 +10,7 @@
 namespace Signorini {
 /** Returns the Gram matrix of the seminorm |v|_{1/2}, the double integral below, for the piecewise
  * linear functions on a uniform grid. It does not depend on the length. */
-FullMatrix<double> seminorm_matrix(unsigned int n_cells);
+LAPACKFullMatrix<double> seminorm_matrix(unsigned int n_cells);
 
 /**
  * The paper's norm on one side of length L: the dual of
