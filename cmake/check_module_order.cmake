@@ -7,9 +7,10 @@ cmake_minimum_required(VERSION 3.25)
 
 set(floors base problem discretization solvers postprocessing error_control results driver)
 # Solvers of linear systems and of quadratic programs are algebra: they know the names of choices, but no scene and no
-# finite element.
-set(algebra solvers/stiffness/stiffness_inverse solvers/contact/dual_problem solvers/contact/projected_methods
-            solvers/contact/dual_solver)
+# finite element, not even through other headers.
+set(algebra solvers/stiffness/stiffness_inverse solvers/stiffness/condensed_inverse solvers/contact/dual_problem
+            solvers/contact/projected_methods solvers/contact/dual_solver solvers/contact/active_set
+            solvers/contact/set_system solvers/contact/solution_path)
 set(violations "")
 
 # rooms_of(NAME VARIABLE): "floor/room" of a header or source.
@@ -45,8 +46,8 @@ foreach(floor ${floors})
       if(NOT included_room STREQUAL room AND included_floor STREQUAL floor)
         list(APPEND arrows "${room}>${included_room}")
       endif()
-      if(name IN_LIST algebra AND NOT included_floor STREQUAL base AND NOT included_room STREQUAL room AND
-         NOT included MATCHES "^(problem/parameters/options|discretization/multiplier/admissible_set)$")
+      if(name IN_LIST algebra AND NOT included_floor STREQUAL base AND NOT included IN_LIST algebra AND
+         NOT included MATCHES "^(problem/parameters/options|discretization/space/admissible_set)$")
         list(APPEND violations "${file} is algebra and must not include ${included}")
       endif()
     endforeach()

@@ -19,14 +19,14 @@
 //    1  the example                          problem/catalogue; by formulas: problem/input
 //    2  parameters                           problem/parameters
 //    3  V^h and Q^H                          discretization/mesh, elasticity, multiplier
-//    4  A and f                              discretization/elasticity
-//    5  D and G                              discretization/level, multiplier
+//    4  A and f                              discretization/space
+//    5  D and G                              discretization/space, multiplier
 //    6  A^{-1}; C, F and P; U                solvers/stiffness; solvers/contact; solvers/methods
 //    7  pi^{2h}                              postprocessing/fields
-//    8  errors                               postprocessing/errors
+//    8  errors                               postprocessing/norms
 //    9  the inf-sup constant                 postprocessing/norms
-//   10  tables and files                     results/record, results/files
-//   11  all levels                           driver/level, driver/sequence, driver/study
+//   10  tables and files                     results/verdict, results/output
+//   11  all levels                           driver/sequence, driver/sequence, driver/sequence
 //    A  quadrature at the end of contact     discretization/mesh
 //    B  the norm of order -1/2               postprocessing/norms
 //

@@ -3,7 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/driver/runs/run.h>
-#include <signorini/results/files/files.h>
+#include <signorini/results/output/files.h>
 
 #include <deal.II/base/mpi.h>
 

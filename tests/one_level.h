@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/discretization/elasticity/internal_forces.h>
-#include <signorini/discretization/elasticity/nodes.h>
+#include <signorini/discretization/space/internal_forces.h>
+#include <signorini/discretization/space/nodes.h>
 #include <signorini/driver/level/level.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/problem/input/make_scene.h>

@@ -6,9 +6,9 @@
 #include <signorini/base/text.h>
 #include <signorini/discretization/mesh/mesh.h>
 #include <signorini/driver/check/show_scene.h>
-#include <signorini/results/files/files.h>
-#include <signorini/results/files/scene_json.h>
+#include <signorini/results/output/files.h>
 #include <signorini/results/output/pictures.h>
+#include <signorini/results/output/scene_json.h>
 #include <signorini/results/output/screen.h>
 #include <signorini/solvers/methods/contact_method.h>
 

@@ -8,9 +8,9 @@
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/error_control/estimate/missed_contact.h>
 #include <signorini/error_control/estimate/pressure_correction.h>
-#include <signorini/postprocessing/errors/errors.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
+#include <signorini/postprocessing/norms/errors.h>
 #include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/solvers/methods/contact_method.h>
 

@@ -11,7 +11,7 @@
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameter_text.h>
 #include <signorini/problem/parameters/parameters.h>
-#include <signorini/results/files/files.h>
+#include <signorini/results/output/files.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -6,7 +6,7 @@
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/error_control/hp/step_examination.h>
-#include <signorini/postprocessing/load_cases/case_solver.h>
+#include <signorini/postprocessing/quantities/case_solver.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -11,10 +11,10 @@
 #include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/scene.h>
-#include <signorini/results/files/answer_output.h>
-#include <signorini/results/files/tables.h>
+#include <signorini/results/output/answer_output.h>
 #include <signorini/results/output/results_writer.h>
 #include <signorini/results/output/screen.h>
+#include <signorini/results/output/tables.h>
 
 #include <deal.II/base/mpi.h>
 

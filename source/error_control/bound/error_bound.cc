@@ -2,12 +2,12 @@
 // The bound of the energy error, summed up from stress and contact.
 
 #include <signorini/base/errors.h>
-#include <signorini/discretization/elasticity/internal_forces.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/discretization/space/internal_forces.h>
 #include <signorini/error_control/bound/error_bound.h>
 #include <signorini/error_control/equilibration/best_stress.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
-#include <signorini/error_control/loads/oscillation.h>
+#include <signorini/error_control/equilibration/oscillation.h>
 #include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -3,8 +3,8 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/error_control/equilibration/arc_lift.h>
+#include <signorini/error_control/equilibration/cell_shape.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
-#include <signorini/error_control/loads/cell_shape.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/full_matrix.h>

@@ -2,8 +2,8 @@
 // Stresses in equilibrium that fit the stress of u_h on a cell.
 
 #include <signorini/base/parallel.h>
-#include <signorini/discretization/elasticity/body_measure.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/discretization/space/body_measure.h>
 #include <signorini/error_control/equilibration/cell_fit.h>
 #include <signorini/problem/scene/functions.h>
 

@@ -2,9 +2,9 @@
 // Tractions on contact edges that do not pull, and shears within the bound of friction.
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/error_control/equilibration/carrier.h>
 #include <signorini/error_control/equilibration/contact_tractions.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
-#include <signorini/error_control/loads/carrier.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

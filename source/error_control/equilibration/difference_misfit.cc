@@ -2,7 +2,7 @@
 // The misfit on the mesh of u_h itself.
 
 #include <signorini/error_control/equilibration/difference_misfit.h>
-#include <signorini/error_control/loads/law.h>
+#include <signorini/error_control/equilibration/law.h>
 
 #include <algorithm>
 #include <cmath>

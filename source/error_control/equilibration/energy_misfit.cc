@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The misfit on a mesh of its own: the integrals of u_h and π^{2h} u_h that it needs.
 
-#include <signorini/discretization/elasticity/body_measure.h>
-#include <signorini/discretization/elasticity/cell_field.h>
-#include <signorini/discretization/elasticity/cell_values.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/discretization/space/body_measure.h>
+#include <signorini/discretization/space/cell_field.h>
+#include <signorini/discretization/space/cell_values.h>
+#include <signorini/error_control/equilibration/carrier.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/energy_misfit.h>
-#include <signorini/error_control/loads/carrier.h>
-#include <signorini/error_control/loads/law.h>
-#include <signorini/error_control/loads/oscillation.h>
-#include <signorini/error_control/loads/triangle_parts.h>
+#include <signorini/error_control/equilibration/law.h>
+#include <signorini/error_control/equilibration/oscillation.h>
+#include <signorini/error_control/equilibration/triangle_parts.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -2,7 +2,7 @@
 // The sums over cells of a stress in equilibrium, and its tractions on contact faces.
 
 #include <signorini/error_control/equilibration/equilibrated_stress.h>
-#include <signorini/error_control/loads/oscillation.h>
+#include <signorini/error_control/equilibration/oscillation.h>
 
 #include <deal.II/base/polynomial.h>
 

@@ -4,7 +4,7 @@
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/arc_lift.h>
 #include <signorini/error_control/equilibration/equilibration_mesh.h>
-#include <signorini/error_control/loads/law.h>
+#include <signorini/error_control/equilibration/law.h>
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 
 #include <signorini/discretization/mesh/arc_mapping.h>
 #include <signorini/error_control/equilibration/arc_lift.h>
+#include <signorini/error_control/equilibration/carrier.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/traction_space.h>
-#include <signorini/error_control/loads/carrier.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The tractions that sides prescribe: those of traction sides, and the forces on plates.
 
-#include <signorini/discretization/elasticity/body_measure.h>
-#include <signorini/discretization/elasticity/cell_values.h>
+#include <signorini/discretization/space/body_measure.h>
+#include <signorini/discretization/space/cell_values.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/tractions.h>
 #include <signorini/problem/scene/functions.h>

@@ -2,8 +2,8 @@
 // The check of the system (5) with integrals over the cells, without A or its factors.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/nodes.h>
-#include <signorini/discretization/elasticity/resultant.h>
+#include <signorini/discretization/space/nodes.h>
+#include <signorini/discretization/space/resultant.h>
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/postprocessing/fields/contact_load.h>
 

@@ -3,8 +3,8 @@
 // the error of the mesh.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/body_measure.h>
-#include <signorini/discretization/elasticity/cell_values.h>
+#include <signorini/discretization/space/body_measure.h>
+#include <signorini/discretization/space/cell_values.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Penetration where nothing presses.
 
-#include <signorini/discretization/elasticity/trace_values.h>
+#include <signorini/discretization/space/trace_values.h>
 #include <signorini/error_control/estimate/missed_contact.h>
 #include <signorini/postprocessing/fields/contact_load.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The decay of Legendre coefficients, cell by cell.
 
-#include <signorini/discretization/elasticity/cell_field.h>
+#include <signorini/discretization/space/cell_field.h>
 #include <signorini/error_control/hp/cell_indicator.h>
 
 #include <deal.II/base/quadrature_lib.h>

@@ -2,7 +2,7 @@
 // The misfits u_n - g where the body presses, u_t - g_t where it sticks, and penetration between
 // the nodes of the multipliers.
 
-#include <signorini/discretization/elasticity/trace_values.h>
+#include <signorini/discretization/space/trace_values.h>
 #include <signorini/error_control/hp/contact_misfit.h>
 #include <signorini/postprocessing/fields/contact_load.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Layers and bumps between the points of the first mesh.
 
-#include <signorini/discretization/elasticity/cell_stiffness.h>
+#include <signorini/discretization/space/cell_stiffness.h>
 #include <signorini/error_control/hp/hidden_data.h>
 
 #include <algorithm>

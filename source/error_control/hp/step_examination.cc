@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What steps predict for the next one.
 
-#include <signorini/discretization/elasticity/body_measure.h>
-#include <signorini/discretization/elasticity/cell_field.h>
-#include <signorini/discretization/elasticity/internal_forces.h>
+#include <signorini/discretization/space/body_measure.h>
+#include <signorini/discretization/space/cell_field.h>
+#include <signorini/discretization/space/internal_forces.h>
 #include <signorini/error_control/hp/contact_misfit.h>
 #include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/error_control/hp/step_examination.h>

@@ -2,7 +2,7 @@
 // |||.|||_{-1/2} on rectangles by cosine series in both directions.
 
 #include <signorini/base/errors.h>
-#include <signorini/discretization/multiplier/cosine_modes.h>
+#include <signorini/discretization/space/cosine_modes.h>
 #include <signorini/postprocessing/norms/cosine_norm.h>
 
 #include <deal.II/base/numbers.h>

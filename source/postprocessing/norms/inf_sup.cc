@@ -3,7 +3,7 @@
 // V^h as a matrix.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/discretization/space/linear_system.h>
 #include <signorini/postprocessing/norms/cosine_norm.h>
 #include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/solvers/contact/compliance.h>

@@ -3,7 +3,7 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/base/parallel.h>
-#include <signorini/discretization/elasticity/trace_values.h>
+#include <signorini/discretization/space/trace_values.h>
 #include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/quantities/answer.h>
 

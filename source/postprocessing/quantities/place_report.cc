@@ -5,7 +5,7 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
-#include <signorini/discretization/elasticity/cell_values.h>
+#include <signorini/discretization/space/cell_values.h>
 #include <signorini/postprocessing/fields/field_sampler.h>
 #include <signorini/postprocessing/quantities/place_report.h>
 

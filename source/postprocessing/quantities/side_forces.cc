@@ -2,8 +2,8 @@
 // The force of the contact pressure, and lines of action.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/nodes.h>
-#include <signorini/discretization/elasticity/resultant.h>
+#include <signorini/discretization/space/nodes.h>
+#include <signorini/discretization/space/resultant.h>
 #include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/quantities/side_forces.h>
 

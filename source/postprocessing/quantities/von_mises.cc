@@ -3,7 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/cell_values.h>
+#include <signorini/discretization/space/cell_values.h>
 #include <signorini/postprocessing/fields/field_sampler.h>
 #include <signorini/postprocessing/quantities/von_mises.h>
 #include <signorini/problem/scene/corners.h>

@@ -2,13 +2,13 @@
 // The files of a run.
 
 #include <signorini/base/errors.h>
-#include <signorini/results/files/answer_output.h>
-#include <signorini/results/files/contact_files.h>
-#include <signorini/results/files/matrix_market.h>
-#include <signorini/results/files/solution_vtu.h>
-#include <signorini/results/files/tables.h>
+#include <signorini/results/output/answer_output.h>
+#include <signorini/results/output/contact_files.h>
+#include <signorini/results/output/matrix_market.h>
 #include <signorini/results/output/pictures.h>
 #include <signorini/results/output/results_writer.h>
+#include <signorini/results/output/solution_vtu.h>
+#include <signorini/results/output/tables.h>
 
 #include <deal.II/base/mpi.h>
 

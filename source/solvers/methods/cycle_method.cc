@@ -3,8 +3,8 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
-#include <signorini/solvers/cycles/contact_iteration.h>
-#include <signorini/solvers/multigrid/stiffness_multigrid.h>
+#include <signorini/solvers/contact/contact_iteration.h>
+#include <signorini/solvers/stiffness/stiffness_multigrid.h>
 
 #include <algorithm>
 #include <cmath>

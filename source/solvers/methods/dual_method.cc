@@ -3,13 +3,13 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/elasticity/trace_values.h>
-#include <signorini/discretization/level/discretization.h>
+#include <signorini/discretization/space/discretization.h>
+#include <signorini/discretization/space/trace_values.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>
-#include <signorini/solvers/kinematics/free_motions.h>
-#include <signorini/solvers/kinematics/motion_modes.h>
-#include <signorini/solvers/multigrid/stiffness_multigrid.h>
+#include <signorini/solvers/contact/free_motions.h>
+#include <signorini/solvers/contact/motion_modes.h>
+#include <signorini/solvers/stiffness/stiffness_multigrid.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "results/files/csv.h"
+#include "results/output/csv.h"
 #include "study_helpers.h"
 #include "tests.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Forces, moments, penetration, stresses and peaks of a compressed box, in closed form.
 
-#include <signorini/discretization/elasticity/linear_system.h>
-#include <signorini/discretization/elasticity/nodes.h>
-#include <signorini/discretization/elasticity/resultant.h>
+#include <signorini/discretization/space/linear_system.h>
+#include <signorini/discretization/space/nodes.h>
+#include <signorini/discretization/space/resultant.h>
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/answer.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/discretization/mesh/contact_surface.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/function.h>

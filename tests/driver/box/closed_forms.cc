@@ -2,9 +2,9 @@
 // A, f, C and the estimate of a box of hexahedra, counted by hand. The surface, D and G are those
 // of exact solutions in tests/driver/study/space.cc.
 
-#include <signorini/discretization/elasticity/internal_forces.h>
-#include <signorini/discretization/elasticity/linear_system.h>
-#include <signorini/discretization/elasticity/nodes.h>
+#include <signorini/discretization/space/internal_forces.h>
+#include <signorini/discretization/space/linear_system.h>
+#include <signorini/discretization/space/nodes.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/solvers/contact/compliance.h>
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Files about a box: the faces of its contact side, its cells with their stresses.
 
-#include <signorini/discretization/elasticity/nodes.h>
-#include <signorini/results/files/contact_files.h>
-#include <signorini/results/files/solution_vtu.h>
+#include <signorini/discretization/space/nodes.h>
+#include <signorini/results/output/contact_files.h>
+#include <signorini/results/output/solution_vtu.h>
 
 #include <array>
 #include <filesystem>
 #include <sstream>
 
 #include "box.h"
-#include "results/files/csv.h"
-#include "results/files/vtu_reader.h"
+#include "results/output/csv.h"
+#include "results/output/vtu_reader.h"
 #include "tests.h"
 
 using namespace Signorini;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What becomes of a contact pressure on a rectangle: recovery, transfer, norms, errors.
 
-#include <signorini/postprocessing/errors/dual_norm_errors.h>
-#include <signorini/postprocessing/errors/errors.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
 #include <signorini/postprocessing/fields/recovered_pressure.h>
 #include <signorini/postprocessing/norms/cosine_norm.h>
+#include <signorini/postprocessing/norms/dual_norm_errors.h>
+#include <signorini/postprocessing/norms/errors.h>
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // Blocks with friction against numbers of an independent program: forces, energies, dissipation,
 // displacements; and all solvers against one another.
 
-#include <signorini/discretization/elasticity/internal_forces.h>
-#include <signorini/discretization/elasticity/nodes.h>
+#include <signorini/discretization/space/internal_forces.h>
+#include <signorini/discretization/space/nodes.h>
 
 #include <map>
 #include <tuple>

@@ -2,7 +2,7 @@
 // Friction in space: constant strain, states that do not depend on one direction against the same
 // in the plane, and torsion, where slip turns.
 
-#include <signorini/discretization/elasticity/nodes.h>
+#include <signorini/discretization/space/nodes.h>
 
 #include "one_level.h"
 #include "study_helpers.h"

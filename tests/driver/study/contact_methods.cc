@@ -3,7 +3,7 @@
 // of the catalogue and in described ones; V-cycles need no more of them on finer levels. Every
 // sweep of projected SOR lowers the dual objective.
 
-#include <signorini/discretization/elasticity/internal_forces.h>
+#include <signorini/discretization/space/internal_forces.h>
 #include <signorini/problem/catalogue/catalogue.h>
 #include <signorini/results/verdict/judge.h>
 #include <signorini/solvers/contact/projected_methods.h>

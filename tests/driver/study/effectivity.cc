@@ -3,7 +3,7 @@
 // factors 0.8 and 1.25 for patches of two, four and eight faces and for patches that are not
 // refined with the mesh. A block without an exact solution, against a finer mesh.
 
-#include <signorini/discretization/elasticity/internal_forces.h>
+#include <signorini/discretization/space/internal_forces.h>
 #include <signorini/problem/catalogue/catalogue.h>
 
 #include <deal.II/numerics/vector_tools_interpolate.h>

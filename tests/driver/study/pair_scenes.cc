@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Scenes with two elastic bodies in prm/bodies, against closed forms.
 
-#include <signorini/postprocessing/load_cases/case_solver.h>
+#include <signorini/postprocessing/quantities/case_solver.h>
 
 #include <deal.II/base/numbers.h>
 

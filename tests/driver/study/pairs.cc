@@ -2,7 +2,7 @@
 // Two and three elastic bodies: values of an independent program, exact solutions, and limits.
 
 #include <signorini/base/errors.h>
-#include <signorini/results/files/contact_files.h>
+#include <signorini/results/output/contact_files.h>
 #include <signorini/solvers/contact/compliance.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "one_level.h"
-#include "results/files/vtu_reader.h"
+#include "results/output/vtu_reader.h"
 #include "study_helpers.h"
 #include "tests.h"
 

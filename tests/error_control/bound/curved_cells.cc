@@ -3,7 +3,7 @@
 // turned, so that everything is rounded differently, has the same.
 
 #include <signorini/error_control/equilibration/airy_cell.h>
-#include <signorini/error_control/loads/triangle_parts.h>
+#include <signorini/error_control/equilibration/triangle_parts.h>
 
 #include <deal.II/base/utilities.h>
 

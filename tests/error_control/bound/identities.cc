@@ -3,8 +3,8 @@
 // tests, and twice the sum of the two energies where nothing touches.
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
-#include <signorini/error_control/loads/law.h>
-#include <signorini/error_control/loads/oscillation.h>
+#include <signorini/error_control/equilibration/law.h>
+#include <signorini/error_control/equilibration/oscillation.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 // solution, and not much above them. The error is integrated from the exact gradient, with nothing
 // of what the bound is computed from.
 
-#include <signorini/discretization/elasticity/cell_values.h>
+#include <signorini/discretization/space/cell_values.h>
 #include <signorini/postprocessing/fields/patch_interpolation.h>
 
 #include <array>

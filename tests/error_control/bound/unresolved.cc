@@ -6,7 +6,7 @@
 // above |||u - u_h||| where nothing touches, or the same points touch (a(u - u_f, u_f - u_h) = 0),
 // and elsewhere up to |||u - u_f|||.
 
-#include <signorini/discretization/elasticity/internal_forces.h>
+#include <signorini/discretization/space/internal_forces.h>
 
 #include <deal.II/numerics/vector_tools.h>
 

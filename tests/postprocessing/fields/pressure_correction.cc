@@ -2,7 +2,7 @@
 // z_h, by which the estimate sees that p_H is constant on patches: loads in closed form, the energy
 // of z_h, and where z_h vanishes.
 
-#include <signorini/discretization/elasticity/internal_forces.h>
+#include <signorini/discretization/space/internal_forces.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/error_control/estimate/pressure_correction.h>
 #include <signorini/solvers/contact/compliance.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Reactions, penetration and von Mises stress of displacements that are known in closed form.
 
-#include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/discretization/space/linear_system.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/answer.h>
 

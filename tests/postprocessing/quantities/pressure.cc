@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Peak pressure, contact zones and contact forces of pressures that are known in closed form.
 
-#include <signorini/discretization/elasticity/resultant.h>
+#include <signorini/discretization/space/resultant.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>

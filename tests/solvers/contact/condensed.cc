@@ -2,7 +2,7 @@
 // C = D^T S^{-1} D read from the factor is C = D^T A^{-1} D by one solve per column, and columns
 // are solved for only where they are asked for.
 
-#include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/discretization/space/linear_system.h>
 #include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/solvers/contact/compliance.h>
 

@@ -2,7 +2,7 @@
 // C = D^T A^{-1} D, F = G - D^T A^{-1} f and U = A^{-1}(D P + f): their definitions, and bars under
 // uniform compression, whose compliance is known.
 
-#include <signorini/discretization/elasticity/internal_forces.h>
+#include <signorini/discretization/space/internal_forces.h>
 #include <signorini/solvers/contact/compliance.h>
 
 #include <cmath>

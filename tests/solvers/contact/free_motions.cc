@@ -2,7 +2,7 @@
 // The dual problem with free motions, on rigid beams on springs: answers by hand, loads that tip or
 // lift, motions that nothing sees, and elastic resistance.
 
-#include <signorini/solvers/kinematics/free_motions.h>
+#include <signorini/solvers/contact/free_motions.h>
 
 #include <cmath>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/solvers/kinematics/free_motions.h>
+#include <signorini/solvers/contact/free_motions.h>
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 // The direct solvers: known answers, counted solves, singular matrices, and numbers of ranks.
 
 #include <signorini/base/errors.h>
-#include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/discretization/space/linear_system.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/solvers/stiffness/condensed_inverse.h>
 

@@ -2,7 +2,7 @@
 // Unknowns of high degree, which CHOLMOD eliminates before the contact unknowns.
 
 #include <signorini/base/errors.h>
-#include <signorini/discretization/elasticity/linear_system.h>
+#include <signorini/discretization/space/linear_system.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/stiffness/condensed_inverse.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/postprocessing/errors/dual_norm_errors.h>
-#include <signorini/results/record/level_result.h>
+#include <signorini/postprocessing/norms/dual_norm_errors.h>
+#include <signorini/results/verdict/level_result.h>
 #include <signorini/solvers/methods/contact_method.h>
 
 namespace Signorini {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/results/record/level_record.h>
+#include <signorini/results/verdict/level_record.h>
 
 #include <mpi.h>
 

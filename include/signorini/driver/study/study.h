@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/problem/parameters/parameters.h>
-#include <signorini/results/record/level_result.h>
 #include <signorini/results/verdict/judge.h>
+#include <signorini/results/verdict/level_result.h>
 
 #include <filesystem>
 #include <ostream>

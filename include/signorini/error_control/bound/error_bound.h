@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/columns.h>
-#include <signorini/error_control/contact_term/contact_lift.h>
+#include <signorini/error_control/bound/contact_lift.h>
 #include <signorini/error_control/equilibration/stress_bound.h>
 
 #include <optional>

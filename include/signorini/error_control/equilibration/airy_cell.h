@@ -4,8 +4,8 @@
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/equilibration/arc_lift.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
+#include <signorini/error_control/equilibration/law.h>
 #include <signorini/error_control/equilibration/traction_space.h>
-#include <signorini/error_control/loads/law.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/lac/lapack_full_matrix.h>

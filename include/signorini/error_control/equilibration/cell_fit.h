@@ -2,11 +2,11 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/cell_field.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/discretization/space/cell_field.h>
 #include <signorini/error_control/equilibration/airy_cell.h>
-#include <signorini/error_control/loads/bound_data.h>
-#include <signorini/error_control/loads/triangle_parts.h>
+#include <signorini/error_control/equilibration/bound_data.h>
+#include <signorini/error_control/equilibration/triangle_parts.h>
 
 #include <deal.II/grid/cell_id.h>
 

@@ -3,8 +3,8 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/equilibration/equilibrated_stress.h>
+#include <signorini/error_control/equilibration/prescribed_lift.h>
 #include <signorini/error_control/equilibration/stress_bound.h>
-#include <signorini/error_control/loads/prescribed_lift.h>
 
 namespace Signorini {
 /** ‖σ(u_h) - τ‖ of a stress on the mesh of u_h, from the differences on cells: it loses no digits.

@@ -4,8 +4,8 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/arc_mapping.h>
 #include <signorini/error_control/equilibration/equilibrated_stress.h>
+#include <signorini/error_control/equilibration/prescribed_lift.h>
 #include <signorini/error_control/equilibration/stress_bound.h>
-#include <signorini/error_control/loads/prescribed_lift.h>
 
 #include <array>
 #include <map>

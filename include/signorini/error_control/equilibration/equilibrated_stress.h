@@ -3,8 +3,8 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/equilibration/cell_fit.h>
+#include <signorini/error_control/equilibration/edge_function.h>
 #include <signorini/error_control/equilibration/tractions.h>
-#include <signorini/error_control/loads/edge_function.h>
 
 #include <map>
 #include <vector>

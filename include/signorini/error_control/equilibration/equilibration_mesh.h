@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/error_control/loads/bound_data.h>
+#include <signorini/error_control/equilibration/bound_data.h>
 
 #include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/tria.h>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/error_control/equilibration/cell_shape.h>
 #include <signorini/error_control/equilibration/equilibration_mesh.h>
-#include <signorini/error_control/loads/cell_shape.h>
 
 #include <deal.II/lac/full_matrix.h>
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/error_control/equilibration/bound_data.h>
 #include <signorini/error_control/equilibration/traction_space.h>
-#include <signorini/error_control/loads/bound_data.h>
 
 #include <array>
 #include <utility>

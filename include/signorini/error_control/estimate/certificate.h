@@ -2,9 +2,9 @@
 #pragma once
 
 #include <signorini/base/columns.h>
-#include <signorini/discretization/elasticity/linear_system.h>
 #include <signorini/discretization/mesh/mesh.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/space/linear_system.h>
+#include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/problem/scene/material.h>
 #include <signorini/solvers/methods/contact_method.h>

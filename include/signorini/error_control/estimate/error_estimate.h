@@ -3,7 +3,7 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/internal_forces.h>
+#include <signorini/discretization/space/internal_forces.h>
 #include <signorini/error_control/estimate/pressure_correction.h>
 
 #include <optional>

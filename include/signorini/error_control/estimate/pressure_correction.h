@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/space/displacement_space.h>
+#include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/solvers/methods/contact_method.h>
 
 namespace Signorini {

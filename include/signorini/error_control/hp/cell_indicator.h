@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/space/displacement_space.h>
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/error_control/hp/cell_indicator.h>
 
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/discretization/elasticity/internal_forces.h>
+#include <signorini/discretization/space/internal_forces.h>
 #include <signorini/error_control/hp/next_plan.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/methods/contact_method.h>

@@ -3,7 +3,7 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/multiplier/multiplier.h>
+#include <signorini/discretization/space/multiplier.h>
 
 #include <vector>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/resultant.h>
-#include <signorini/discretization/elasticity/trace_values.h>
-#include <signorini/discretization/multiplier/multiplier.h>
+#include <signorini/discretization/space/multiplier.h>
+#include <signorini/discretization/space/resultant.h>
+#include <signorini/discretization/space/trace_values.h>
 
 #include <vector>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/internal_forces.h>
-#include <signorini/discretization/elasticity/linear_system.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/space/internal_forces.h>
+#include <signorini/discretization/space/linear_system.h>
+#include <signorini/discretization/space/multiplier_space.h>
 
 #include <algorithm>
 #include <cmath>

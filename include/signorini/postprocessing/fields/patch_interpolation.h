@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/cell_field.h>
+#include <signorini/discretization/space/cell_field.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/base/tensor_product_polynomials.h>

@@ -3,8 +3,8 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/contact_surface.h>
-#include <signorini/discretization/multiplier/admissible_set.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/space/admissible_set.h>
+#include <signorini/discretization/space/multiplier_space.h>
 
 #include <vector>
 

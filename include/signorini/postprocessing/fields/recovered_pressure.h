@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/multiplier/multiplier.h>
+#include <signorini/discretization/space/multiplier.h>
 
 #include <algorithm>
 #include <vector>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/body_measure.h>
-#include <signorini/discretization/elasticity/displacement_space.h>
+#include <signorini/discretization/space/body_measure.h>
+#include <signorini/discretization/space/displacement_space.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>

@@ -3,7 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/contact_surface.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/space/multiplier_space.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>

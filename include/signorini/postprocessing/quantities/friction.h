@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/columns.h>
-#include <signorini/discretization/multiplier/multiplier.h>
+#include <signorini/discretization/space/multiplier.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 #include <signorini/postprocessing/quantities/von_mises.h>
 

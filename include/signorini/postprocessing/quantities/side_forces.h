@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/resultant.h>
-#include <signorini/discretization/multiplier/multiplier.h>
+#include <signorini/discretization/space/multiplier.h>
+#include <signorini/discretization/space/resultant.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 

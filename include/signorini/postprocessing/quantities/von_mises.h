@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/displacement_space.h>
-#include <signorini/discretization/multiplier/multiplier.h>
+#include <signorini/discretization/space/displacement_space.h>
+#include <signorini/discretization/space/multiplier.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/problem/scene/wedges.h>

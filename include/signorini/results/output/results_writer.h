@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/results/files/contact_files.h>
-#include <signorini/results/files/files.h>
-#include <signorini/results/record/level_result.h>
+#include <signorini/results/output/contact_files.h>
+#include <signorini/results/output/files.h>
 #include <signorini/results/verdict/judge.h>
+#include <signorini/results/verdict/level_result.h>
 
 #include <filesystem>
 #include <functional>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/elasticity/linear_system.h>
-#include <signorini/discretization/multiplier/multiplier_space.h>
+#include <signorini/discretization/space/linear_system.h>
+#include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/solvers/contact/dual_problem.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 

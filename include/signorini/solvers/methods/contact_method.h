@@ -2,14 +2,14 @@
 #pragma once
 
 #include <signorini/base/columns.h>
-#include <signorini/discretization/elasticity/linear_system.h>
-#include <signorini/discretization/level/discretization.h>
-#include <signorini/discretization/multiplier/multiplier.h>
+#include <signorini/discretization/space/discretization.h>
+#include <signorini/discretization/space/linear_system.h>
+#include <signorini/discretization/space/multiplier.h>
 #include <signorini/problem/parameters/options.h>
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_problem.h>
-#include <signorini/solvers/kinematics/free_motions.h>
-#include <signorini/solvers/kinematics/motion_modes.h>
+#include <signorini/solvers/contact/free_motions.h>
+#include <signorini/solvers/contact/motion_modes.h>
 
 #include <mpi.h>
 

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/base/errors.h>
+#include <signorini/base/parallel.h>
+#include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/discretization/space/displacement_space.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/hp/mapping_collection.h>
+#include <deal.II/hp/q_collection.h>
+
+#include <functional>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace Signorini {
+template <int dim>
+using Cells = std::vector<typename DoFHandler<dim>::active_cell_iterator>;
+
+/** Returns the cells of this rank, in their order, in chunks that one thread works on at a time. */
+template <int dim>
+std::vector<Cells<dim>> chunks_of_owned_cells(const DisplacementSpace<dim> &space) {
+  constexpr std::size_t chunk_size = 512;
+  std::vector<Cells<dim>> chunks;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (cell->is_locally_owned()) {
+      if (chunks.empty() || chunks.back().size() == chunk_size)
+        chunks.emplace_back().reserve(chunk_size);
+      chunks.back().push_back(cell);
+    }
+  return chunks;
+}
+
+/** Calls consume(integrate(chunk)) for the cells of this rank, with all threads given. The chunks
+ * are the same for any number of threads, none depends on another (FEValues reads the cell before),
+ * and they are consumed in order: so the digits are the same, too. Collective: if data has no value
+ * on one rank, all of them throw. */
+template <typename Result, int dim>
+void integrate_by_chunks(const DisplacementSpace<dim> &space,
+                         const std::function<Result(const Cells<dim> &)> &integrate,
+                         const std::function<void(const Result &)> &consume) {
+  const std::vector<Cells<dim>> chunks = chunks_of_owned_cells(space);
+  agree(space.mesh().communicator(), [&]() {
+    produce_in_parallel<Result>(
+      n_available_threads(), chunks.size(),
+      [&](const std::size_t i) { return integrate(chunks[i]); }, consume);
+  });
+}
+
+/** The FEValues of cells (@p rule_dim = dim) or FEFaceValues with Gauss' rules, one object for
+ * every element of a space. Cells of degree p have p - 1 points per direction more than those of
+ * degree one. */
+template <int dim, int rule_dim>
+class ValuesByElement {
+public:
+  /**
+   * Stores the arguments.
+   * @param n_points per direction, for degree one.
+   */
+  ValuesByElement(const Mapping<dim> &mapping, const DisplacementSpace<dim> &space,
+                  const Kinks<dim> &kinks, const unsigned int n_points, const UpdateFlags flags)
+    : kinks_(kinks)
+    , mappings_(mapping)
+    , space_(space)
+    , n_points_(n_points)
+    , plain_(mappings_, space.elements(), gauss_rules(), flags) {}
+
+protected:
+  using Values =
+    std::conditional_t<rule_dim == dim, dealii::FEValues<dim>, dealii::FEFaceValues<dim>>;
+
+  /** Returns the values with Gauss' rule, or with cut_rule(n_points); those are valid until the
+   * next call. @param face_no for faces of the cell. */
+  template <typename CutRule, typename CellIterator, typename... FaceNumber>
+  const Values &reinit_at(const bool is_cut, const CutRule &cut_rule, const CellIterator &cell,
+                          const FaceNumber... face_no) {
+    const unsigned int number = space_.element_number(cell);
+    if (!is_cut) {
+      plain_.reinit(cell, face_no..., number, 0, number);
+      return plain_.get_present_fe_values();
+    }
+    cut_ = std::make_unique<Values>(mappings_[0], space_.elements()[number],
+                                    cut_rule(n_points(number)), plain_.get_update_flags());
+    cut_->reinit(cell, face_no...);
+    return *cut_;
+  }
+
+  const Kinks<dim> &kinks_;
+
+private:
+  using HpValues = std::conditional_t<rule_dim == dim, hp::FEValues<dim>, hp::FEFaceValues<dim>>;
+
+  unsigned int n_points(const unsigned int element_number) const {
+    return n_points_ + space_.elements()[element_number].degree - 1;
+  }
+  hp::QCollection<rule_dim> gauss_rules() const {
+    hp::QCollection<rule_dim> rules;
+    for (unsigned int number = 0; number < space_.elements().size(); ++number)
+      rules.push_back(QGauss<rule_dim>(n_points(number)));
+    return rules;
+  }
+
+  const hp::MappingCollection<dim> mappings_;
+  const DisplacementSpace<dim> &space_;
+  unsigned int n_points_;
+  HpValues plain_;
+  std::unique_ptr<Values> cut_;
+};
+
+/** The shape functions at the Gauss points of a cell; on the pieces of a cell that a kink crosses,
+ * at the Gauss points of each piece. */
+template <int dim>
+class CellValues : public ValuesByElement<dim, dim> {
+public:
+  using ValuesByElement<dim, dim>::ValuesByElement;
+
+  /**
+   * Computes the values on a cell.
+   * @param cell of the mesh, or of a DoFHandler where functions are to be evaluated.
+   */
+  template <typename CellIterator>
+  const FEValues<dim> &reinit(const CellIterator &cell) {
+    // In 3-D planes do not cut cells yet.
+    const auto cut_rule = [&](const unsigned int n) -> Quadrature<dim> {
+      if constexpr (dim == 2)
+        return cut_quadrature(this->kinks_, cell, n);
+      return QGauss<dim>(n);
+    };
+    const bool is_cut = dim == 2 && needs_cuts<dim>(this->kinks_, cell);
+    return this->reinit_at(is_cut, cut_rule, cell);
+  }
+};
+
+/** The shape functions at the Gauss points of a face; where a kink cuts the face, at the Gauss
+ * points of its parts. */
+template <int dim>
+class FaceValues : public ValuesByElement<dim, dim - 1> {
+public:
+  using CellIterator = typename Triangulation<dim>::active_cell_iterator;
+  using ValuesByElement<dim, dim - 1>::ValuesByElement;
+
+  const FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no) {
+    const auto face = cell->face(face_no);
+    // In 3-D planes do not cut faces yet.
+    std::vector<double> cuts;
+    if constexpr (dim == 2)
+      cuts = this->kinks_.cut(face->vertex(0), face->vertex(1));
+    const auto cut_rule = [&](const unsigned int n) -> Quadrature<dim - 1> {
+      if constexpr (dim == 2)
+        return split_quadrature(QGauss<1>(n), cuts);
+      return QGauss<dim - 1>(n);
+    };
+    return this->reinit_at(cuts.size() > 2, cut_rule, cell, face_no);
+  }
+};
+} // namespace Signorini

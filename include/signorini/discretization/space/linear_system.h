@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/discretization/space/displacement_space.h>
+#include <signorini/discretization/space/resultant.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+
+namespace Signorini {
+/** Returns a matrix of V^h with the couplings of A, rows distributed, entries zero. Collective. */
+template <int dim>
+TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
+
+/** Adds the matrix of a cell to such a matrix, constraints eliminated, and what prescribed
+ * displacements contribute to @p reduction. */
+template <int dim>
+void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cell_matrix,
+              const std::vector<types::global_dof_index> &indices,
+              TrilinosWrappers::SparseMatrix &matrix, DualVector &reduction);
+
+/** The system A U = f. The matrix is that of a body of size one and modulus one, A = unit × matrix,
+ * so that neither units nor sizes of numbers matter to a factorisation. All vectors are in the
+ * user's units. */
+template <int dim>
+struct LinearSystem {
+  /** The matrix A/unit with the essential conditions eliminated. It is symmetric positive definite;
+   * constrained rows hold a diagonal entry only. It is empty where A is not assembled. */
+  TrilinosWrappers::SparseMatrix matrix;
+  /** The unit stiffness_unit(). */
+  double unit = 1.;
+  /** The right-hand side f_j, reduced by the contribution of the prescribed displacements; zero in
+   * constrained rows. */
+  DualVector f;
+  /** The loads f_j = ∫ f.φ_j + ∫ t.φ_j for all j, nothing eliminated (force). */
+  DualVector loads;
+  /** The resultants of the loads on each body, by quadrature of f and t. */
+  std::vector<Resultant<dim>> applied;
+};
+
+/**
+ * Assembles A_ij = a(φ_j, φ_i) and f_i = ∫ f.φ_i + ∫_{Γ_F} t.φ_i with @p n_points
+ * Gauss points per direction for the loads. Collective.
+ * @throws InputError where the data has no value.
+ */
+template <int dim>
+LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
+                                         const Scene<dim> &scene, unsigned int n_points);
+
+/** Assembles the same system without the matrix. Collective. */
+template <int dim>
+LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
+                                           const Scene<dim> &scene, unsigned int n_points);
+} // namespace Signorini

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/discretization/mesh/arc_mapping.h>
+#include <signorini/error_control/equilibration/bound_data.h>
+#include <signorini/error_control/equilibration/cell_shape.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <array>
+#include <functional>
+#include <map>
+#include <vector>
+
+namespace Signorini {
+/** A cell on which a lift z is not zero, with the points of a rule for it. */
+struct LiftedCell {
+  struct Place {
+    double weight;
+    Tensor<1, 2> z;
+    /** ε(z) and σ(z). */
+    Components strain, stress;
+  };
+
+  /** Returns the square of |||z|||_K. */
+  double energy() const {
+    double sum = 0.;
+    for (const Place &place : places)
+      sum += place.weight * (place.strain * place.stress);
+    return sum;
+  }
+
+  DoFHandler<2>::active_cell_iterator cell;
+  /** The points, with gradients. */
+  const FEValues<2> &values;
+  std::vector<Place> places;
+};
+
+/**
+ * The function z with u_h + z = u_D on sides with prescribed displacements that u_h interpolates
+ * along edges. On the cell behind such an edge, z = r(s) (1 - depth) in reference coordinates,
+ * where r = u_D - u_h is a function of the position s on the edge. r is zero at the end points of
+ * the edge, and z on all other edges. On arcs s is the share of the angle, as in ExactMaps: u_D is
+ * that on the arc itself.
+ *
+ * r is interpolated at nine points on each of 1, 2, 4, ... or 32 equal pieces of an edge: as many
+ * as bring it within a thousandth of its size at up to 256 further points per edge (20000 on all).
+ */
+class PrescribedLift {
+public:
+  /** Interpolates r for u_h + 4 s (1 - s) bubble on edges. @param bubbles by line; none: zero. */
+  explicit PrescribedLift(const BoundData &data,
+                          const std::map<unsigned int, Tensor<1, 2>> &bubbles = {});
+
+  /** Returns the largest difference between r and its interpolation, relative to the largest |r| on
+   * the edge. */
+  double max_misfit() const {
+    return max_misfit_;
+  }
+  /** Visits all cells on which z is not zero. */
+  void visit_cells(const BoundData &data, const ExactMaps &maps,
+                   const std::function<void(const LiftedCell &)> &visit) const;
+
+private:
+  /** The values of r at the points of interpolation on the equal pieces of edge k, from corner k
+   * on. */
+  struct EdgeRest {
+    /** Returns r(s), or its derivative. */
+    Tensor<1, 2> evaluate(double s, bool derivative) const;
+
+    /** Returns the position along the edge and the depth behind it. */
+    std::array<double, 2> coordinates(const Point<2> &at) const;
+
+    /** Fills the pieces, for u_h + 4 s (1 - s) bubble on a face of a cell. */
+    void interpolate(const BoundData &data, const DoFHandler<2>::active_cell_iterator &cell,
+                     unsigned int face, std::size_t n_scanned, const Tensor<1, 2> &bubble);
+
+    unsigned int k;
+    std::vector<std::vector<Tensor<1, 2>>> pieces;
+    /** The largest |r|, and the largest difference between r and its interpolation. */
+    double size = 0., misfit = 0.;
+  };
+
+  /** Returns the lines through the ends of the pieces of edges: z is smooth between them. */
+  static std::vector<KinkLine<2>> lines(const std::vector<EdgeRest> &rests, const CellShape &shape);
+
+  /** The rests by active cell. */
+  std::map<unsigned int, std::vector<EdgeRest>> rests_;
+  double max_misfit_ = 0.;
+};
+} // namespace Signorini

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/base/parallel.h>
+#include <signorini/discretization/space/displacement_space.h>
+#include <signorini/discretization/space/multiplier.h>
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace Signorini {
+/** What friction does at one point. */
+struct FrictionPoint {
+  /** The tangential traction q_H, and the largest one that is allowed; in space |q_H|. */
+  double q_H = 0., s_H = 0.;
+  /** The slip u_t - g_t (length); in space its norm. */
+  double slip = 0.;
+  /** 0: open, 1: it sticks, 2: it slips. */
+  int state = 0;
+  std::optional<double> q_exact = {};
+  /** The same as vectors in space; empty in the plane. */
+  Tensor<1, 3> traction = {}, slip_vector = {};
+
+  template <typename Archive>
+  void serialize(Archive &archive, unsigned int) {
+    archive &q_H &s_H &slip &state &traction &slip_vector;
+    archive_optional(archive, q_exact);
+  }
+};
+
+/** The point of the other side of a pair that lies across on the normal of the first one: its
+ * displacement u, and u.n for that normal (length). */
+template <int dim>
+struct OppositePoint {
+  Point<dim> x;
+  Tensor<1, dim> u;
+  double u_n = 0.;
+
+  template <typename Archive>
+  void serialize(Archive &archive, unsigned int) {
+    archive &x &u &u_n;
+  }
+};
+
+/** The fields at one point of the contact boundary. Pressures are those of the formulas, sigma_n:
+ * negative in compression. */
+template <int dim>
+struct ContactPoint {
+  /** The coordinates on the side; in 2-D the arc length. */
+  Point<dim - 1> s;
+  Point<dim> x;
+  double p_H = 0.;
+  double p_recovered = 0.;
+  Tensor<1, dim> u;
+  double u_n = 0.;
+  double g = 0.;
+  std::optional<double> p_exact;
+  std::optional<FrictionPoint> friction;
+  std::optional<OppositePoint<dim>> opposite;
+
+  template <typename Archive>
+  void serialize(Archive &archive, unsigned int) {
+    archive &s &x &p_H &p_recovered &u &u_n &g;
+    archive_optional(archive, p_exact);
+    archive_optional(archive, friction);
+    archive_optional(archive, opposite);
+  }
+};
+
+/** A piece face ∩ patch with some of its points. */
+template <int dim>
+struct ContactPiece {
+  std::string side;
+  /** The numbers of the side in the geometry, of the contact face and of the patch. */
+  unsigned int side_number, face, patch;
+  /** The length or area |tau| of the patch. */
+  double patch_measure;
+  /** The number of the side of another body that it may touch. */
+  std::optional<unsigned int> opposite;
+  /** The points of tables. A piece with a constant has its middle; a piece with polynomials has its
+   * ends, the nodes of the multipliers, and the middles between all of these, in the order of arc
+   * length. */
+  std::vector<ContactPoint<dim>> rows;
+  /** The points of curves and surfaces. A piece with a constant has its corners, in the order of
+   * the vertices of deal.II's faces; a piece with polynomials has the same points as in tables. */
+  std::vector<ContactPoint<dim>> corners;
+
+  template <typename Archive>
+  void serialize(Archive &archive, unsigned int) {
+    archive &side &side_number &face &patch &patch_measure &rows &corners;
+    archive_optional(archive, opposite);
+  }
+};
+
+/** The contact boundary piece by piece, side after side, in 2-D in the order of arc length. */
+template <int dim>
+using TracedContact = std::vector<ContactPiece<dim>>;
+
+/** Returns the contact boundary for tables and files. Collective. @param boundary the
+ * gap and the exact pressure of every side. */
+template <int dim>
+TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
+                                 const MultiplierSpace<dim> &multipliers,
+                                 const std::vector<BoundaryCondition<dim>> &boundary,
+                                 const Displacement &U, const Multiplier &P);
+
+/** Writes contact-LL.csv. */
+template <int dim>
+void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact);
+
+/**
+ * Writes contact-LL.vtu: pressures (positive in compression), displacement, gap and opening along
+ * the contact boundary. Both sides of a pair have a curve, with their own displacement.
+ * @param bound of every contact face; empty if there is none.
+ */
+template <int dim>
+void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
+                       const std::vector<double> &bound);
+} // namespace Signorini

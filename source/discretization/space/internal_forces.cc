@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// A U cell by cell, and |||u_h||| without the rounding errors of a rigid translation.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/discretization/space/cell_stiffness.h>
+#include <signorini/discretization/space/internal_forces.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Signorini {
+namespace {
+/** Calls work(cell, K, U) with the matrix of every cell of this rank where U does not vanish, and
+ * the values of U there, as long as it returns true. Prescribed displacements vanish in most cells.
+ */
+template <int dim, typename Work>
+void for_each_cell(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                   const Displacement &U, const Work &work) {
+  CellStiffness<dim> stiffness(space, scene);
+  dealii::Vector<double> on_cell;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (cell->is_locally_owned()) {
+      on_cell.reinit(cell->get_fe().n_dofs_per_cell());
+      cell->get_dof_values(U, on_cell);
+      if (!on_cell.all_zero() && !work(cell, stiffness(cell), on_cell))
+        return;
+    }
+}
+} // namespace
+
+template <int dim>
+InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                                    const Displacement &U) {
+  InternalForces<dim> result = {space.make_vector(), space.make_vector()};
+  dealii::Vector<double> forces, magnitudes;
+  double energy = 0.;
+  for_each_cell(space, scene, U, [&](const auto &cell, const FullMatrix<double> &K, auto &on_cell) {
+    forces.reinit(on_cell.size());
+    magnitudes.reinit(on_cell.size());
+    K.vmult(forces, on_cell);
+    // By columns, which are rows of the symmetric K: these sums fill registers.
+    for (unsigned int j = 0; j < on_cell.size(); ++j)
+      for (unsigned int i = 0; i < on_cell.size(); ++i)
+        magnitudes[i] += std::abs(K(j, i) * on_cell[j]);
+    const auto indices = space.cell_dofs(cell);
+    result.forces.add(indices, forces);
+    result.magnitudes.add(indices, magnitudes);
+    const FiniteElement<dim> &element = cell->get_fe();
+    Tensor<1, dim> corner;
+    // A translation away from an axis is no rigid motion.
+    for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d)
+      corner[d] = on_cell[element.component_to_system_index(d, 0)];
+    for (unsigned int i = 0; i < on_cell.size(); ++i)
+      on_cell[i] -= corner[element.system_to_component_index(i).first];
+    energy += K.matrix_norm_square(on_cell);
+    return true;
+  });
+  const double unit = stiffness_unit(space, *scene.material);
+  for (DualVector *const vector : {&result.forces, &result.magnitudes}) {
+    vector->compress(VectorOperation::add);
+    *vector *= unit;
+  }
+  energy = Utilities::MPI::sum(energy, space.mesh().communicator());
+  result.energy_norm = std::sqrt(std::max(0., energy * unit));
+  return result;
+}
+
+template <int dim>
+std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
+                                           const Scene<dim> &scene, const Displacement &U) {
+  constexpr double unit_roundoff = std::numeric_limits<double>::epsilon();
+  const double motion = U.linfty_norm(), size = space.mesh().size();
+  // Of a body that moves far, the strains are not known: they are less than rounding of U.
+  if (unit_roundoff * motion > 1e-12 * size)
+    return {};
+  // Rounding, or what V-cycles leave: strains below 1e-10, and below 1e-9 of the motion.
+  const double tolerance =
+    std::max(1e3 * unit_roundoff, 1e-10 * size / std::max(motion, 0.1 * size));
+  dealii::Vector<double> forces;
+  bool rigid = true;
+  for_each_cell(space, scene, U,
+                [&](const auto &, const FullMatrix<double> &K, const auto &on_cell) {
+                  forces.reinit(on_cell.size());
+                  K.vmult(forces, on_cell);
+                  rigid = forces.linfty_norm() <= tolerance * K.linfty_norm() * motion;
+                  return rigid;
+                });
+  if (Utilities::MPI::min(rigid ? 1 : 0, space.mesh().communicator()) == 0)
+    return {};
+  // A body at rest, too, has a size that rounding is compared with.
+  return std::max(motion, 1e-6 * size) * std::sqrt(stiffness_unit(space, *scene.material));
+}
+
+INSTANTIATE_FUNCTION(internal_forces);
+INSTANTIATE_FUNCTION(norm_of_rigid_motion);
+} // namespace Signorini

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Proved constants for the loads that stresses do not balance exactly.
+
+#include <signorini/error_control/equilibration/oscillation.h>
+#include <signorini/problem/scene/functions.h>
+
+#include <deal.II/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace Signorini {
+namespace {
+using numbers::PI;
+
+/** The discs about a point of the cell: inside of the one with the radius ρ all points see the
+ * whole cell, and the one with the radius R contains it. */
+struct Discs {
+  Discs(const CellShape &shape, const Point<2> &x) {
+    for (unsigned int k = 0; k < 4; ++k) {
+      const Curve edge = shape.edge(k);
+      // Between so many points of an arc the distances change by less than the margin.
+      const unsigned int n = edge.is_flat() ? 1 : 32;
+      const double margin = edge.is_flat() ? 0. : 1e-3 * edge.length();
+      for (unsigned int i = 0; i <= n; ++i) {
+        const double s = i * edge.length() / n;
+        rho = std::min(rho, cross(edge.tangent(s, 0.), x - edge.point(s)) - margin);
+        R = std::max(R, x.distance(edge.point(s)) + margin);
+      }
+    }
+  }
+  double beta() const {
+    const double tau = std::max(0., rho / R);
+    return tau / std::sqrt(2. * (1. + std::sqrt(std::max(0., 1. - tau * tau))));
+  }
+
+  double rho = std::numeric_limits<double>::max(), R = 0.;
+};
+
+/** Returns the constant in ‖v‖_e ≤ constant ‖grad v‖_T on the triangle of an edge from a to b and
+ * a point P. */
+double trace_constant(const Point<2> &a, const Point<2> &b, const Point<2> &P) {
+  const double length = a.distance(b), area = 0.5 * std::abs(cross(b - a, P - a));
+  const double to_P = std::max(a.distance(P), b.distance(P));
+  const double poincare = std::max(to_P, length) / PI;
+  return std::sqrt(length / area * (poincare * poincare + to_P * poincare));
+}
+
+/** Returns the depth of the largest rectangle on edge k that lies in the cell; 0 if there is none.
+ */
+double depth(const CellShape &shape, const unsigned int k) {
+  const auto &a = shape.corners[k], &b = shape.corners[(k + 1) % 4];
+  const Tensor<1, 2> along = (b - a) / a.distance(b);
+  const Tensor<1, 2> left = shape.corners[(k + 3) % 4] - a, right = shape.corners[(k + 2) % 4] - b;
+  constexpr double rounding = 1e-12;
+  if (left * along > rounding * left.norm() || right * along < -rounding * right.norm())
+    return 0.;
+  return std::min(cross(along, left), cross(along, right));
+}
+
+/** Returns the constant of Airy's function on a rectangle. */
+double beam_constant(const double L, const double max_depth) {
+  const double d = std::min(max_depth, 0.73 * L);
+  return std::sqrt(13. / 35. * d + 12. / (5. * d) * L * L / (4. * PI * PI) +
+                   12. / std::pow(d, 3) * std::pow(L, 4) / 500.56);
+}
+} // namespace
+
+OscillationConstants::OscillationConstants(const CellShape &shape, const unsigned int degree) {
+  // The better of two centres.
+  const Discs of_centre(shape, shape.centre()), of_crossing(shape, shape.crossing);
+  const Discs &discs = of_centre.beta() > of_crossing.beta() ? of_centre : of_crossing;
+  const double beta = discs.beta();
+  korn = std::sqrt(1. + 2. / (beta * beta));
+  body = korn * (shape.has_arcs() ? 2. * discs.R / beta : shape.diameter()) / PI;
+  const auto &x = shape.corners;
+  if (shape.affine) {
+    // |J|_2² is the larger eigenvalue of Jᵀ J.
+    const Tensor<1, 2> a = x[1] - x[0], b = x[3] - x[0];
+    const double sum = a.norm_square() + b.norm_square(), area = cross(a, b);
+    const double largest = 0.5 * (sum + std::sqrt(std::max(0., sum * sum - 4. * area * area)));
+    const unsigned int m = degree / 2;
+    body = std::min(body, korn * 0.5 * std::sqrt(largest / ((m + 1.) * (m + 2.))));
+  }
+  for (unsigned int k = 0; k < 4; ++k) {
+    const auto &a = x[k], &b = x[(k + 1) % 4];
+    // Triangles with another corner, and rectangles, may leave a cell with an arc.
+    edge[k] = korn * (shape.has_arcs() ? trace_constant(a, b, shape.crossing)
+                                       : std::min(trace_constant(a, b, x[(k + 2) % 4]),
+                                                  trace_constant(a, b, x[(k + 3) % 4])));
+    const double d = shape.has_arcs() ? 0. : depth(shape, k);
+    normal[k] = d > 0. ? std::min(edge[k], beam_constant(a.distance(b), d)) : edge[k];
+  }
+}
+
+double unseen_load(const Scene<2> &scene) {
+  // Larger boxes were joined: each part showed its data.
+  constexpr double largest_share = 1.001 / 16.;
+  const Tensor<1, 2> body = scene.geometry.upper - scene.geometry.lower;
+  const auto f = std::dynamic_pointer_cast<const ExpressionFunction<2>>(scene.body_force);
+  const std::vector<BoxTree::Node> &nodes = scene.kinks.boxes().nodes();
+  double sum = 0.;
+  std::vector<std::pair<unsigned int, FormulaBox<2>>> open;
+  if (f != nullptr)
+    open.push_back({0, {scene.geometry.lower, scene.geometry.upper}});
+  while (!open.empty()) {
+    const auto [number, box] = open.back();
+    const BoxTree::Node &node = nodes[number];
+    open.pop_back();
+    const Tensor<1, 2> size = box.upper - box.lower;
+    const double area = size[0] * size[1];
+    const bool is_leaf = node.parts == 0 && area < largest_share * body[0] * body[1];
+    for (const Expression<2> &component : f->components())
+      if (is_leaf && !component.formula().is_shown(box, scene.kinks.lines(), 0.))
+        sum += area * component.formula().enclose(box).width();
+    for (unsigned int part = 0; part < 2 && node.parts != 0; ++part) {
+      FormulaBox<2> half = box;
+      (part == 0 ? half.upper : half.lower)[node.line.normal[0] == 0. ? 1 : 0] = node.line.position;
+      open.emplace_back(node.parts + part, half);
+    }
+  }
+  return sum;
+}
+} // namespace Signorini

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The rest of the nodal interpolation of prescribed displacements.
+
+#include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/discretization/space/body_measure.h>
+#include <signorini/discretization/space/cell_field.h>
+#include <signorini/error_control/equilibration/law.h>
+#include <signorini/error_control/equilibration/prescribed_lift.h>
+#include <signorini/error_control/equilibration/triangle_parts.h>
+#include <signorini/problem/scene/functions.h>
+
+#include <deal.II/base/polynomial.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+
+namespace Signorini {
+namespace {
+const std::vector<Point<1>> &nodes() {
+  static const std::vector<Point<1>> points = QGaussLobattoChebyshev<1>(9).get_points();
+  return points;
+}
+} // namespace
+
+Tensor<1, 2> PrescribedLift::EdgeRest::evaluate(const double s, const bool derivative) const {
+  static const auto basis = Polynomials::generate_complete_Lagrange_basis(nodes());
+  const double position = s * pieces.size();
+  const unsigned int piece = std::clamp<int>(position, 0, pieces.size() - 1);
+  Tensor<1, 2> sum;
+  std::vector<double> value_and_slope(2);
+  for (unsigned int i = 0; i < basis.size(); ++i) {
+    basis[i].value(position - piece, value_and_slope);
+    sum +=
+      (derivative ? pieces.size() * value_and_slope[1] : value_and_slope[0]) * pieces[piece][i];
+  }
+  return sum;
+}
+
+PrescribedLift::PrescribedLift(const BoundData &data,
+                               const std::map<unsigned int, Tensor<1, 2>> &bubbles) {
+  const double scale = data.U.linfty_norm();
+  constexpr std::array<unsigned int, 4> face_in_circle = {{2, 1, 3, 0}};
+  std::vector<std::pair<DoFHandler<2>::active_cell_iterator, unsigned int>> edges;
+  for (const auto &cell : data.space.dofs().active_cell_iterators())
+    for (unsigned int k = 0; k < 4; ++k)
+      if (const unsigned int face = face_in_circle[k];
+          cell->at_boundary(face) &&
+          data.scene.boundary[cell->face(face)->boundary_id()].role == Role::displacement)
+        edges.emplace_back(cell, k);
+  for (const auto &[cell, k] : edges) {
+    const auto found = bubbles.find(cell->face(face_in_circle[k])->index());
+    EdgeRest rest = {k, {}};
+    rest.interpolate(data, cell, face_in_circle[k],
+                     std::min<std::size_t>(256, 20000 / edges.size()),
+                     found == bubbles.end() ? Tensor<1, 2>() : found->second);
+    // A smaller rest is rounding.
+    if (rest.size > 1e-10 * scale)
+      max_misfit_ = std::max(max_misfit_, rest.misfit / rest.size);
+    if (rest.size > 1e-13 * scale)
+      rests_[cell->active_cell_index()].push_back(std::move(rest));
+  }
+}
+
+void PrescribedLift::EdgeRest::interpolate(const BoundData &data,
+                                           const DoFHandler<2>::active_cell_iterator &cell,
+                                           const unsigned int face, const std::size_t n_scanned,
+                                           const Tensor<1, 2> &bubble) {
+  constexpr double allowed = 1e-3;
+  constexpr unsigned int max_pieces = 32;
+  const auto line = cell->face(face);
+  const Function<2> &prescribed = *data.scene.boundary[line->boundary_id()].data;
+  const CellField u(cell, data.U);
+  const Side<2> edge("", shape_of(cell, data.scene.geometry.sides).edge(k));
+  const auto r = [&](const double s) {
+    dealii::Vector<double> u_D(2);
+    prescribed.vector_value(edge.point(s * edge.length()), u_D);
+    // Sides 0 and 1 run along a reference coordinate, 2 and 3 backwards.
+    return Tensor<1, 2>({u_D[0], u_D[1]}) -
+           (u.on_face(face, k < 2 ? s : 1. - s) + 4. * s * (1. - s) * bubble);
+  };
+  std::vector<Point<1>> scanned;
+  if (n_scanned > 0 && !is_constant(prescribed)) {
+    std::vector<double> cuts = data.scene.kinks.cut(edge, 0., edge.length());
+    for (double &s : cuts)
+      s /= edge.length();
+    scanned = split_quadrature(QIterated<1>(QMidpoint<1>(), n_scanned), cuts).get_points();
+  }
+  for (unsigned int n_pieces = 1; n_pieces <= max_pieces; n_pieces *= 2) {
+    pieces.assign(n_pieces, {});
+    for (unsigned int piece = 0; piece < n_pieces; ++piece)
+      for (const Point<1> &node : nodes()) {
+        pieces[piece].push_back(r((piece + node[0]) / n_pieces));
+        size = std::max(size, pieces[piece].back().norm());
+      }
+    misfit = 0.;
+    for (const Point<1> &s : scanned) {
+      const Tensor<1, 2> value = r(s[0]);
+      size = std::max(size, value.norm());
+      misfit = std::max(misfit, (evaluate(s[0], false) - value).norm());
+    }
+    if (misfit <= allowed * size)
+      break;
+  }
+}
+
+std::vector<KinkLine<2>> PrescribedLift::lines(const std::vector<EdgeRest> &rests,
+                                               const CellShape &shape) {
+  std::vector<KinkLine<2>> lines;
+  const auto &x = shape.corners;
+  for (const EdgeRest &rest : rests)
+    for (unsigned int piece = 1; piece < rest.pieces.size(); ++piece) {
+      const double s = static_cast<double>(piece) / rest.pieces.size();
+      const unsigned int a = rest.k, b = (a + 1) % 4, c = (a + 2) % 4, d = (a + 3) % 4;
+      // Lines of bilinear coordinates are straight.
+      const Point<2> from = x[a] + s * (x[b] - x[a]), to = x[d] + s * (x[c] - x[d]);
+      const Tensor<1, 2> along = (to - from) / from.distance(to), normal({along[1], -along[0]});
+      lines.push_back({normal, normal * (from - Point<2>())});
+    }
+  return lines;
+}
+
+std::array<double, 2> PrescribedLift::EdgeRest::coordinates(const Point<2> &at) const {
+  // The axes along edge k and behind it, with their directions.
+  const double along = at[k % 2], behind = at[1 - k % 2];
+  return {{k < 2 ? along : 1. - along, k % 3 == 0 ? behind : 1. - behind}};
+}
+
+void PrescribedLift::visit_cells(const BoundData &data, const ExactMaps &maps,
+                                 const std::function<void(const LiftedCell &)> &visit) const {
+  const Quadrature<2> rule = triangle_rule(16);
+  for (const auto &cell : data.space.dofs().active_cell_iterators()) {
+    const auto found = rests_.find(cell->active_cell_index());
+    if (found == rests_.end())
+      continue;
+    const CellShape shape(corners_of(cell));
+    std::vector<Point<2>> points;
+    std::vector<double> weights;
+    for (const auto &parts :
+         triangle_parts(shape, data.scene.law_kinks.with_lines(lines(found->second, shape))))
+      for (const TrianglePart &part : parts)
+        add_points(rule, part.corners, shape, points, weights);
+    for (std::size_t q = 0; q < points.size(); ++q)
+      weights[q] /= determinant(shape.jacobian(CellFunctions(points[q])));
+    FEValues<2> values(maps.of(cell), data.space.element(cell), Quadrature<2>(points, weights),
+                       update_gradients | update_inverse_jacobians | update_JxW_values |
+                         update_quadrature_points);
+    values.reinit(cell);
+    LiftedCell lifted = {cell, values, {}};
+    for (std::size_t q = 0; q < points.size(); ++q) {
+      const Tensor<2, 2> inverse(values.inverse_jacobian(q));
+      Tensor<1, 2> z;
+      Tensor<2, 2> gradient;
+      for (const EdgeRest &rest : found->second) {
+        const auto [s, depth] = rest.coordinates(points[q]);
+        const Tensor<1, 2> r = rest.evaluate(s, false);
+        z += (1. - depth) * r;
+        gradient += (rest.k < 2 ? 1. : -1.) * (1. - depth) *
+                      outer_product(rest.evaluate(s, true), inverse[rest.k % 2]) -
+                    (rest.k % 3 == 0 ? 1. : -1.) * outer_product(r, inverse[1 - rest.k % 2]);
+      }
+      const Law law(data.scene.material->hooke(values.quadrature_point(q)));
+      const Components strain = components_of(strain_of(gradient));
+      lifted.places.push_back({values.JxW(q), z, strain, law.stiffness * strain});
+    }
+    visit(lifted);
+  }
+}
+} // namespace Signorini

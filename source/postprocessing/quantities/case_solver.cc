@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Many loads on one body: the factors, C and B are those of all cases.
+
+#include <signorini/discretization/space/linear_system.h>
+#include <signorini/postprocessing/fields/contact_intervals.h>
+#include <signorini/postprocessing/fields/contact_load.h>
+#include <signorini/postprocessing/quantities/case_solver.h>
+#include <signorini/postprocessing/quantities/contact_zones.h>
+#include <signorini/postprocessing/quantities/peak_pressure.h>
+#include <signorini/solvers/contact/compliance.h>
+#include <signorini/solvers/contact/motion_modes.h>
+
+#include <algorithm>
+
+namespace Signorini {
+namespace {
+double share_of(const LoadCase &load_case, const LoadKind kind) {
+  switch (kind) {
+  case LoadKind::force:
+    return load_case.force;
+  case LoadKind::weight:
+    return load_case.weight;
+  case LoadKind::cross:
+    return load_case.cross;
+  case LoadKind::travel:
+    break;
+  }
+  return load_case.travel;
+}
+} // namespace
+
+CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &scene,
+                       const ContactSolution<2> &contact, const DualSolverOptions &options,
+                       const bool are_steps)
+  : discretization_(discretization)
+  , scene_(scene)
+  , contact_(contact)
+  , options_(options)
+  , are_steps_(are_steps)
+  , C_(make_compliance(*contact_.inverse, discretization_.condensed_D))
+  , B_(contact_.modes.couple(discretization_.D))
+  , G_(discretization_.assemble_gap_of(scene_))
+  , reactions_(discretization_.space, scene_)
+  , slip_(discretization_.multipliers.n_multipliers()) {
+  for (const LoadKind kind : {LoadKind::force, LoadKind::weight, LoadKind::travel, LoadKind::cross})
+    if (has_load(scene_, kind))
+      responses_.push_back(respond(kind));
+  if (!scene_.report_places.empty())
+    singular_places_ = singular_places(scene_);
+}
+
+CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const {
+  const Scene<2> scene = with_only(scene_, kind);
+  const DisplacementSpace<2> &space = discretization_.space;
+  const LinearSystem<2> system = assemble_right_hand_side(space, scene, discretization_.n_points);
+  LoadResponse response;
+  response.kind = kind;
+  response.U = solve_homogeneous(*contact_.inverse, space, system.f);
+  response.U += space.prescribed(scene);
+  response.closing = discretization_.D.transpose_product(response.U);
+  response.loads = system.loads;
+  response.work = contact_.modes.work(scene.plates, system.loads, response.U);
+  return response;
+}
+
+dealii::Vector<double> CaseSolver::gap_of(const LoadCase &load_case) const {
+  if (load_case.shift.norm() > 0.)
+    return discretization_.assemble_gap_of(scene_of_case(scene_, load_case));
+  dealii::Vector<double> G = G_;
+  for (unsigned int k = 0; k < G.size(); ++k)
+    G[k] *= k < discretization_.multipliers.n_multipliers() ? load_case.gap : load_case.slide;
+  return G;
+}
+
+FrictionSummary CaseSolver::finish_step(const dealii::Vector<double> &F) {
+  dealii::Vector<double> W = C_->apply(P_.values());
+  W -= F;
+  if (q_.size() > 0)
+    B_.vmult_add(W, q_);
+  FrictionSummary summary = summarise_friction(discretization_.multipliers, P_, W);
+  if (!are_steps_)
+    return summary;
+  for (unsigned int k = 0, m = slip_.size(); k < m; ++k)
+    slip_[k] += W[m + k];
+  summary.dissipation = dissipation_ += summary.dissipation;
+  return summary;
+}
+
+DualVector CaseSolver::loads_of(const LoadCase &load_case) const {
+  DualVector loads = discretization_.space.make_vector();
+  for (const LoadResponse &response : responses_)
+    loads.add(share_of(load_case, response.kind), response.loads);
+  return loads;
+}
+
+bool CaseSolver::slides(const LoadCase &load_case) const {
+  if (contact_.modes.unseen.empty())
+    return false;
+  const std::vector<Plate> plates = plates_of_case(scene_.plates, load_case);
+  return contact_.modes.driven_unseen(plates, loads_of(load_case)).has_value();
+}
+
+CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {
+  CaseResult result;
+  result.load_case = last_ = load_case;
+  dealii::Vector<double> F = gap_of(load_case);
+  const unsigned int m = discretization_.multipliers.n_multipliers();
+  for (unsigned int k = m; k < F.size(); ++k)
+    F[k] += slip_[k - m];
+  FreeMotions motions = {B_, contact_.modes.K, dealii::Vector<double>(contact_.modes.size()),
+                         dealii::Vector<double>(contact_.modes.size())};
+  for (const LoadResponse &response : responses_) {
+    const double share = share_of(load_case, response.kind);
+    F.add(-share, response.closing);
+    motions.b.add(share, response.work.value);
+    motions.b_magnitude.add(std::abs(share), response.work.magnitude);
+  }
+  const MotionResult solved =
+    solve_dual_problem(C_, F, discretization_.K, motions, P_.values(), options_);
+  if (solved.escape)
+    result.escape = text_of_escape(rigid_part(contact_.modes, *solved.escape),
+                                   opens(B_, *solved.escape, m) && !solved.sliding);
+  const QPResult &qp = solved.qp;
+  q_ = solved.q;
+  P_ = Multiplier(qp.P, discretization_.K);
+  if (P_.has_friction() && solved.escape)
+    // The next case begins with stick.
+    P_ = Multiplier();
+  else if (P_.has_friction())
+    result.friction = finish_step(F);
+  result.iterations = qp.iterations;
+  result.kkt = qp.kkt_residual;
+  result.converged = qp.converged;
+  return result;
+}
+
+CaseResult CaseSolver::solve(const LoadCase &load_case) {
+  CaseResult result = solve_dual(load_case);
+  if (slides(load_case))
+    result.escape = "it slides";
+  if (!result.escape.empty())
+    return result;
+  const ContactSurface<2> &surface = discretization_.surface;
+  const std::vector<unsigned int> sides = sides_of_contact_force(scene_);
+  for (const Piece<2> &piece : surface.pieces())
+    if (std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0)
+      result.contact += contact_resultant(discretization_.multipliers, P_, piece);
+  if (const auto peak = peak_pressure(discretization_.multipliers, P_.normal()))
+    result.peak_pressure = peak->value;
+  for (const ContactZone &zone : contact_zones(discretization_.multipliers, P_.normal())) {
+    result.zone_length += zone.length;
+    ++result.n_zones;
+  }
+  result.active = summarise_contact(discretization_.multipliers, P_.normal()).active;
+  result.plates = contact_.modes.plate_motions(plates_of_case(scene_.plates, load_case), q_);
+  return result;
+}
+
+std::vector<std::pair<std::string, double>> CaseSolver::reactions(const Displacement &U) const {
+  DualVector forces = loads_of(last_);
+  discretization_.D.add_product(P_.values(), forces);
+  return reactions_.of(U, forces);
+}
+
+std::vector<PlaceReport> CaseSolver::report(const Displacement &U) const {
+  return report_on_places<2>(discretization_.space, scene_, U, singular_places_,
+                             discretization_.multipliers, P_);
+}
+
+Displacement CaseSolver::displacement() const {
+  DualVector forces = discretization_.space.make_vector();
+  discretization_.condensed_D.add_product(P_.values(), forces);
+  Displacement U = solve_homogeneous(*contact_.inverse, discretization_.space, forces);
+  for (const LoadResponse &response : responses_)
+    U.add(share_of(last_, response.kind), response.U);
+  if (contact_.modes.size() > 0)
+    contact_.modes.add_to(U, q_);
+  return U;
+}
+} // namespace Signorini

@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Pressure, gap and opening along the contact boundary.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/discretization/space/trace_values.h>
+#include <signorini/postprocessing/fields/recovered_pressure.h>
+#include <signorini/results/output/contact_files.h>
+#include <signorini/results/output/solution_vtu.h>
+#include <signorini/results/output/tables.h>
+
+#include <boost/serialization/string.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini {
+namespace {
+/** Returns -p, where zero has no sign. */
+double positive_in_compression(const double p) {
+  return p == 0. ? 0. : -p;
+}
+
+/** Returns positions between 0 and 1 on a piece: its ends, the nodes of its multipliers, and the
+ * middles between all of these. */
+std::vector<Point<1>> positions_of_polynomial(const Piece<2> &piece,
+                                              const MultiplierSpace<2> &multipliers) {
+  std::vector<double> corners = {0.};
+  for (unsigned int k = multipliers.first_of(piece.patch);
+       k < multipliers.first_of(piece.patch + 1); ++k) {
+    const double t = (multipliers.node(k)[0] - piece.lower[0]) / (piece.upper[0] - piece.lower[0]);
+    if (t > 0. && t < 1.)
+      corners.push_back(t);
+  }
+  corners.push_back(1.);
+  std::vector<Point<1>> positions = {Point<1>(0.)};
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    positions.emplace_back(0.5 * (corners[i - 1] + corners[i]));
+    positions.emplace_back(corners[i]);
+  }
+  return positions;
+}
+
+/** A row of contact-LL.csv. */
+template <int dim>
+struct ContactRow {
+  const ContactPiece<dim> &piece;
+  const ContactPoint<dim> &point;
+};
+
+template <int dim>
+void add_friction_columns(Columns<ContactRow<dim>> &columns) {
+  using Row = ContactRow<dim>;
+  const auto add = [&](const char *name, const auto part) {
+    columns.push_back({name, [part](const Row &row) { return (*row.point.friction).*part; }});
+  };
+  add("q_H", &FrictionPoint::q_H);
+  add("s_H", &FrictionPoint::s_H);
+  add("slip", &FrictionPoint::slip);
+  add("q_exact", &FrictionPoint::q_exact);
+  for (const auto &[name, vector] :
+       {std::pair("q_H_", &FrictionPoint::traction), {"slip_", &FrictionPoint::slip_vector}})
+    for (unsigned int d = 0; d < dim && dim == 3; ++d)
+      columns.push_back({name + std::string(1, "xyz"[d]), [part = vector, d](const Row &row) {
+                           return ((*row.point.friction).*part)[d];
+                         }});
+  columns.push_back({"state", [](const Row &row) { return row.point.friction->state; }});
+}
+
+template <int dim>
+Columns<ContactRow<dim>> contact_columns(const bool has_friction, const bool has_pairs) {
+  using Row = ContactRow<dim>;
+  Columns<Row> columns;
+  if (dim == 2)
+    columns.push_back({"s", [](const Row &row) { return row.point.s[0]; }});
+  for (unsigned int d = 0; d < dim; ++d)
+    columns.push_back({std::string(1, "xyz"[d]), [d](const Row &row) { return row.point.x[d]; }});
+  const Columns<Row> others = {
+    {"p_H", [](const Row &row) { return row.point.p_H; }},
+    {"p_recovered", [](const Row &row) { return row.point.p_recovered; }},
+    {"u_n", [](const Row &row) { return row.point.u_n; }},
+    {"g", [](const Row &row) { return row.point.g; }},
+    // The pressure is infinite at an edge of a punch.
+    {"p_exact",
+     [](const Row &row) {
+       return std::isfinite(row.point.p_exact.value_or(0.)) ? row.point.p_exact : std::nullopt;
+     }},
+    {"patch", [](const Row &row) { return row.piece.patch; }},
+    {dim == 2 ? "patch_length" : "patch_area",
+     [](const Row &row) { return row.piece.patch_measure; }}};
+  columns.insert(columns.end(), others.begin(), others.end());
+  if (has_friction)
+    add_friction_columns(columns);
+  const auto add_opposite = [&](const std::string &name, const auto value) {
+    columns.push_back({name + "_opposite", [value](const Row &row) {
+                         const auto &opposite = row.point.opposite;
+                         return opposite ? std::optional<double>(value(*opposite)) : std::nullopt;
+                       }});
+  };
+  for (unsigned int d = 0; d < dim && has_pairs; ++d)
+    add_opposite(std::string(1, "xyz"[d]), [d](const auto &opposite) { return opposite.x[d]; });
+  if (has_pairs)
+    add_opposite("u_n", [](const auto &opposite) { return opposite.u_n; });
+  return columns;
+}
+
+/** Evaluates the fields at points of the contact boundary. */
+template <int dim>
+class ContactTracer {
+public:
+  ContactTracer(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
+                const std::vector<BoundaryCondition<dim>> &boundary, const Displacement &U,
+                const Multiplier &P)
+    : multipliers_(multipliers)
+    , surface_(multipliers.surface())
+    , boundary_(boundary)
+    , U_(U)
+    , P_(P)
+    , bounds_(P.bounds())
+    , recovered_(multipliers, P.normal())
+    , traces_(space) {}
+
+  std::vector<ContactPoint<dim>> trace(const Piece<dim> &piece,
+                                       const std::vector<Point<dim - 1>> &positions) {
+    const BoundaryCondition<dim> &condition = boundary_[surface_.patches()[piece.patch].side];
+    const SurfaceRule<dim> rule = surface_.at(piece, positions);
+    const auto closing = traces_.displacement(surface_, piece, rule, U_);
+    Piece<dim> alone = piece;
+    alone.opposite.reset();
+    const auto u = piece.opposite ? traces_.displacement(surface_, alone, rule, U_) : closing;
+    std::vector<ContactPoint<dim>> points;
+    for (std::size_t q = 0; q < rule.size(); ++q) {
+      ContactPoint<dim> point;
+      point.s = rule.on_side[q];
+      point.x = rule.points[q];
+      point.p_H = multipliers_.value(P_.normal(), piece.patch, point.s);
+      point.p_recovered = recovered_(piece.patch, point.s);
+      point.u = u[q];
+      point.u_n = closing[q] * rule.normals[q];
+      point.g = condition.data->value(point.x);
+      if (P_.has_friction())
+        point.friction = friction_at(piece.patch, condition, point, closing[q], rule.normals[q]);
+      if constexpr (dim == 2)
+        if (piece.opposite) {
+          const Tensor<1, dim> n = rule.normals[q];
+          const auto &other = surface_.scene().geometry.sides[*condition.opposite];
+          const Tensor<1, 2> u_opposite = u[q] - closing[q];
+          point.opposite = {other.across(point.x, n), u_opposite, u_opposite * n};
+        }
+      if (condition.exact_pressure != nullptr)
+        point.p_exact = condition.exact_pressure->value(point.x);
+      points.push_back(point);
+    }
+    return points;
+  }
+
+private:
+  FrictionPoint friction_at(const unsigned int patch, const BoundaryCondition<dim> &condition,
+                            const ContactPoint<dim> &at, Tensor<1, dim> slip,
+                            const Tensor<1, dim> &normal) const {
+    const NodeState state = P_.state(multipliers_.nearest_node(patch, at.s));
+    FrictionPoint point;
+    point.q_H = multipliers_.value(P_.values(), patch, at.s, 1);
+    point.s_H = multipliers_.value(bounds_, patch, at.s);
+    point.state = !state.presses ? 0 : state.slip == State::inside ? 1 : 2;
+    if (condition.exact_friction != nullptr)
+      point.q_exact = condition.exact_friction->value(at.x);
+    if constexpr (dim == 2)
+      point.slip = slip * direction_of(Component::tangential, normal) -
+                   (condition.shift != nullptr ? condition.shift->value(at.x) : 0.);
+    else {
+      for (unsigned int d = 0; d < dim && condition.shift != nullptr; ++d)
+        slip[d] -= condition.shift->value(at.x, d);
+      point.slip_vector = slip - (slip * normal) * normal;
+      point.slip = point.slip_vector.norm();
+      point.traction = tangential_traction(multipliers_, P_, patch, at.s, normal);
+      point.q_H = point.traction.norm();
+    }
+    return point;
+  }
+
+  const MultiplierSpace<dim> &multipliers_;
+  const ContactSurface<dim> &surface_;
+  const std::vector<BoundaryCondition<dim>> &boundary_;
+  const Displacement &U_;
+  const Multiplier &P_;
+  Pressure bounds_;
+  RecoveredPressure<dim> recovered_;
+  TraceValues<dim> traces_;
+};
+} // namespace
+
+template <int dim>
+TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
+                                 const MultiplierSpace<dim> &multipliers,
+                                 const std::vector<BoundaryCondition<dim>> &boundary,
+                                 const Displacement &U, const Multiplier &P) {
+  const ContactSurface<dim> &surface = multipliers.surface();
+  ContactTracer<dim> tracer(space, multipliers, boundary, U, P);
+  TracedContact<dim> contact;
+  for (const Piece<dim> &piece : surface.pieces()) {
+    const Patch<dim> &patch = surface.patches()[piece.patch];
+    std::vector<Point<dim - 1>> rows = QMidpoint<dim - 1>().get_points(),
+                                corners = QTrapezoid<dim - 1>().get_points();
+    if constexpr (dim == 2)
+      if (!multipliers.is_piecewise_constant())
+        rows = corners = positions_of_polynomial(piece, multipliers);
+    // In one call: faces with the same points share a table.
+    std::vector<Point<dim - 1>> positions = rows;
+    positions.insert(positions.end(), corners.begin(), corners.end());
+    const std::vector<ContactPoint<dim>> points = tracer.trace(piece, positions);
+    const auto middle = points.begin() + rows.size();
+    contact.push_back({surface.side(patch).name(),
+                       patch.side,
+                       piece.face,
+                       piece.patch,
+                       patch.measure,
+                       surface.condition(piece).opposite,
+                       {points.begin(), middle},
+                       {middle, points.end()}});
+  }
+  if (!space.mesh().is_shared())
+    return contact;
+  contact = collect(contact, surface.communicator());
+  std::stable_sort(contact.begin(), contact.end(),
+                   [](const auto &a, const auto &b) { return a.face < b.face; });
+  return contact;
+}
+
+/** Returns whether some piece may touch another body. */
+template <int dim>
+static bool has_pairs(const TracedContact<dim> &contact) {
+  return std::any_of(contact.begin(), contact.end(),
+                     [](const auto &piece) { return piece.opposite.has_value(); });
+}
+
+template <int dim>
+void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact) {
+  const bool has_friction = !contact.empty() && contact.front().rows.front().friction;
+  const Columns<ContactRow<dim>> columns = contact_columns<dim>(has_friction, has_pairs(contact));
+  stream << "side," << csv_header(columns) << "\n";
+  for (const ContactPiece<dim> &piece : contact)
+    for (const ContactPoint<dim> &point : piece.rows)
+      stream << piece.side << "," << csv_row(columns, {piece, point}) << "\n";
+}
+
+namespace {
+/** Adds a number in the plane, a vector in space. */
+template <int dim>
+void add_friction(const char *const name, const double number, const Tensor<1, 3> &vector,
+                  VtuFields &fields) {
+  if (dim == 2)
+    fields.emplace_back(name, number);
+  for (unsigned int d = 0; d < 3 && dim == 3; ++d)
+    fields.emplace_back(name, vector[d]);
+}
+} // namespace
+
+/** Returns the fields of a point that both sides of a pair have in common. */
+template <int dim>
+static VtuFields common_fields(const ContactPoint<dim> &point) {
+  VtuFields fields = {{"contact_pressure", positive_in_compression(point.p_H)},
+                      {"recovered_contact_pressure", positive_in_compression(point.p_recovered)},
+                      {"normal_displacement", point.u_n},
+                      {"gap", point.g},
+                      {"opening", point.g - point.u_n}};
+  if (const auto &friction = point.friction) {
+    add_friction<dim>("friction_traction", friction->q_H, friction->traction, fields);
+    fields.emplace_back("friction_limit", friction->s_H);
+    add_friction<dim>("slip", friction->slip, friction->slip_vector, fields);
+    fields.emplace_back("friction_state", friction->state);
+  }
+  return fields;
+}
+
+template <int dim>
+void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
+                       const std::vector<double> &bound) {
+  VtuCells<dim - 1> cells;
+  const bool with_opposite = has_pairs(contact);
+  constexpr unsigned int n_corners = GeometryInfo<dim - 1>::vertices_per_cell;
+  /** Adds the corners of one side, which may touch another one. */
+  const auto add_side = [&](const ContactPiece<dim> &piece, const std::size_t first,
+                            const bool is_second) {
+    const double own = piece.side_number, other = piece.opposite ? *piece.opposite : -1.;
+    std::vector<Point<dim>> points;
+    std::vector<VtuFields> fields;
+    for (unsigned int v = 0; v < n_corners; ++v) {
+      const ContactPoint<dim> &point = piece.corners[first + v];
+      points.push_back(is_second ? point.opposite->x : point.x);
+      const Tensor<1, dim> &u = is_second ? point.opposite->u : point.u;
+      VtuFields all = {{"displacement", u[0]},
+                       {"displacement", u[1]},
+                       {"displacement", dim == 3 ? u[dim - 1] : 0.},
+                       {"patch", piece.patch},
+                       {"side", is_second ? other : own}};
+      if (with_opposite)
+        all.emplace_back("opposite", is_second ? own : other);
+      if (!bound.empty())
+        all.emplace_back("bound_contact", bound[piece.face]);
+      const VtuFields common = common_fields(point);
+      all.insert(all.end(), common.begin(), common.end());
+      fields.push_back(std::move(all));
+    }
+    cells.add(1, points, fields);
+  };
+  for (const ContactPiece<dim> &piece : contact)
+    for (std::size_t first = 0; first + n_corners <= piece.corners.size(); ++first) {
+      add_side(piece, first, false);
+      if (piece.opposite)
+        add_side(piece, first, true);
+    }
+  DataOutBase::VtkFlags flags;
+  // The same run gives the same file.
+  flags.print_date_and_time = false;
+  DataOutBase::write_vtu(cells.cells, cells.names, cells.ranges(), flags, stream);
+}
+
+INSTANTIATE_FUNCTION(trace_contact);
+INSTANTIATE_FUNCTION(write_contact_csv);
+INSTANTIATE_FUNCTION(write_contact_vtu);
+} // namespace Signorini

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// scene.json: what is known of a scene before it is solved.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/postprocessing/quantities/answer_vector.h>
+#include <signorini/results/output/scene_json.h>
+
+#include <nlohmann/json.hpp>
+
+#include "answer_json.h"
+
+namespace Signorini {
+namespace {
+/** Returns the coordinates of equally spaced points of a side, its ends included. */
+std::vector<double> places_on(const Side<2> &side) {
+  constexpr unsigned int n_intervals = 64;
+  std::vector<double> places(n_intervals + 1);
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    places[i] = i * side.length() / n_intervals;
+  return places;
+}
+std::vector<Point<2>> places_on(const Side<3> &side) {
+  constexpr unsigned int n_intervals = 8;
+  std::vector<Point<2>> places;
+  for (unsigned int i = 0; i <= n_intervals; ++i)
+    for (unsigned int j = 0; j <= n_intervals; ++j)
+      places.emplace_back(i * side.lengths()[0] / n_intervals, j * side.lengths()[1] / n_intervals);
+  return places;
+}
+} // namespace
+
+template <int dim>
+SideSamples<dim> sample_side(const Scene<dim> &scene, const unsigned int side) {
+  const FunctionPointer<dim> &data = scene.boundary[side].data;
+  SideSamples<dim> samples;
+  for (const auto &s : places_on(scene.geometry.sides[side])) {
+    samples.points.push_back(scene.geometry.sides[side].point(s));
+    samples.normals.push_back(scene.geometry.sides[side].normal(s));
+    samples.values.emplace_back();
+    if (data != nullptr)
+      for (unsigned int c = 0; c < data->n_components; ++c)
+        samples.values.back().push_back(data->value(samples.points.back(), c));
+  }
+  return samples;
+}
+
+INSTANTIATE_FUNCTION(sample_side);
+
+void write_scene_json(std::ostream &stream, const Scene<2> &scene,
+                      const Triangulation<2> &first_mesh, const SceneNotes &notes) {
+  Json json = {{"sides", Json::array()},
+               {"cells", Json::array()},
+               {"notes", notes.lines},
+               {"body_force", notes.body_force}};
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
+    const SideSamples<2> samples = sample_side(scene, i);
+    Json side = {{"name", scene.geometry.sides[i].name()},
+                 {"role", word_for(scene.boundary[i].role)}};
+    if (const auto opposite = scene.boundary[i].opposite)
+      side["opposite"] = scene.geometry.sides[*opposite].name();
+    for (std::size_t k = 0; k < samples.points.size(); ++k) {
+      side["points"].push_back(AnswerVector(samples.points[k]));
+      side["normals"].push_back(AnswerVector(samples.normals[k]));
+      side["values"].push_back(samples.values[k]);
+    }
+    for (const Plate &plate : scene.plates)
+      if (plate.side == i)
+        side["plate"] = {
+          {"direction", AnswerVector(plate.direction)},
+          {"force", plate.is_pushed ? Json(plate.force * scene.geometry.thickness) : Json(nullptr)},
+          {"travel", plate.is_pushed ? Json(nullptr) : Json(plate.travel)},
+          {"cross_force", plate.cross_force * scene.geometry.thickness}};
+    json["sides"].push_back(side);
+  }
+  for (const auto &cell : first_mesh.active_cell_iterators()) {
+    Json corners = Json::array();
+    for (const unsigned int v : {0U, 1U, 3U, 2U})
+      corners.push_back(AnswerVector(cell->vertex(v)));
+    json["cells"].push_back(corners);
+  }
+  stream << json.dump() << "\n";
+}
+} // namespace Signorini

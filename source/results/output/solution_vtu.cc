@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The body for ParaView: displacement, its recovery, stresses, bound.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/error_control/estimate/error_estimate.h>
+#include <signorini/postprocessing/fields/field_sampler.h>
+#include <signorini/results/output/solution_vtu.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+namespace Signorini {
+namespace {
+/** The cells of a piece of the file. Memory of this size is used again and again, and comes from
+ * the system once: with all cells in one piece, writing takes a third longer. */
+constexpr std::size_t cells_per_piece = 8192;
+
+/** Writes the cells of this rank with their fields. Cells may be divided in different ways. */
+template <int dim>
+class BodyWriter {
+public:
+  BodyWriter(std::ostream &stream, const DataOutBase::VtkFlags &flags,
+             const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U,
+             const BoundFields &bound)
+    : stream_(stream)
+    , flags_(flags)
+    , field_(space, scene, U)
+    , stress_(*scene.material)
+    , space_(space)
+    , scene_(scene)
+    , U_(U)
+    , bound_(bound)
+    , is_recovered_(space.max_element_degree() == 1 && space.mesh().has_parents())
+    , by_parents_(dim == 3 && is_recovered_ && scene.material->is_constant()) {
+    cells_.cells.reserve(cells_per_piece);
+  }
+
+  /** Writes all cells. @return their fields. */
+  VtuCells<dim> write() {
+    for (unsigned int number = 0; number < space_.elements().size(); ++number)
+      add_cells(number);
+    if (!cells_.cells.empty())
+      write_piece();
+    return std::move(cells_);
+  }
+
+private:
+  using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+  void write_piece() {
+    DataOutBase::write_vtu_main(cells_.cells, cells_.names, cells_.ranges(), flags_, stream_);
+    cells_.cells.clear();
+  }
+
+  /** Adds the cells of one of the elements. */
+  void add_cells(const unsigned int number) {
+    const FiniteElement<dim> &element = space_.elements()[number];
+    unsigned int n = dim == 3 ? 1 : element.degree;
+    if (is_recovered_ && (dim == 2 || by_parents_))
+      n = 2;
+    // The corners of all children of a parent, seen from its first one.
+    const Quadrature<1> of_children(
+      std::vector<Point<1>>{Point<1>(0.), Point<1>(1.), Point<1>(2.)});
+    const Quadrature<dim> points =
+      by_parents_ ? Quadrature<dim>(of_children) : QIterated<dim>(QTrapezoid<1>(), n);
+    FEValues<dim> values(space_.mesh().mapping(), element, points,
+                         update_values | update_quadrature_points |
+                           (is_recovered_ ? update_inverse_jacobians : update_gradients));
+    std::optional<PatchInterpolation<dim>> interpolation;
+    if (is_recovered_)
+      interpolation.emplace(space_, U_, points, best_interpolation(space_, U_));
+    const FEValuesExtractors::Vector vector(0);
+    FieldValues<dim> u;
+    u.values.resize(points.size());
+    u.gradients.resize(points.size());
+    for (const Cell &cell : space_.dofs().active_cell_iterators()) {
+      if (!cell->is_locally_owned() || cell->active_fe_index() != number ||
+          (by_parents_ && cell->parent()->child_index(0) != cell->index()))
+        continue;
+      values.reinit(cell);
+      if (!by_parents_)
+        values[vector].get_function_values(U_.entries(), u.values);
+      if (!is_recovered_)
+        values[vector].get_function_gradients(U_.entries(), u.gradients);
+      const FieldValues<dim> &recovered = interpolation ? interpolation->evaluate(cell, values) : u;
+      // At the corners of children the interpolation is u_h.
+      add_cell(cell, n, values, by_parents_ ? recovered : u, recovered);
+    }
+  }
+
+  /** Adds a cell with the fields u_h and @p recovered. */
+  void add_cell(const Cell &cell, const unsigned int n, const FEValues<dim> &values,
+                const FieldValues<dim> &u, const FieldValues<dim> &recovered) {
+    const unsigned int index = cell->active_cell_index();
+    const Point<dim> middle = cell->center();
+    const bool has_regions = !scene_.geometry.regions.empty();
+    const double region = has_regions ? scene_.geometry.region_at(middle) : 0.;
+    fields_.resize(u.values.size());
+    for (unsigned int q = 0; q < fields_.size(); ++q) {
+      VtuFields &fields = fields_[q];
+      fields.clear();
+      add_vector("displacement", u.values[q], fields);
+      if (dim == 2 && is_recovered_)
+        add_vector("recovered_displacement", recovered.values[q], fields);
+      const Point<dim> &x = values.quadrature_point(q);
+      add_stress(x, middle, field_.strain(cell, x, recovered.values[q], recovered.gradients[q]),
+                 fields);
+      if (has_regions)
+        fields.emplace_back("region", region);
+      if (!bound_.mesh.empty())
+        fields.insert(fields.end(), {{"bound_mesh", bound_.mesh[index]},
+                                     {"bound_oscillation", bound_.oscillation[index]},
+                                     {"bound_lift", bound_.lift[index]}});
+      if (space_.max_element_degree() > 1)
+        fields.emplace_back("degree", cell->get_fe().degree);
+    }
+    cells_.add(n, values.get_quadrature_points(), fields_);
+    if (cells_.cells.size() == (by_parents_ ? cells_per_piece / 4 : cells_per_piece))
+      write_piece();
+  }
+
+  static void add_vector(const char *const name, const Tensor<1, dim> &vector, VtuFields &fields) {
+    for (unsigned int d = 0; d < 3; ++d)
+      fields.emplace_back(name, d < dim ? vector[d] : 0.);
+  }
+
+  /** Adds the tensor, its components and its invariants. */
+  void add_stress(const Point<dim> &x, const Point<dim> &middle, const Strain<dim> &strain,
+                  VtuFields &fields) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    Stress3D stress = unknown * unit_symmetric_tensor<3>();
+    std::array<double, 3> principal = {{unknown, unknown, unknown}};
+    try {
+      stress = stress_(x, middle, strain);
+      principal = principal_stresses(stress);
+    } catch (const InputError &) {
+      // Mesh nodes may be the only points where the material's data has no value.
+    }
+    for (unsigned int i = 0; i < 3; ++i)
+      for (unsigned int j = 0; j < 3; ++j)
+        fields.emplace_back("stress", stress[i][j]);
+    fields.insert(fields.end(), {{"stress_xx", stress[0][0]},
+                                 {"stress_yy", stress[1][1]},
+                                 {"stress_zz", stress[2][2]},
+                                 {"stress_xy", stress[0][1]}});
+    if (dim == 3)
+      fields.insert(fields.end(), {{"stress_xz", stress[0][2]}, {"stress_yz", stress[1][2]}});
+    fields.insert(fields.end(), {{"von_mises_stress", von_mises(stress)},
+                                 {"principal_stress_1", principal[0]},
+                                 {"principal_stress_2", principal[1]},
+                                 {"principal_stress_3", principal[2]}});
+  }
+
+  std::ostream &stream_;
+  const DataOutBase::VtkFlags &flags_;
+  const SampledField<dim> field_;
+  StressIn3D<dim> stress_;
+  const DisplacementSpace<dim> &space_;
+  const Scene<dim> &scene_;
+  const Displacement &U_;
+  const BoundFields &bound_;
+  /** Whether stresses come from the patch interpolation. */
+  bool is_recovered_;
+  /** Whether the children of a parent share their corners, where no field jumps between them. */
+  bool by_parents_;
+  /** Those of the piece that is not written yet. */
+  VtuCells<dim> cells_;
+  /** Those of the points of a cell. */
+  std::vector<VtuFields> fields_;
+};
+} // namespace
+
+template <int dim>
+VtuCells<dim> write_solution_vtu(std::ostream &stream, const DisplacementSpace<dim> &space,
+                                 const Scene<dim> &scene, const Displacement &U,
+                                 const BoundFields &bound, const unsigned int number) {
+  const DataOutBase::VtkFlags flags(number, number, false, DataOutBase::VtkFlags::best_speed);
+  DataOutBase::write_vtu_header(stream, flags);
+  VtuCells<dim> fields = BodyWriter<dim>(stream, flags, space, scene, U, bound).write();
+  DataOutBase::write_vtu_footer(stream);
+  return fields;
+}
+
+template <int dim>
+void write_pvtu(std::ostream &stream, const std::vector<std::string> &files,
+                const VtuCells<dim> &fields) {
+  DataOutBase::write_pvtu_record(stream, files, fields.names, fields.ranges(),
+                                 DataOutBase::VtkFlags());
+}
+
+void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::string>> &files) {
+  std::ostringstream record;
+  DataOutBase::write_pvd_record(record, files);
+  // The comment, which contains the time, is left out: the same run gives the same file.
+  static const std::regex comment("<!--[^>]*-->\\s*");
+  stream << std::regex_replace(record.str(), comment, "");
+}
+
+INSTANTIATE_FUNCTION(write_solution_vtu);
+INSTANTIATE_FUNCTION(write_pvtu);
+} // namespace Signorini

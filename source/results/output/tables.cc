@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// convergence.csv: one row per level.
+
+#include <signorini/results/output/tables.h>
+
+#include <boost/math/statistics/linear_regression.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace Signorini {
+void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels) {
+  Columns<LevelRecord> columns = level_columns();
+  for (const Column<FrictionSummary> &of_friction : FrictionSummary::columns())
+    if (levels.empty() || !levels.front().friction)
+      columns.erase(std::find_if(columns.begin(), columns.end(), [&](const auto &column) {
+        return column.name == of_friction.name;
+      }));
+  stream << csv_header(columns) << "\n";
+  for (const LevelRecord &level : levels)
+    stream << csv_row(columns, level) << "\n";
+}
+
+// The tables on the screen: one line per level as it finishes, and the errors at the end.
+
+namespace {
+constexpr int number_width = 11;
+constexpr int order_width = 6;
+
+/** The smallest error that has an order; errors below are rounding (patch tests). */
+constexpr double min_error = 1e-13;
+
+void print_number(std::ostream &stream, const int width, const std::optional<double> &value) {
+  stream << std::setw(width);
+  if (value)
+    stream << *value;
+  else
+    stream << "-";
+}
+
+/** Prints a number with four digits. */
+void print_value(std::ostream &stream, const int width, const std::optional<double> &value) {
+  print_number(stream << std::scientific << std::setprecision(3), width, value);
+}
+
+void print_order(std::ostream &stream, const int width, const std::optional<double> &order) {
+  print_number(stream << std::fixed << std::setprecision(2), width, order);
+}
+
+/** A number on the screen: its title, and its column of convergence.csv. */
+struct ErrorColumn {
+  const char *title;
+  const char *name;
+};
+
+constexpr ErrorColumn error_columns[] = {{"|u-uh|1", "u_h1"},
+                                         {"|u-uh|0", "u_l2"},
+                                         {"|Iu-uh|1", "u_superclose_h1"},
+                                         {"|u-PIuh|1", "u_post_h1"},
+                                         {"|p-pH|0", "p_l2"}};
+constexpr const char *estimate_name = "estimated_relative";
+
+/** Returns log(before/now) / log(h before/h now). */
+std::optional<double> order(const LevelRecord &level, const LevelRecord *before,
+                            const std::string &name) {
+  if (before == nullptr || level.sizes.is_graded() || !(before->sizes.h > level.sizes.h))
+    return {};
+  const std::optional<double> now = value(level, name), then = value(*before, name);
+  if (!now || !then || *now <= min_error || *then <= min_error)
+    return {};
+  return std::log(*then / *now) / std::log(before->sizes.h / level.sizes.h);
+}
+
+/** Returns the slope of log(error) over log(h), least squares over the last levels. */
+std::optional<double> slope(const std::vector<LevelRecord> &levels, const std::string &name) {
+  constexpr std::size_t n_levels = 4;
+  std::vector<double> x, y;
+  for (std::size_t i = levels.size() - std::min(n_levels, levels.size()); i < levels.size(); ++i)
+    if (const std::optional<double> error = value(levels[i], name); error && *error > min_error) {
+      x.push_back(std::log(levels[i].sizes.h));
+      y.push_back(std::log(*error));
+    }
+  if (x.size() < 3)
+    return {};
+  return boost::math::statistics::simple_ordinary_least_squares(x, y).second;
+}
+} // namespace
+
+std::string screen_header(const bool graded) {
+  std::ostringstream line;
+  line << (graded ? " step" : "level") << std::setw(9) << "dofs" << std::setw(6) << "m"
+       << std::setw(7) << "active" << std::setw(5) << "its" << std::setw(number_width) << "force"
+       << std::setw(number_width) << "peak p" << std::setw(number_width) << "estimate"
+       << std::setw(order_width) << "order";
+  return line.str();
+}
+
+std::string screen_row(const LevelRecord &level, const LevelRecord *before) {
+  std::ostringstream line;
+  line << std::setw(5) << level.sizes.level << std::setw(9) << level.sizes.dofs << std::setw(6)
+       << level.sizes.multipliers << std::setw(7) << level.contact.active << std::setw(5)
+       << level.dual.iterations;
+  print_value(line, number_width, level.contact.normal_force);
+  print_value(line, number_width,
+              level.answer.peak_pressure ? level.answer.peak_pressure->value : 0.);
+  print_value(line, number_width, value(level, estimate_name));
+  print_order(line, order_width, order(level, before, estimate_name));
+  return line.str();
+}
+
+std::string screen_legend(const bool graded) {
+  return std::string(graded ? "m: multipliers" : "m: patches") +
+         "; active: those that press; its: iterations of the dual problem;\n"
+         "force: integral of pressure; peak p: largest contact pressure (both positive in\n"
+         "compression); estimate: of the error of u_h, relative, in the energy norm\n";
+}
+
+std::string error_table(const std::vector<LevelRecord> &levels) {
+  constexpr int error_width = 10, error_order_width = 5;
+  std::vector<ErrorColumn> columns;
+  for (const ErrorColumn &column : error_columns)
+    if (value(levels.back(), column.name))
+      columns.push_back(column);
+  if (columns.empty())
+    return "";
+  std::ostringstream text;
+  const bool graded = levels.back().sizes.is_graded();
+  text << std::setw(5) << levels.back().sizes.word();
+  for (const ErrorColumn &column : columns)
+    text << std::setw(error_width) << column.title << std::setw(error_order_width) << "ord";
+  const LevelRecord *before = nullptr;
+  for (const LevelRecord &level : levels) {
+    text << "\n" << std::setw(5) << level.sizes.level;
+    for (const ErrorColumn &column : columns) {
+      print_value(text, error_width, value(level, column.name));
+      print_order(text, error_order_width, order(level, before, column.name));
+    }
+    before = &level;
+  }
+  if (graded)
+    return text.str() + "\nErrors against the exact solution (1: norm of H1, 0: of L2; Iu: nodal\n"
+                        "interpolant).\n";
+  text << "\nslope";
+  for (const ErrorColumn &column : columns)
+    print_order(text, error_width + error_order_width, slope(levels, column.name));
+  text << "\nErrors against the exact solution (1: norm of H1, 0: of L2; Iu: nodal\n"
+          "interpolant; PI: interpolation on cells of 2h). Slope: least squares over the\n"
+          "last four levels.\n";
+  return text.str();
+}
+
+void write_rows(std::ostream &stream, const std::string &header,
+                const std::vector<std::vector<double>> &rows) {
+  stream << header << "\n" << std::setprecision(16);
+  for (const std::vector<double> &row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k)
+      stream << row[k] << (k + 1 < row.size() ? "," : "\n");
+}
+
+// cases.csv: force against travel, zone against force.
+
+namespace {
+using NamedNumbers = std::vector<std::pair<std::string, double>>;
+
+NamedNumbers reactions_of(const CaseResult &result) {
+  return result.reactions;
+}
+NamedNumbers extremes_of(const CaseResult &result) {
+  return named_extremes(result.reports);
+}
+
+/** Returns the columns of numbers that the cases have names for. */
+Columns<CaseResult> named_columns(const std::vector<CaseResult> &cases,
+                                  NamedNumbers (*const numbers_of)(const CaseResult &),
+                                  const std::string &before, const std::string &after) {
+  Columns<CaseResult> columns;
+  const auto known = std::find_if(cases.begin(), cases.end(),
+                                  [&](const CaseResult &c) { return !numbers_of(c).empty(); });
+  if (known != cases.end())
+    for (const auto &named : numbers_of(*known))
+      columns.push_back(
+        {before + named.first + after, [name = named.first, numbers_of](const CaseResult &c) {
+           const NamedNumbers numbers = numbers_of(c);
+           const auto number = std::find_if(numbers.begin(), numbers.end(),
+                                            [&](const auto &n) { return n.first == name; });
+           return number != numbers.end() ? std::optional(number->second) : std::nullopt;
+         }});
+  return columns;
+}
+
+/** Returns the columns: first the loads, then the answers, which an escape leaves empty. */
+Columns<CaseResult> case_columns(const std::vector<CaseResult> &cases) {
+  using Case = CaseResult;
+  const auto of_plate = [](double PlateMotion::*const part) {
+    return [part](const Case &c) {
+      return c.plates.empty() ? std::nullopt : std::optional<double>(c.plates.front().*part);
+    };
+  };
+  Columns<Case> columns = {{"force", [](const Case &c) { return c.load_case.force; }},
+                           {"weight", [](const Case &c) { return c.load_case.weight; }},
+                           {"travel", [](const Case &c) { return c.load_case.travel; }},
+                           {"gap", [](const Case &c) { return c.load_case.gap; }},
+                           {"shift_x", [](const Case &c) { return c.load_case.shift[0]; }},
+                           {"shift_y", [](const Case &c) { return c.load_case.shift[1]; }}};
+  for (const Column<Case> &answer :
+       Columns<Case>{{"contact_force_x", [](const Case &c) { return c.contact.force[0]; }},
+                     {"contact_force_y", [](const Case &c) { return c.contact.force[1]; }},
+                     {"contact_moment", [](const Case &c) { return c.contact.moment[0]; }},
+                     {"peak_pressure", &Case::peak_pressure},
+                     {"zone_length", &Case::zone_length},
+                     {"zones", &Case::n_zones},
+                     {"active", &Case::active},
+                     {"plate_travel", of_plate(&PlateMotion::travel)},
+                     {"plate_rotation", of_plate(&PlateMotion::rotation)},
+                     {"qp_iterations", &Case::iterations},
+                     {"kkt", &Case::kkt},
+                     {"plate_drift", of_plate(&PlateMotion::drift)}})
+    columns.push_back({answer.name, [answer](const Case &c) {
+                         return c.escape.empty() ? answer.value(c) : std::nullopt;
+                       }});
+  columns.push_back({"cross", [](const Case &c) { return c.load_case.cross; }});
+  columns.push_back({"estimate", &Case::estimate});
+  for (const Column<Case> &column : named_columns(cases, reactions_of, "reaction_", ""))
+    columns.push_back(column);
+  if (std::any_of(cases.begin(), cases.end(), [](const Case &c) { return c.friction; })) {
+    columns.push_back({"level", &Case::level});
+    columns.push_back({"slide", [](const Case &c) { return c.load_case.slide; }});
+    for (const Column<Case> &column : columns_of(&Case::friction))
+      if (column.name != "q_l2" && column.name != "critical_friction_factor")
+        columns.push_back(column);
+  }
+  // Names of places may contain commas.
+  for (const Column<Case> &column : named_columns(cases, extremes_of, "\"", "\""))
+    columns.push_back(column);
+  return columns;
+}
+} // namespace
+
+void write_cases_csv(std::ostream &stream, const std::vector<CaseResult> &cases) {
+  const Columns<CaseResult> columns = case_columns(cases);
+  stream << "case," << csv_header(columns) << ",state\n";
+  for (const CaseResult &result : cases)
+    stream << result.number << "," << csv_row(columns, result) << ","
+           << (!result.escape.empty() ? result.escape
+               : result.converged     ? "solved"
+                                      : "not converged")
+           << "\n";
+}
+} // namespace Signorini
