@@ -12,6 +12,7 @@ import sys
 import signorini
 # Each of these registers its tables.
 import tables.answers
+import tables.cost
 import tables.multigrid
 import tables.orders
 from tables.common import ROOT, TABLES
