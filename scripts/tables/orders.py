@@ -5,7 +5,8 @@ from unittest import mock
 
 import numpy as np
 
-from tables.common import GRADED, TABLES, WITHOUT_ERRORS, finest, levels, measure, number, table, target
+from tables.common import (GRADED, TABLES, WITHOUT_ERRORS, committed, finest, levels, long_test, measure, number, power, table,
+                           target)
 
 ONE_LEVEL = {**levels(8, 8), **WITHOUT_ERRORS}
 FRICTION = {"T1": "T1 stick, slip, open", "T2": "T2 stick, slip", "T3": "T3 slip", "T4": "T4 stick", "K1": "K1 Coulomb, smooth",
@@ -94,3 +95,57 @@ def friction_graded():
         unit = run["estimated_energy"] / run["estimated_relative"]
         yield (name, len(unit), int(run["dofs"][-1]), number(run["estimated_relative"][-1], 2),
                number(run["u_energy"][-1] / unit[-1], 2), " ".join(number(x, 2) for x in run["effectivity_energy"][2:]))
+
+
+@table("h", "H", "u_h1", "u_superclose_h1", "p_l2", "p_dual")
+def h_and_H():
+    columns = TABLES["h_and_H"][0][2:]
+    run = measure("paper/h_fixed_H")
+    for row in range(len(run["level"])):
+        yield f"1/{2**int(run['level'][row])}", "1/8", *(power(run[column][row], 3) for column in columns)
+    for patches in (4, 8, 16, 32, 64):
+        run = measure("paper/H_refined", {"Discretization/Patches": patches})
+        yield "1/128", f"1/{patches}", *(power(run[column][-1], 3) for column in columns)
+
+
+@table("scene", "u_h1", "u_post_h1", "u_post4_h1", "u_superclose_h1", "extrapolated")
+def interpolation():
+    # Extrapolation was tried by another program: as it is.
+    extrapolated = {row[0]: row[-1] for row in committed("interpolation")}
+    for name, scene in (("A2 (two smooth zones)", "a2"), ("C1 (full contact)", "c1"), ("C4 (two sides)", "c4"), ("A1", "a1"),
+                        ("A3 (kink in p)", "a3"), ("B1 (singular)", "b1"), ("B3 (Hertz)", "b3"),
+                        ("two ends", "smooth_contact_two_ends")):
+        run = measure(scene, finest(7))
+        yield name, *(power(run[column][-1], 2) for column in TABLES["interpolation"][0][1:-1]), extrapolated[name]
+
+
+@table("scene", "H_2h", "H_4h", "8_patches", "H_8h", "H_8h_h1_norm")
+def estimate_effectivity():
+    for name in ("A1", "A1L", "A2", "A3", "B1", "B1q", "B1t", "B2", "B3", "B4", "C1", "C2", "C3", "C4", "E1", "E2", "E3", "O1", "V1"):
+        runs = [measure("a1", {"Scene/Name": name, **levels(5, 5), "Output/Bound": "false", "Output/Inf-sup constant": "false",
+                               f"Discretization/{partition}": value})
+                for partition, value in (("Patch ratio", 2), ("Patch ratio", 4), ("Patches", 8), ("Patch ratio", 8))]
+        yield name, *(number(run["effectivity_energy"][-1]) for run in runs), number(runs[-1]["effectivity"][-1])
+
+
+@table("of", "scene", "level_1", "level_2", "level_3", "level_4", "level_5")
+def bound_effectivity():
+    rows = long_test("error_control", "bound/true_error", "bound_effectivity.csv", "bound_effectivity_of_patches.csv")
+    for i, row in enumerate(rows):
+        if any(row[1:]):
+            yield "u_h" if 2 * i < len(rows) else "pi2h", *row, *[""] * (6 - len(row))
+
+
+@table("scene", "level", "error_over_u", "bound_relative", "bound_over_error", "energy_over_reference")
+def bound_unresolved():
+    return long_test("error_control", "bound/unresolved", "bound_unresolved.csv")[1:]
+
+
+@table("scene", "steps", "unknowns", "estimate", "true_error")
+def graded_errors():
+    for name, scene in (("A1 (smooth contact)", "a1"), ("B1 (root at the end)", "b1"), ("B3 (Hertz)", "b3"),
+                        ("C4 (two contact sides)", "c4"), ("E2 (ring)", "e2"), ("ν = 0.4999", "nearly_incompressible"),
+                        ("block on a parabola (singular corners)", "block_on_parabola")):
+        run = measure(scene, {**target(1e-6), "Discretization/Coarsest level": 2})
+        norm = run["estimated_energy"][-1] / run["estimated_relative"][-1]
+        yield (name, len(run["level"]), int(run["dofs"][-1]), power(run["estimated_relative"][-1]), power(run["u_energy"][-1] / norm))
