@@ -15,6 +15,7 @@ import tables.answers
 import tables.cost
 import tables.multigrid
 import tables.orders
+import tables.paper
 from tables.common import ROOT, TABLES
 
 
