@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """What all tables of doc/measured need: runs of the program, tables that tests write, numbers as texts."""
 import csv
+import functools
 import itertools
 import os
 import subprocess
@@ -9,7 +10,7 @@ import tempfile
 import signorini
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
-PROGRAM = os.environ.get("SIGNORINI", ROOT + "/build/release/source/signorini")
+PROGRAM = os.path.abspath(os.environ.get("SIGNORINI", ROOT + "/build/release/source/signorini"))
 TABLES = {}
 # The results of runs, as long as this process lives.
 FOLDER = tempfile.TemporaryDirectory()
@@ -38,19 +39,22 @@ def measure(scene, settings=None):
     return solve(scene, settings).table
 
 
-def long_test(floor, name, *files):
-    """Runs a test with its long tables. Returns the rows of the files that it writes."""
+@functools.lru_cache(maxsize=None)
+def folder_of_test(floor, name):
+    """Runs a test with its long tables, once. Returns the folder of the files that it writes."""
     folder = f"{FOLDER.name}/{next(NUMBERS)}"
     os.mkdir(folder)
     done = subprocess.run([f"{os.path.dirname(os.path.dirname(PROGRAM))}/tests/test_{floor}", name, "long"], cwd=folder,
                           capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise signorini.Refused("\n".join(line for line in done.stdout.splitlines() if not line.endswith(": ok")) + done.stderr)
-    rows = []
-    for file in files:
-        with open(f"{folder}/{file}", encoding="utf-8", newline="") as table_of_test:
-            rows += csv.reader(table_of_test)
-    return rows
+    return folder
+
+
+def rows_of_test(floor, name, file):
+    """Returns the rows of a file that a test with its long tables writes."""
+    with open(f"{folder_of_test(floor, name)}/{file}", encoding="utf-8", newline="") as table_of_test:
+        return list(csv.reader(table_of_test))
 
 
 def committed(name):

@@ -5,12 +5,12 @@ from unittest import mock
 
 import numpy as np
 
-from tables.common import WITHOUT_ERRORS, levels, long_test, measure, number, table
+from tables.common import WITHOUT_ERRORS, levels, measure, number, rows_of_test, table
 
 
 def rows_of(test, name):
     """Returns the rows of the table NAME.csv of a test, without their head."""
-    return long_test("solvers", test, f"{name}.csv")[1:]
+    return rows_of_test("solvers", test, f"{name}.csv")[1:]
 
 
 @table("product", "instructions", "shared", "integrated", "stored")

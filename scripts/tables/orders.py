@@ -5,7 +5,7 @@ from unittest import mock
 
 import numpy as np
 
-from tables.common import (GRADED, TABLES, WITHOUT_ERRORS, committed, finest, levels, long_test, measure, number, power, table,
+from tables.common import (GRADED, TABLES, WITHOUT_ERRORS, committed, finest, levels, measure, number, power, rows_of_test, table,
                            target)
 
 ONE_LEVEL = {**levels(8, 8), **WITHOUT_ERRORS}
@@ -130,15 +130,15 @@ def estimate_effectivity():
 
 @table("of", "scene", "level_1", "level_2", "level_3", "level_4", "level_5")
 def bound_effectivity():
-    rows = long_test("error_control", "bound/true_error", "bound_effectivity.csv", "bound_effectivity_of_patches.csv")
-    for i, row in enumerate(rows):
-        if any(row[1:]):
-            yield "u_h" if 2 * i < len(rows) else "pi2h", *row, *[""] * (6 - len(row))
+    for of, file in (("u_h", "bound_effectivity.csv"), ("pi2h", "bound_effectivity_of_patches.csv")):
+        for row in rows_of_test("error_control", "bound/true_error", file):
+            if any(row[1:]):
+                yield of, *row, *[""] * (6 - len(row))
 
 
 @table("scene", "level", "error_over_u", "bound_relative", "bound_over_error", "energy_over_reference")
 def bound_unresolved():
-    return long_test("error_control", "bound/unresolved", "bound_unresolved.csv")[1:]
+    return rows_of_test("error_control", "bound/unresolved", "bound_unresolved.csv")[1:]
 
 
 @table("scene", "steps", "unknowns", "estimate", "true_error")
