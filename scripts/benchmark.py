@@ -24,7 +24,7 @@ import sys
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
-STAGES = "mesh setup assembly factor compliance qp recovery postprocess".split()
+STAGES = "mesh setup assembly factor compliance qp recovery postprocess bound".split()
 TITLES = {"two_ends": "smooth contact, two ends", "no_contact": "the same without contact", "a1": "scene A1",
           "b1": "scene B1", "b3": "B3", "block": "block on parabola (energy)"}
 TWO_ENDS = "prm/smooth_contact_two_ends.prm"
@@ -295,7 +295,7 @@ class Benchmark:
                     base = [0.] * len(rows)
                     for k, stage in enumerate(STAGES):
                         heights = [1e6 * r[f"t_{stage}"] / float(r["dofs"]) for r in rows]
-                        ax.bar([r["dofs"] for r in rows], heights, 0.8, base, color=blues(k / 7), label=stage)
+                        ax.bar([r["dofs"] for r in rows], heights, 0.8, base, color=blues(k / (len(STAGES) - 1)), label=stage)
                         base = [b + h for b, h in zip(base, heights)]
                     ax.set(title=f"{TITLES[scene]}, {linear}", xlabel="unknowns", ylabel="µs per unknown")
             axes[0, -1].legend(loc="upper left", bbox_to_anchor=(1, 1))

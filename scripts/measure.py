@@ -1,139 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Measures tables of doc/measured anew, from runs of the program; doc/measured/README.md says what they are.
+"""Measures tables of doc/measured anew, from runs of the program and its tests; doc/measured/README.md says what they are.
 
     python3 scripts/measure.py NAME...     writes doc/measured/NAME.csv (package python3-numpy)
     python3 scripts/measure.py             lists the names
 
-The program is build/release/source/signorini, or SIGNORINI in the environment."""
+The program is build/release/source/signorini, or SIGNORINI in the environment; tests (preset release-tests) stand beside it."""
 import csv
-import os
 import sys
-import tempfile
-from unittest import mock
 
-import numpy as np
 import signorini
-
-ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
-PROGRAM = os.environ.get("SIGNORINI", ROOT + "/build/release/source/signorini")
-TABLES = {}
-
-GRADED = {"Discretization/Strategy": "hp"}
-ONE_LEVEL = {"Discretization/Coarsest level": 8, "Discretization/Finest level": 8, "Output/Errors": "false",
-             "Output/Inf-sup constant": "false"}
-FRICTION = {"T1": "T1 stick, slip, open", "T2": "T2 stick, slip", "T3": "T3 slip", "T4": "T4 stick", "K1": "K1 Coulomb, smooth",
-            "TSq": "TSq end of stick at a node", "TS": "TS", "KS": "KS", "KSr": "KSr", "KO": "KO", "KOr": "KOr", "CM": "CM"}
-
-
-def table(*columns):
-    """Registers a function that makes the rows of a table."""
-    def register(make):
-        TABLES[make.__name__] = columns, make
-        return make
-    return register
-
-
-def measure(scene, settings=None):
-    """Returns the columns of convergence.csv of prm/SCENE.prm."""
-    with tempfile.TemporaryDirectory() as folder:
-        return signorini.run(f"{ROOT}/prm/{scene}.prm", folder, {"Output/VTU": "none", **(settings or {})}, PROGRAM).table
-
-
-def finest(level):
-    return {"Discretization/Finest level": level}
-
-
-def target(error):
-    return {**GRADED, "Discretization/Target error": error}
-
-
-def number(x, digits=3):
-    return f"{x:.{digits}g}"
-
-
-@table("scene", "t_bound", "t_total", "share")
-def bound_cost():
-    for name, scene, settings in (("a1", "a1", {}), ("b3", "b3", {}),
-                                  ("described_a1, Distortion = 0.2", "described_a1", {"Geometry/Distortion": 0.2}),
-                                  ("described_a1, E = 2.6 (1 + x)", "described_a1", {"Material/Young's modulus": "2.6*(1+x)"})):
-        runs = [measure(scene, {**ONE_LEVEL, **settings}) for _ in range(3)]
-        bound, total = (np.median([run[t][-1] for run in runs]) for t in ("t_bound", "t_total"))
-        yield name, number(bound), number(total), f"{100 * bound / total:.0f} %"
-
-
-@table("run", "ratio", "value")
-def bound_cost_ratios():
-    with mock.patch.dict(os.environ, DEAL_II_NUM_THREADS="1"):
-        for name, scene in (("a1", "a1"), ("v1 (E varies: each cell has its own matrix)", "v1"),
-                            ("patch_test_distorted", "patch_test_distorted")):
-            runs = [measure(scene, ONE_LEVEL) for _ in range(3)]
-            yield (f"one thread, 256² cells: {name}", "bound over the rest",
-                   number(np.median([run["t_bound"][-1] / (run["t_total"][-1] - run["t_bound"][-1]) for run in runs])))
-        for scene in ("b1", "b3", "block_on_parabola", "smooth_contact_two_ends"):
-            ratios = [np.divide(*(measure(scene, {**target(1e-6), "Output/Errors": "false", "Output/Bound": bound})["cpu_total"][-1]
-                                  for bound in ("automatic", "false"))) for _ in range(3)]
-            yield f"graded to 1e-6: {scene}", "CPU with the bound over without", number(np.median(ratios))
-
-
-@table("scene", "bound_relative", "bound_post_relative", "bound_mesh", "bound_oscillation", "bound_contact", "max_penetration")
-def bound_examples():
-    for scene in ("a1", "a3", "b1", "b3", "c2", "block_on_parabola", "pressed_plate", "two_contact_sides",
-                  "smooth_contact_two_ends", "nearly_incompressible", "patch_test", "patch_test_distorted"):
-        run = measure(scene, finest(7))
-        yield scene, *(number(run[column][-1]) for column in TABLES["bound_examples"][0][1:])
-
-
-@table("scene", "target", "unknowns", "true_error", "bound_over_error")
-def bound_graded():
-    pairs = [(scene, error) for scene in ("b1", "b3") for error in ("1e-2", "1e-3", "1e-4", "1e-5", "1e-6")]
-    pairs += [(scene, "1e-4") for scene in ("a1", "a2", "a3", "b2", "b4", "c1", "c3", "c4", "o1", "v1", "nearly_incompressible")]
-    for scene, error in pairs:
-        run = measure(scene, target(error))
-        bound, true = run["bound_energy"][-1], run["u_energy"][-1]
-        yield (scene, error, int(run["dofs"][-1]), number(true * run["bound_relative"][-1] / bound, 2), f"{bound / true:.2f}")
-
-
-@table("scene", "mesh", "unknowns", "bound_relative", "estimated_relative")
-def bound_arcs():
-    for scene, mesh, settings in (("benchmarks/hertz_line", "hp", GRADED), ("benchmarks/nafems_cgs1", "hp", GRADED),
-                                  ("roller_on_table", "hp", GRADED), ("bracket", "hp", GRADED), ("e1", "level 6", finest(6)),
-                                  ("plate_with_hole", "level 4", finest(4)), ("hertz_from_file", "level 4", finest(4)),
-                                  ("bracket_from_step", "level 3", finest(3))):
-        run = measure(scene, settings)
-        yield scene, mesh, int(run["dofs"][-1]), number(run["bound_relative"][-1]), number(run["estimated_relative"][-1])
-
-
-def friction_run(name, level):
-    return measure("friction/t1", {"Scene/Name": name, **finest(level)})
-
-
-@table("scene", "u_h1", "u_superclose_h1", "u_post_h1", "p_l2", "q_l2", "p_superclose_dual", "sets_per_level")
-def friction_orders():
-    for name, text in FRICTION.items():
-        run = friction_run(name, 7)
-        orders = []
-        for column in TABLES["friction_orders"][0][1:-1]:
-            error = run[column + "_spectral" if column == "p_superclose_dual" else column][-4:]
-            orders.append(f"{np.polyfit(np.log(run['h'][-4:]), np.log(error), 1)[0]:.2f}")
-        yield text, *orders, " ".join(str(int(n)) for n in run["qp_iterations"][-4:])
-
-
-@table("scene", "bound_2", "bound_4", "bound_6", "estimate_2", "estimate_4", "estimate_6")
-def friction_effectivity():
-    for name in FRICTION:
-        runs = [friction_run(name, level) for level in (2, 4, 6)]
-        yield name, *(f"{run['bound_energy'][-1] / run['u_energy'][-1]:.2f}" for run in runs), \
-            *(f"{run['effectivity_energy'][-1]:.2f}" for run in runs)
-
-
-@table("scene", "steps", "unknowns", "estimate", "true_error", "estimate_over_error")
-def friction_graded():
-    for name in ("TS", "TSq", "KS", "KSr", "KO", "KOr", "CM", "T1", "K1"):
-        run = measure("friction/ts_hp", {"Scene/Name": name})
-        unit = run["estimated_energy"] / run["estimated_relative"]
-        yield (name, len(unit), int(run["dofs"][-1]), number(run["estimated_relative"][-1], 2),
-               number(run["u_energy"][-1] / unit[-1], 2), " ".join(number(x, 2) for x in run["effectivity_energy"][2:]))
+# Each of these registers its tables.
+import tables.answers
+import tables.cost
+import tables.multigrid
+import tables.orders
+import tables.paper
+from tables.common import ROOT, TABLES
 
 
 def main():

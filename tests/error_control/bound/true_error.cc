@@ -62,15 +62,13 @@ std::array<double, 2> energy_errors(const OneLevel &level, const Displacement &U
   return {std::sqrt(squares[0]), std::sqrt(squares[1])};
 }
 
-/** Tables of bound / error in Markdown, in files of the working directory. */
+/** Tables of bound / error by level, in files of the working directory. */
 using Tables = std::array<std::ofstream, 2>;
 
 void check(Checks &checks, Tables &tables, const Case &given) {
-  for (std::ofstream &table : tables) {
-    table << "\n| " << given.name << " | " << std::setprecision(3);
-    for (unsigned int number = 1; number < given.coarsest; ++number)
-      table << "| ";
-  }
+  for (std::ofstream &table : tables)
+    table << '"' << given.name << '"' << std::string(given.coarsest - 1, ',')
+          << std::setprecision(3);
   double lower = -1e300, upper = 1e300;
   for (unsigned int number = given.coarsest; number <= given.finest; ++number) {
     const Bounded level(given.text, number);
@@ -94,11 +92,14 @@ void check(Checks &checks, Tables &tables, const Case &given) {
         // 1e-6: the quadrature of singular solutions.
         checks.between(i == 0 ? "bound / error" : "patches", ratio, 1. - 1e-6,
                        largest > 0. ? largest : 1e10);
-        tables[i] << ratio << " | ";
-      }
+        tables[i] << ',' << ratio;
+      } else
+        tables[i] << ',';
     lower = std::max(lower, bound.energy_lower.value_or(lower));
     upper = std::min(upper, bound.energy_upper.value_or(upper));
   }
+  for (std::ofstream &table : tables)
+    table << std::endl;
   // J(u) is in all of the brackets.
   checks.that("energies", lower <= upper + 1e-14 * std::abs(upper));
 }
@@ -169,7 +170,7 @@ std::vector<Case> make_cases() {
 
 /** f_K has a higher degree in a cell of the stress than u_h in its parts. u_yy = -f, u_y(0) = 0. */
 void band_of_force(Checks &checks) {
-  Tables tables = {std::ofstream("band.md"), std::ofstream("band_of_patches.md")};
+  Tables tables = {std::ofstream("band.csv"), std::ofstream("band_of_patches.csv")};
   for (const std::string element : {"Q1", "Q2"})
     check(checks, tables,
           {"band of a body force, " + element,
@@ -189,10 +190,8 @@ void band_of_force(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {band_of_force, [](Checks &checks) {
-                      Tables tables = {std::ofstream("effectivities.md"),
-                                       std::ofstream("effectivities_of_patches.md")};
-                      for (std::ofstream &table : tables)
-                        table << "| scene | level 1 | 2 | 3 | 4 | 5 |\n|---|---|---|---|---|---|";
+                      Tables tables = {std::ofstream("bound_effectivity.csv"),
+                                       std::ofstream("bound_effectivity_of_patches.csv")};
                       for (const Case &given : checks.rows(make_cases(), 5))
                         check(checks, tables, given);
                     }});

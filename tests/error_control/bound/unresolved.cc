@@ -45,7 +45,7 @@ std::string text_of(const Unresolved::Given &given) {
   return given.scene + (names_contact ? "" : "Boundary/Contact = bottom\n");
 }
 
-/** Rows of a table in Markdown. */
+/** A row of bound_unresolved.csv. */
 void check(Checks &checks, std::ofstream &table, const Unresolved::Given &given,
            const Reference &fine, const unsigned int number) {
   const Bounded level(text_of(given) + given.discretization, number);
@@ -62,15 +62,18 @@ void check(Checks &checks, std::ofstream &table, const Unresolved::Given &given,
   checks.between("bound / error", absolute / error, 0.98, given.largest);
   checks.that("not certified",
               std::abs(energy - fine.energy) <= 0.05 * fine.energy || relative > 0.2);
-  table << "| " << given.name << " | " << number << " | " << std::setprecision(3)
-        << error / std::sqrt(fine.energy) << " | " << relative << " | " << absolute / error << " | "
-        << energy / fine.energy << " |" << std::endl;
+  table << '"' << given.name << "\"," << number << ',' << std::setprecision(3)
+        << error / std::sqrt(fine.energy) << ',';
+  if (bound.relative)
+    table << relative << ',' << absolute / error;
+  else
+    table << ',';
+  table << ',' << energy / fine.energy << std::endl;
 }
 
 void unresolved(Checks &checks) {
-  std::ofstream table("unresolved.md");
-  table << "| scene | level | true, relative | bound, relative | bound / true | energy |\n"
-           "|---|---|---|---|---|---|\n";
+  std::ofstream table("bound_unresolved.csv");
+  table << "scene,level,error_over_u,bound_relative,bound_over_error,energy_over_reference\n";
   Unresolved::Scenes scenes;
   for (const auto &add :
        {Unresolved::add_missed_contact, Unresolved::add_bending, Unresolved::add_fine_data,

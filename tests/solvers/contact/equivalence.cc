@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// C^ against C of the factorised body.
+// C^ against C of the factorised body; a table of conditions.
 
 #include <signorini/discretization/space/linear_system.h>
 #include <signorini/solvers/contact/boundary_model.h>
 #include <signorini/solvers/contact/compliance.h>
+
+#include <fstream>
+#include <iomanip>
 
 #include "../../driver/box/box.h"
 #include "one_level.h"
@@ -32,31 +35,37 @@ dealii::FullMatrix<double> dense(const BoundaryModel &model) {
 
 enum class Model { chosen, kernel };
 
-Spectrum measure(const std::string &text, const unsigned int level, const Model model) {
+/** The extreme eigenvalues of C^^{-1} C, and the number of patches. */
+struct Measured {
+  Spectrum eigenvalues;
+  unsigned int n_patches;
+};
+
+Measured measure(const std::string &text, const unsigned int level, const Model model) {
   const OneLevel problem(text, level);
   const auto C = compliance_of(problem.space(), problem.scene, problem.discretization.condensed_D);
   const auto C_hat = model == Model::kernel ? make_kernel_model(problem.multipliers())
                                             : make_boundary_model(problem.multipliers());
-  return spectrum(dense(*C_hat), C);
+  return {spectrum(dense(*C_hat), C), C_hat->size()};
 }
 
-Spectrum measure(const Scene<3> &scene, const unsigned int level, const Model model) {
+Measured measure(const Scene<3> &scene, const unsigned int level, const Model model) {
   const Box box(scene, level, 2);
   const auto C = compliance_of(box.space, scene, box.condensed_D);
   const auto C_hat = model == Model::kernel ? make_kernel_model(box.multipliers)
                                             : make_boundary_model(box.multipliers);
-  return spectrum(dense(*C_hat), C);
+  return {spectrum(dense(*C_hat), C), C_hat->size()};
 }
 
 /** Conditions on three levels: below a limit, and the last step's growth, which is that of a
  * logarithm where contact ends at a corner. */
 template <typename Body>
-void flat(Checks &checks, const std::string &name, const Body &text_or_scene,
+void flat(Checks &checks, std::ostream &table, const std::string &name, const Body &text_or_scene,
           const unsigned int coarsest, const Model model, const double limit,
           const double growth = 1.2) {
   Spectrum before = {1., 1.};
   for (unsigned int level = coarsest; level < coarsest + 3; ++level) {
-    const Spectrum now = measure(text_or_scene, level, model);
+    const auto &[now, n_patches] = measure(text_or_scene, level, model);
     checks.between(name + ", level " + std::to_string(level), now.condition(), 1., limit);
     // The kernel has its moduli right: no factor of size is left.
     checks.between(name + ", largest", now.largest, 0.7, 4.);
@@ -64,41 +73,48 @@ void flat(Checks &checks, const std::string &name, const Body &text_or_scene,
       checks.between(name + ", growth of the last step", now.condition() / before.condition(), 0.8,
                      growth);
     before = now;
+    table << '"' << name << "\"," << level << ',' << n_patches << ',' << std::setprecision(3)
+          << now.condition() << '\n';
   }
 }
 
-void in_the_plane(Checks &checks) {
+void in_the_plane(Checks &checks, std::ostream &table) {
   const std::string held = "Boundary/Clamped = top\nBoundary/Contact = bottom\n";
-  flat(checks, "square", held, 4, Model::chosen, 3.);
-  flat(checks, "square, kernel", held, 4, Model::kernel, 4.4);
-  flat(checks, "square, two sides", "Boundary/Clamped = top\nBoundary/Contact = bottom, right\n", 4,
-       Model::chosen, 31., 1.3);
-  flat(checks, "distorted square: kernel", held + "Geometry/Distortion = 0.2\n", 3, Model::chosen,
-       5.);
-  flat(checks, "modulus that grows tenfold along the side",
+  flat(checks, table, "square", held, 4, Model::chosen, 3.);
+  flat(checks, table, "square, kernel", held, 4, Model::kernel, 4.4);
+  flat(checks, table, "square, two sides",
+       "Boundary/Clamped = top\nBoundary/Contact = bottom, right\n", 4, Model::chosen, 31., 1.3);
+  flat(checks, table, "distorted square: kernel", held + "Geometry/Distortion = 0.2\n", 3,
+       Model::chosen, 5.);
+  flat(checks, table, "modulus that grows tenfold along the side",
        held + "Material/Young's modulus = 10^x\n", 4, Model::chosen, 5.);
-  flat(checks, "half disc: kernel",
+  flat(checks, table, "half disc: kernel",
        "Geometry/Shape = half disc\nBoundary/Clamped = flat\nBoundary/Contact = arc\n", 3,
        Model::chosen, 7.5);
-  flat(checks, "ring: kernel",
+  flat(checks, table, "ring: kernel",
        "Geometry/Shape = ring\nBoundary/Clamped = outer\nBoundary/Contact = inner\n", 2,
        Model::chosen, 12.5);
 }
 
-void in_space(Checks &checks) {
+void in_space(Checks &checks, std::ostream &table) {
   Scene<3> scene = make_box_scene(scalar([](const auto &) { return 0.; }),
                                   field([](const auto &) { return Vector3(); }));
-  flat(checks, "box between rollers", scene, 2, Model::chosen, 2.);
-  flat(checks, "box between rollers, kernel", scene, 2, Model::kernel, 4.2, 1.4);
+  flat(checks, table, "box between rollers", scene, 2, Model::chosen, 2.);
+  flat(checks, table, "box between rollers, kernel", scene, 2, Model::kernel, 4.2, 1.4);
   for (const char *side : {"left", "right", "front", "back"})
     scene.boundary[scene.geometry.find_side(side)].role = Role::free;
-  flat(checks, "free box", scene, 2, Model::chosen, 3.7);
+  flat(checks, table, "free box", scene, 2, Model::chosen, 3.7);
   auto &left = scene.boundary[scene.geometry.find_side("left")];
   left = scene.boundary[scene.geometry.find_side("bottom")];
-  flat(checks, "box, two sides", scene, 2, Model::chosen, 20., 1.4);
+  flat(checks, table, "box, two sides", scene, 2, Model::chosen, 20., 1.4);
 }
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {in_the_plane, in_space});
+  return run_tests(argc, argv, {[](Checks &checks) {
+                     std::ofstream table("compliance_model.csv");
+                     table << "body,level,patches,condition\n";
+                     in_the_plane(checks, table);
+                     in_space(checks, table);
+                   }});
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Kernels for all instruction sets of this machine give the same up to rounding, in rows and in
-// lists.
+// lists. The long test times them.
 
 #include <signorini/solvers/stiffness/cell_operator.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
 
 #include "random_numbers.h"
 #include "tests.h"
@@ -41,11 +44,11 @@ unsigned int entry(const unsigned int i, const unsigned int j) {
 }
 
 /** A shared matrix in the first batch, elsewhere one matrix for each cell, or integration over
- * cells whose nodes were moved a little. */
+ * cells whose nodes were moved a little, with @p n_points per direction. */
 template <int dim, typename Number>
 CellOperator<dim, Number> random_operator(const unsigned int n, const bool integrated,
-                                          RandomNumbers &random) {
-  CellOperator<dim, Number> K(one_block<dim>(n), 2);
+                                          RandomNumbers &random, const unsigned int n_points = 2) {
+  CellOperator<dim, Number> K(one_block<dim>(n), n_points);
   constexpr unsigned int n_dofs = CellOperator<dim, Number>::n_dofs;
   K.shared.resize(n_dofs * n_dofs);
   for (unsigned int i = 0; i < n_dofs; ++i)
@@ -122,20 +125,69 @@ void smoothing(Checks &checks) {
       }
   }
 }
+/** Returns nanoseconds per cell of a product, the least of ten. */
+template <int dim, typename Number>
+double time_of(const CellOperator<dim, Number> &K, const Instructions instructions) {
+  RandomNumbers random(1);
+  const auto x = random_values<dim, Number>(K.grid->n_nodes(), random);
+  LevelVector<dim, Number> y(K.grid->n_nodes());
+  std::chrono::duration<double, std::nano> least = std::chrono::hours(1);
+  for (unsigned int k = 0; k < 10; ++k) {
+    const auto start = std::chrono::steady_clock::now();
+    K.multiply(y, x, instructions);
+    least = std::min<decltype(least)>(least, std::chrono::steady_clock::now() - start);
+  }
+  return least.count() / static_cast<double>(K.grid->n_cells);
+}
+
+/** Rows of a table: n^dim cells. Double precision takes the rule of the assembly. */
+template <int dim, typename Number>
+void time_kernels(std::ostream &table, const std::string &name, const unsigned int n) {
+  RandomNumbers random(n);
+  auto shared = random_operator<dim, Number>(n, false, random);
+  std::fill(shared.storage.begin(), shared.storage.end(), 0);
+  const auto integrated =
+    random_operator<dim, Number>(n, true, random, sizeof(Number) == sizeof(double) ? 4 : 2);
+  const auto stored = random_operator<dim, Number>(n, false, random);
+  for (const auto &[instructions, set] :
+       {std::pair(Instructions::basic, "basic"), std::pair(Instructions::avx2, "AVX2"),
+        std::pair(Instructions::avx512, "AVX-512")})
+    if (instructions <= instructions_of_this_machine()) {
+      table << name << ',' << set;
+      for (const double time : {time_of(shared, instructions), time_of(integrated, instructions),
+                                time_of(stored, instructions)})
+        table << ',' << (time < 10. ? std::round(10. * time) / 10. : std::round(time));
+      table << '\n';
+    }
+}
+
+/** multigrid_kernels.csv. */
+void times(Checks &checks) {
+  if (!checks.is_long())
+    return;
+  std::ofstream table("multigrid_kernels.csv");
+  table << "product,instructions,shared,integrated,stored\n";
+  time_kernels<2, float>(table, "\"plane, single precision\"", 512);
+  time_kernels<2, double>(table, "\"plane, double\"", 512);
+  time_kernels<3, float>(table, "\"space, single precision\"", 32);
+  time_kernels<3, double>(table, "\"space, double\"", 32);
+}
+
+void agreement(Checks &checks) {
+  for (const bool integrated : {false, true})
+    for (const unsigned int n : {2U, 8U, 16U, 32U}) {
+      products<2, float>(checks, n, integrated, 1e-4);
+      products<2, double>(checks, n, integrated, 1e-13);
+      if (n == 2 || n == 16) {
+        products<3, float>(checks, n, integrated, 1e-4);
+        products<3, double>(checks, n, integrated, 1e-13);
+      }
+    }
+  smoothing<2>(checks);
+  smoothing<3>(checks);
+}
 } // namespace
 
-int main() {
-  return run_tests({[](Checks &checks) {
-    for (const bool integrated : {false, true})
-      for (const unsigned int n : {2U, 8U, 16U, 32U}) {
-        products<2, float>(checks, n, integrated, 1e-4);
-        products<2, double>(checks, n, integrated, 1e-13);
-        if (n == 2 || n == 16) {
-          products<3, float>(checks, n, integrated, 1e-4);
-          products<3, double>(checks, n, integrated, 1e-13);
-        }
-      }
-    smoothing<2>(checks);
-    smoothing<3>(checks);
-  }});
+int main(int argc, char **argv) {
+  return run_tests({agreement, times}, true, argc > 1 && argv[1] == std::string("long"));
 }
