@@ -11,10 +11,8 @@
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
-#include <map>
 
 #include "point_kernel.h"
 
@@ -35,28 +33,38 @@ BlockPlace<dim> place_of(const CellId &id) {
   return block;
 }
 
-/** Returns the cells by their numbers in a BlockGrid of the blocks of this rank. */
+/** Returns the cells that have a block of this rank below them. */
 template <int dim>
-BlockCells<dim> cells_by_number(const DisplacementSpace<dim> &space,
-                                const std::vector<BlockPlace<dim>> &blocks) {
-  const unsigned int root_level = space.mesh().subtree_level();
-  const std::size_t n = std::size_t(1) << (space.mesh().level() - root_level);
-  std::map<BlockPlace<dim>, std::size_t> numbers;
-  for (const BlockPlace<dim> &block : blocks)
-    numbers.emplace(block, numbers.size());
-  BlockCells<dim> cells(blocks.size() * Utilities::fixed_power<dim>(n));
-  for (const auto &cell :
-       space.dofs().active_cell_iterators() | IteratorFilters::LocallyOwnedCell()) {
-    const auto [tree, place] = place_of<dim>(identity_of(*cell));
-    BlockPlace<dim> block = {tree, {}};
-    for (int d = 0; d < dim; ++d)
-      block.second[d] = place[d] / n;
-    std::size_t number = numbers.at(block);
-    for (int d = dim; d-- > 0;)
-      number = number * n + place[d] % n;
-    cells[number] = cell;
+std::vector<typename Triangulation<dim>::cell_iterator> own_roots(const Mesh<dim> &mesh) {
+  std::vector<typename Triangulation<dim>::cell_iterator> roots;
+  for (const auto &cell : mesh.triangulation().cell_iterators_on_level(mesh.subtree_level())) {
+    auto leaf = cell;
+    while (leaf->has_children())
+      leaf = leaf->child(0);
+    if (leaf->is_active() && leaf->is_locally_owned())
+      roots.push_back(cell);
   }
-  return cells;
+  return roots;
+}
+
+/** Puts the active cells below a cell in the order of a BlockGrid. @param place that of the cell
+ * among the cells of its level in the block. @param block the first of n^dim places. */
+template <int dim>
+void put_cells(const typename DoFHandler<dim>::cell_iterator &cell,
+               const std::array<unsigned int, dim> &place, const std::size_t n,
+               const typename BlockCells<dim>::iterator &block) {
+  if (cell->is_active()) {
+    std::size_t number = 0;
+    for (int d = dim; d-- > 0;)
+      number = number * n + place[d];
+    block[number] = cell;
+  } else
+    for (unsigned int child = 0; child < cell->n_children(); ++child) {
+      std::array<unsigned int, dim> below;
+      for (int d = 0; d < dim; ++d)
+        below[d] = 2 * place[d] + ((child >> d) & 1U);
+      put_cells<dim>(cell->child(child), below, n, block);
+    }
 }
 
 /** Returns whether all descendants of a cell are congruent: it is a parallelogram or
@@ -217,31 +225,31 @@ private:
 template <int dim>
 std::vector<BlockPlace<dim>> own_blocks(const Mesh<dim> &mesh) {
   std::vector<BlockPlace<dim>> blocks;
-  for (const auto &cell : mesh.triangulation().cell_iterators_on_level(mesh.subtree_level())) {
-    auto leaf = cell;
-    while (leaf->has_children())
-      leaf = leaf->child(0);
-    if (leaf->is_active() && leaf->is_locally_owned())
-      blocks.push_back(place_of<dim>(identity_of(*cell)));
-  }
+  for (const auto &root : own_roots(mesh))
+    blocks.push_back(place_of<dim>(identity_of(*root)));
   return blocks;
 }
 
 template <int dim>
 CellOperator<dim, double> make_fine_operator(const DisplacementSpace<dim> &space,
                                              const Scene<dim> &scene) {
-  const std::vector<BlockPlace<dim>> blocks = own_blocks(space.mesh());
-  const BlockCells<dim> cells = cells_by_number<dim>(space, blocks);
+  const auto roots = own_roots(space.mesh());
+  const unsigned int n = 1U << (space.mesh().level() - space.mesh().subtree_level());
+  const std::size_t n_cells = Utilities::fixed_power<dim>(std::size_t(n));
+  BlockCells<dim> cells(roots.size() * n_cells);
+  for (std::size_t block = 0; block < roots.size(); ++block)
+    put_cells<dim>(typename DoFHandler<dim>::cell_iterator(*roots[block], &space.dofs()), {}, n,
+                   cells.begin() + block * n_cells);
   // Own nodes come first, as in a vector of this rank.
   const Utilities::MPI::Partitioner &rows = *space.make_vector().get_partitioner();
   CellOperator<dim, double> K(
-    std::make_shared<const BlockGrid<dim>>(
-      blocks.size(), 1U << (space.mesh().level() - space.mesh().subtree_level()),
-      [&](const std::size_t cell, const unsigned int v) {
-        return static_cast<NodeNumber>(rows.global_to_local(cells[cell]->vertex_dof_index(
-                                         v, 0, cells[cell]->active_fe_index())) /
-                                       dim);
-      }),
+    std::make_shared<const BlockGrid<dim>>(roots.size(), n,
+                                           [&](const std::size_t cell, const unsigned int v) {
+                                             return static_cast<NodeNumber>(
+                                               rows.global_to_local(cells[cell]->vertex_dof_index(
+                                                 v, 0, cells[cell]->active_fe_index())) /
+                                               dim);
+                                           }),
     n_points_of_assembly);
   agree(space.mesh().communicator(), [&]() { MatrixFiller<dim>(space, scene, cells, K).fill(); });
   return K;
