@@ -110,8 +110,9 @@ def skipped_stages():
         with mock.patch.dict(os.environ, ONE_THREAD):
             runs = [[measure(s, {**levels(FINEST - 1, FINEST - 1), **beta, **overrides})
                      for s, overrides in ((scene, settings), (other_scene, other_settings))] for _ in range(REPETITIONS)]
-        yield (stage, condition, *(number(np.median([sum(pair[i][f"t_{name}"][-1] for name in names) for pair in runs]), 2)
-                                   for i in (0, 1)))
+        times = (np.median([sum(pair[i][f"t_{name}"][-1] for name in names) for pair in runs]) for i in (0, 1))
+        # A stage that is left out takes the time of reading a clock.
+        yield stage, condition, *(number(time, 2) if time > 1e-4 else "0" for time in times)
 
 
 @table("program", "cells", "relative_error", "seconds")
