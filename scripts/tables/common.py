@@ -76,7 +76,8 @@ def target(error):
 
 
 def number(x, digits=3):
-    return f"{x:.{digits}g}"
+    text = f"{x:.{digits}g}"
+    return f"{float(text):.0f}" if "e+" in text else text
 
 
 def power(x, digits=1):
