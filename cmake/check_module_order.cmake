@@ -13,7 +13,7 @@ set(algebra solvers/stiffness/stiffness_inverse solvers/stiffness/condensed_inve
             solvers/contact/set_system solvers/contact/solution_path)
 set(violations "")
 
-# rooms_of(NAME VARIABLE): "floor/room" of a header or source.
+# room_of(NAME VARIABLE): "floor/room" of a header or source.
 function(room_of name variable)
   string(REGEX REPLACE "/[^/]*$" "" room "${name}")
   set(${variable} "${room}" PARENT_SCOPE)

@@ -18,15 +18,15 @@
 //   stage                                    folder of source and include/signorini
 //    1  the example                          problem/catalogue; by formulas: problem/input
 //    2  parameters                           problem/parameters
-//    3  V^h and Q^H                          discretization/mesh, elasticity, multiplier
+//    3  V^h and Q^H                          discretization/mesh, discretization/space
 //    4  A and f                              discretization/space
-//    5  D and G                              discretization/space, multiplier
+//    5  D and G                              discretization/space
 //    6  A^{-1}; C, F and P; U                solvers/stiffness; solvers/contact; solvers/methods
 //    7  pi^{2h}                              postprocessing/fields
 //    8  errors                               postprocessing/norms
 //    9  the inf-sup constant                 postprocessing/norms
 //   10  tables and files                     results/verdict, results/output
-//   11  all levels                           driver/sequence, driver/sequence, driver/sequence
+//   11  all levels                           driver/level, driver/sequence, driver/study
 //    A  quadrature at the end of contact     discretization/mesh
 //    B  the norm of order -1/2               postprocessing/norms
 //

@@ -39,7 +39,6 @@ PairMatrix pair_matrix(const unsigned int d) {
     }
   return matrix;
 }
-
 } // namespace
 
 LAPACKFullMatrix<double> seminorm_matrix(const unsigned int n_cells) {
@@ -64,6 +63,7 @@ LAPACKFullMatrix<double> seminorm_matrix(const unsigned int n_cells) {
   }
   return matrix;
 }
+
 SlobodeckijNorm::SlobodeckijNorm(const double length, const unsigned int n_cells)
   : length_(length)
   , n_cells_(n_cells)

@@ -95,13 +95,14 @@ private:
     std::vector<bool> is_needed(nodes_.size());
     for (const Index i : results)
       is_needed[i] = true;
-    std::vector<Index> parts;
     for (Index i = nodes_.size() - 1; i >= zero; --i)
-      if (is_needed[i]) {
-        parts.insert(parts.begin(), i);
+      if (is_needed[i])
         for (const Index argument : nodes_[i].arguments)
           is_needed[argument] = true;
-      }
+    std::vector<Index> parts;
+    for (Index i = zero; i < nodes_.size(); ++i)
+      if (is_needed[i])
+        parts.push_back(i);
     return parts;
   }
 

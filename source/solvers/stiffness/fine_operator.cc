@@ -23,17 +23,7 @@ constexpr unsigned int n_points_of_assembly = 4;
 template <int dim>
 using BlockCells = std::vector<typename DoFHandler<dim>::active_cell_iterator>;
 
-/** Returns the place of a cell. */
-template <int dim>
-BlockPlace<dim> place_of(const CellId &id) {
-  BlockPlace<dim> block = {id.get_coarse_cell_id(), {}};
-  for (const unsigned int child : id.get_child_indices())
-    for (int d = 0; d < dim; ++d)
-      block.second[d] = 2 * block.second[d] + ((child >> d) & 1U);
-  return block;
-}
-
-/** Returns the cells that have a block of this rank below them. */
+/** Returns the roots of the subtrees that this rank owns. */
 template <int dim>
 std::vector<typename Triangulation<dim>::cell_iterator> own_roots(const Mesh<dim> &mesh) {
   std::vector<typename Triangulation<dim>::cell_iterator> roots;
@@ -225,8 +215,14 @@ private:
 template <int dim>
 std::vector<BlockPlace<dim>> own_blocks(const Mesh<dim> &mesh) {
   std::vector<BlockPlace<dim>> blocks;
-  for (const auto &root : own_roots(mesh))
-    blocks.push_back(place_of<dim>(identity_of(*root)));
+  for (const auto &root : own_roots(mesh)) {
+    const CellId id = identity_of(*root);
+    BlockPlace<dim> &block =
+      blocks.emplace_back(id.get_coarse_cell_id(), std::array<unsigned int, dim>());
+    for (const unsigned int child : id.get_child_indices())
+      for (int d = 0; d < dim; ++d)
+        block.second[d] = 2 * block.second[d] + ((child >> d) & 1U);
+  }
   return blocks;
 }
 
