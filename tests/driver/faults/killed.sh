@@ -17,13 +17,13 @@ run() { "$program" short.prm --output "$1" >stdout 2>stderr; }
 kill_run() {
   local signal=$1 file=$2 seconds=$3 process
   shift 3
-  # A shell lets what runs in its background ignore SIGINT. Its copy, until another program takes its place, would tidy up when
-  # killed, and can lose the signal.
+  # A shell lets what runs in its background ignore SIGINT. Its copy would tidy up when killed, and can lose the signal: the
+  # command has to be there before it is killed.
   trap - EXIT
   env --default-signal "$@" >stdout 2>stderr &
   process=$!
   trap 'rm -rf "$directory"' EXIT
-  while [ "$(cat "/proc/$process/comm" 2>/dev/null)" = bash ]; do pause 0.01; done
+  while grep -qxE 'bash|env' "/proc/$process/comm" 2>/dev/null; do pause 0.01; done
   wait_for "$file" "$process"
   pause "$seconds"
   kill -s "$signal" "$process"
