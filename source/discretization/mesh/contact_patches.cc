@@ -57,12 +57,13 @@ double longest_of(const std::vector<FaceSpan> &spans) {
 }
 
 /** Returns the ends of groups of @p ratio intervals within [lower, upper]. Groups end at corners of
- * the side, and the last one is the longer one. An interval that lies there in part belongs to the
- * group of its neighbour, and a group grows until an end of the @p others, if there are any, lies
- * inside: else it had no interior node of the other mesh. */
+ * the side and where directions change, and the last one is the longer one. An interval that lies
+ * there in part belongs to the group of its neighbour, and a group grows until an end of the @p
+ * others, if there are any, lies inside: else it had no interior node of the other mesh. */
 std::vector<double> groups_of(const std::vector<FaceSpan> &spans,
                               const std::vector<FaceSpan> &others, const unsigned int ratio,
-                              const double lower, const double upper, const Curve &curve) {
+                              const double lower, const double upper, const Curve &curve,
+                              const ContactDirections &directions) {
   std::vector<double> ends = {lower};
   std::vector<double> starts;
   const double sliver = 1e-10 * (upper - lower);
@@ -81,7 +82,9 @@ std::vector<double> groups_of(const std::vector<FaceSpan> &spans,
     // The faces begin..end-1 lie before the next corner; starts[k] is where face k ends.
     do
       ++end;
-    while (end < starts.size() && !curve.has_corner(starts[end - 1]));
+    while (
+      end < starts.size() && !curve.has_corner(starts[end - 1]) &&
+      !directions.change_between(starts[end - 1] - 10. * sliver, starts[end - 1] + 10. * sliver));
     for (std::size_t k = begin + ratio; k + ratio <= end; k += ratio)
       if (holds_node(ends.back(), starts[k - 1]) && holds_node(starts[k - 1], starts[end - 1]))
         ends.push_back(starts[k - 1]);
@@ -95,7 +98,8 @@ std::vector<double> groups_of(const std::vector<FaceSpan> &spans,
  * hold 4/3 of the longest face of the other side; else groups of the coarser faces.
  */
 std::vector<double> ends_of_patches(const SideFaces &faces, const Curve &curve,
-                                    const unsigned int ratio, const unsigned int n) {
+                                    const ContactDirections &directions, const unsigned int ratio,
+                                    const unsigned int n) {
   if (n > 0) {
     std::vector<double> ends;
     for (unsigned int t = 0; t <= n; ++t)
@@ -109,7 +113,7 @@ std::vector<double> ends_of_patches(const SideFaces &faces, const Curve &curve,
     3. * ratio * std::min(own, other) >= 4. * (1. - 1e-10) * std::max(own, other);
   const bool takes_own = faces.opposite.empty() || own_is_finer == fine_suffices;
   return groups_of(takes_own ? faces.own : faces.opposite, takes_own ? faces.opposite : faces.own,
-                   ratio, faces.lower, faces.upper, curve);
+                   ratio, faces.lower, faces.upper, curve, directions);
 }
 
 /** The smallest number of points on graded parts: with fewer, a square root between two graded
@@ -192,9 +196,12 @@ SideFaces faces_of_side(const std::vector<FaceInterval> &all, const unsigned int
   return faces;
 }
 
-/** Returns the ends of pieces: those of patches and of faces of both sides. */
-std::vector<double> cuts_of(const SideFaces &faces, const std::vector<double> &ends) {
+/** Returns the ends of pieces: those of patches, of faces of both sides, and where directions
+ * change. */
+std::vector<double> cuts_of(const SideFaces &faces, const std::vector<double> &ends,
+                            const ContactDirections &directions) {
   std::vector<double> cuts = ends;
+  cuts.insert(cuts.end(), directions.changes().begin(), directions.changes().end());
   for (const auto *const spans : {&faces.own, &faces.opposite})
     for (const FaceSpan &span : *spans)
       for (const double s : {span.start, span.end})
@@ -229,13 +236,17 @@ void ContactSurface<2>::divide(const Partition &partition) {
   });
   for (const unsigned int side : scene_.contact_sides()) {
     const SideFaces faces = faces_of_side(all, side, scene_);
+    const ContactDirections &directions = scene_.boundary[side].directions;
     const std::vector<double> ends =
-      ends_of_patches(faces, scene_.geometry.sides[side], partition.ratio,
+      ends_of_patches(faces, scene_.geometry.sides[side], directions, partition.ratio,
                       partition.patches_by_side.empty() ? 0 : partition.patches_by_side[side]);
     const unsigned int first_patch = patches_.size();
-    for (std::size_t t = 0; t + 1 < ends.size(); ++t)
-      patches_.push_back({side, Point<1>(ends[t]), Point<1>(ends[t + 1]), ends[t + 1] - ends[t]});
-    const std::vector<double> cuts = cuts_of(faces, ends);
+    for (std::size_t t = 0; t + 1 < ends.size(); ++t) {
+      const double length = ends[t + 1] - ends[t], near = 1e-9 * length;
+      patches_.push_back({side, Point<1>(ends[t]), Point<1>(ends[t + 1]), length,
+                          directions.change_between(ends[t] + near, ends[t + 1] - near)});
+    }
+    const std::vector<double> cuts = cuts_of(faces, ends, directions);
     for (unsigned int i = 0, own = 0, opposite = 0, t = 0; i + 1 < cuts.size(); ++i) {
       const double start = cuts[i], end = cuts[i + 1], middle = 0.5 * (start + end);
       own = containing(faces.own, own, middle);
@@ -284,7 +295,7 @@ SurfaceRule<2> ContactSurface<2>::at(const Piece<2> &piece,
   for (const Point<1> &r : positions)
     arc_lengths.emplace_back((1. - r[0]) * piece.lower[0] + r[0] * piece.upper[0]);
   SurfaceRule<2> rule = points_at(piece, side(patches_[piece.patch]), arc_lengths);
-  find_opposite(piece, rule);
+  complete(piece, rule);
   return rule;
 }
 
@@ -310,7 +321,7 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece, const unsigned int
   rule.weights = quadrature.get_weights();
   for (std::size_t q = 0; q < rule.size(); ++q)
     rule.weights[q] *= scene_.geometry.circumference(rule.points[q]);
-  find_opposite(piece, rule);
+  complete(piece, rule);
   return rule;
 }
 
@@ -365,6 +376,7 @@ SurfaceRule<3> ContactSurface<3>::at(const Piece<3> &piece,
     rule.on_side.push_back(side.coordinates(x));
     rule.normals.push_back(side.normal(rule.on_side.back()));
   }
+  complete(piece, rule);
   return rule;
 }
 

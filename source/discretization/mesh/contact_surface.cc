@@ -89,7 +89,9 @@ std::vector<Neighbours<dim>> ContactSurface<dim>::neighbours() const {
           double shift = 0.;
           if constexpr (dim == 2) {
             // Beyond a corner, the pressure is that of another direction.
-            if (side.has_corner(grid.ends[0][step < 0 ? i : i + 1]))
+            const double end = grid.ends[0][step < 0 ? i : i + 1], near = 1e-9 * side.length();
+            if (side.has_corner(end) ||
+                scene_.boundary[grid.side].directions.change_between(end - near, end + near))
               continue;
             if (side.is_closed() && n > 1 && (next < 0 || next == n)) {
               next -= step * n;
@@ -243,13 +245,16 @@ void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points
     for (const Point<dim> &x : on_mesh.points)
       on_mesh.on_side.push_back(
         coordinates_on(patches_[piece.patch], side(patches_[piece.patch]), x));
-    find_opposite(piece, on_mesh);
+    complete(piece, on_mesh);
   }
 }
 
 template <int dim>
-void ContactSurface<dim>::find_opposite(const Piece<dim> &piece, SurfaceRule<dim> &rule) const {
-  if constexpr (dim == 2)
+void ContactSurface<dim>::complete(const Piece<dim> &piece, SurfaceRule<dim> &rule) const {
+  rule.directions = rule.normals;
+  if constexpr (dim == 2) {
+    if (const auto m = condition(piece).directions.at(0.5 * (piece.lower[0] + piece.upper[0])))
+      rule.directions.assign(rule.size(), *m);
     if (piece.opposite) {
       const auto &[face, span] = *piece.opposite;
       const Side<2> &other = scene_.geometry.sides[faces_[face].side];
@@ -262,6 +267,7 @@ void ContactSurface<dim>::find_opposite(const Piece<dim> &piece, SurfaceRule<dim
         rule.on_opposite.push_back(span.parameter(s));
       }
     }
+  }
 }
 
 template <int dim>

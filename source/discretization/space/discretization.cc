@@ -71,12 +71,15 @@ std::vector<unsigned int> points_on_faces(const DisplacementSpace<2> &space) {
   return n_points;
 }
 
-/** Returns the numbers of unknowns of the patches: P_{p-2} on every face of degree p. */
+/** Returns the numbers of unknowns of the patches: P_{p-2} on every face of degree p; constants
+ * where the direction of contact changes, as the gap may jump there. */
 std::vector<unsigned int> nodes_of_patches(const DisplacementSpace<2> &space,
                                            const ContactSurface<2> &surface) {
   std::vector<unsigned int> n_nodes(surface.patches().size());
   for (const Piece<2> &piece : surface.pieces())
-    n_nodes[piece.patch] = space.element(surface.faces()[piece.face].cell).degree - 1;
+    n_nodes[piece.patch] = surface.patches()[piece.patch].mixes
+                             ? 1
+                             : space.element(surface.faces()[piece.face].cell).degree - 1;
   return n_nodes;
 }
 } // namespace

@@ -107,8 +107,8 @@ dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) cons
 }
 
 template <>
-Tensor<1, 2> direction_of(const Component component, const Tensor<1, 2> &normal) {
-  return component == Component::normal ? normal : -cross_product_2d(normal);
+Tensor<1, 2> direction_of(const Component component, const Tensor<1, 2> &m) {
+  return component == Component::normal ? m : -cross_product_2d(m);
 }
 
 template <>
@@ -137,7 +137,7 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
     else if (given != nullptr)
       for (std::size_t q = 0; q < rule.size(); ++q)
         for (unsigned int d = 0; d < dim; ++d)
-          g[q] += given->value(rule.points[q], d) * direction_of(component, rule.normals[q])[d];
+          g[q] += given->value(rule.points[q], d) * direction_of(component, rule.directions[q])[d];
     for (std::size_t q = 0; q < rule.size(); ++q)
       if (!std::isfinite(g[q])) {
         std::ostringstream message;
@@ -224,7 +224,7 @@ Coupling assemble_coupling(const DisplacementSpace<dim> &space,
           double integral = 0.;
           for (std::size_t q = 0; q < rule.size(); ++q)
             integral += values[displacement].value(j, q) *
-                        direction_of(component, rule.normals[q]) *
+                        direction_of(component, rule.directions[q]) *
                         multipliers.shape_value(k, rule.on_side[q]) * rule.weights[q];
           if (std::abs(integral) > 1e-15 * measure)
             columns[k][indices[j]] += sign * share[sign > 0. ? 0 : 1] * integral;

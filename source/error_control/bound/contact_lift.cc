@@ -173,6 +173,14 @@ ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fi
   for (const PenetrationFace &face : trace.faces()) {
     on_faces.emplace_back(data, trace, face, w);
     remainders.push_back(on_faces.back().r);
+    // r_F m would jump.
+    if (face.mixes() && !(remainders.back()[0].is_zero() && remainders.back()[1].is_zero())) {
+      no_bound =
+        "the body presses where another plane becomes the nearest one, on " +
+        name_of({face.side, data.scene.geometry.sides[face.side].arc_length(face.point(0.5))},
+                data.scene);
+      return;
+    }
   }
   bound =
     evaluate(data, trace, LiftField(data, trace, std::move(*w_h), std::move(remainders)), on_faces);
@@ -181,13 +189,13 @@ ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fi
 // The lift in the body.
 
 namespace {
-/** Returns the modulus in r² of a displacement along n (component 0) or t divided by that in r'²:
- * C_nn/C_nt or C_nt/C_tt. */
+/** Returns the modulus in r² of a displacement along m (component 0) or its tangent divided by that
+ * in r'²: C_nn/C_nt or C_nt/C_tt where m = n. */
 double ratio_of_moduli(const Scene<2> &scene, const PenetrationFace &face,
                        const unsigned int component) {
   const auto C = scene.material->hooke(face.point(0.5));
   const Tensor<1, 2> n = face.normal, t = direction_of(Component::tangential, n),
-                     &along = component == 0 ? n : t;
+                     along = face.direction(contact_components[component], 0.5);
   const auto across = symmetrize(outer_product(along, n)),
              lengthwise = symmetrize(outer_product(along, t));
   return (across * (C * across)) / (lengthwise * (C * lengthwise));

@@ -57,7 +57,16 @@ std::vector<double> PenetrationFace::weights(const double t) const {
   return weights;
 }
 
+bool PenetrationFace::mixes() const {
+  return std::any_of(pressures.begin(), pressures.end(), [this](const Pressed &part) {
+    return part.direction != pressures.front().direction;
+  });
+}
+
 Tensor<1, 2> PenetrationFace::direction(const Component component, const double t) const {
+  if (is_contact())
+    if (const auto &m = part_at(t).direction)
+      return direction_of(component, *m);
   if (line.is_flat())
     return direction_of(component, normal);
   const Tensor<1, 2> n = line.normal(t * length());
@@ -65,7 +74,7 @@ Tensor<1, 2> PenetrationFace::direction(const Component component, const double 
 }
 
 Tensor<1, 2> PenetrationFace::turning(const Component component, const double t) const {
-  if (line.is_flat())
+  if (line.is_flat() || (is_contact() && part_at(t).direction))
     return {};
   // x turns about the centre like n and t.
   const Tensor<1, 2> from_centre = point(t) - line.centre_of_circle();
@@ -122,7 +131,11 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact) const {
   PenetrationFace face(contact.side, side.between(line->vertex(0), line->vertex(1)));
   face.normal = side.normal(side.arc_length(face.point(0.5)));
   constexpr double beside = 1e-9;
-  const auto is_corner = [&side](const Point<2> &x) { return side.has_corner(side.arc_length(x)); };
+  const ContactDirections &directions = data_.scene.boundary[contact.side].directions;
+  const auto is_corner = [&](const Point<2> &x) {
+    const double s = side.arc_length(x), near = beside * side.length();
+    return side.has_corner(s) || directions.change_between(s - near, s + near);
+  };
   face.inside = {
     {is_corner(face.line.start()) ? beside : 0., is_corner(face.line.end()) ? 1. - beside : 1.}};
 
@@ -166,8 +179,10 @@ void ContactTrace::find_faces() {
       if (other)
         std::swap(other->lower, other->upper);
     }
-    faces_[here.face].pressures.push_back({here.lower, here.upper, states[piece.patch].presses,
-                                           states[piece.patch].slip == State::inside, other});
+    faces_[here.face].pressures.push_back(
+      {here.lower, here.upper, states[piece.patch].presses,
+       states[piece.patch].slip == State::inside, other,
+       surface().condition(piece).directions.at(0.5 * (piece.lower[0] + piece.upper[0]))});
   }
   for (PenetrationFace &face : faces_)
     std::sort(face.pressures.begin(), face.pressures.end(),
@@ -216,7 +231,7 @@ bool ContactTrace::wants_lift_of_slip(const PenetrationFace &face) const {
     bound = std::max(bound, friction_bound(face, t));
   }
   const auto shear =
-    symmetrize(outer_product(face.normal, direction_of(Component::tangential, face.normal)));
+    symmetrize(outer_product(face.normal, face.direction(Component::tangential, 0.5)));
   return shear * (data_.scene.material->hooke(face.point(0.5)) * shear) * largest <=
          bound * face.length();
 }

@@ -245,7 +245,7 @@ std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace
 
 std::optional<double> norm_of_unit_lift(const BoundData &data, const ContactTrace &trace) {
   const auto &conditions = trace.conditions();
-  if (conditions.empty() || !trace.prescribes_all() ||
+  if (conditions.empty() || !trace.prescribes_all() || trace.mixes() ||
       std::any_of(conditions.begin(), conditions.end(),
                   [](const auto &c) { return c.is_normal() && c.held(); }))
     return {};

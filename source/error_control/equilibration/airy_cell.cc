@@ -191,9 +191,11 @@ void AiryCell::tabulate(const unsigned int k) {
     for (unsigned int c = 0; c < 2; ++c) {
       for (unsigned int l = 0; l < n_airy; ++l)
         tractions(2 * i + c, l) = traction(at_point[l], node.normal)[c];
+      const Tensor<1, 2> m = shape_.directions[k].value_or(node.normal),
+                         t = direction_of(Component::tangential, m);
       for (unsigned int j = 0; j <= degree_; ++j) {
-        tractions(2 * i + c, n_airy + j) = -L[j] * node.normal[c];
-        tractions(2 * i + c, n_airy + degree_ + 1 + j) = -L[j] * node.tangent[c];
+        tractions(2 * i + c, n_airy + j) = -L[j] * m[c];
+        tractions(2 * i + c, n_airy + degree_ + 1 + j) = -L[j] * t[c];
       }
     }
   }

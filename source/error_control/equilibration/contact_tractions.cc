@@ -40,6 +40,8 @@ std::map<unsigned int, bool>
 ContactTractions::edges_inside(const std::vector<bool> &patches) const {
   std::map<unsigned int, bool> inside;
   for (const auto &[piece, edge] : pieces_) {
+    if (tractions_.space.edges()[edge].mixes)
+      continue;
     bool &on_edge = inside.emplace(edge, true).first->second;
     on_edge = on_edge && patches[piece.patch];
   }

@@ -356,7 +356,7 @@ void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
             works[k].load += weight * (given[0] * v[0] + given[1] * v[1]);
           for (unsigned int i = 0; i <= edge.degree; ++i)
             for (unsigned int c = 0; c < 2; ++c)
-              works[k].moments[edge.position(c, i)] += weight * L[i] * (c == 0 ? n : t) * v;
+              works[k].moments[edge.position(c, i)] += weight * L[i] * edge.axis(c, n) * v;
         }
       }
     }
@@ -385,7 +385,7 @@ void EnergyMisfit::add_pair_moments(const TractionSpace &space, Works &works) co
             for (unsigned int i = 0; i <= edge.degree; ++i)
               works[k].moments[edge.position(c, i)] +=
                 sign * rule.weights[q] * L[i] *
-                (direction_of(contact_components[c], rule.normals[q]) * v);
+                (direction_of(contact_components[c], rule.directions[q]) * v);
         }
       }
     }

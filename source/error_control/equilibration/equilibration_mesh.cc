@@ -15,8 +15,9 @@ constexpr unsigned int max_degree = 11;
 /** The degree of tractions on the largest cells of a mesh of its own. */
 constexpr unsigned int most = 5;
 
-/** Returns the points near which stresses are not smooth: ends and corners of sides, and borders
- * of patches between those that press, stick or slip in one direction and others. */
+/** Returns the points near which stresses are not smooth: ends and corners of sides, borders of
+ * patches between those that press, stick or slip in one direction and others, and points where the
+ * direction of contact changes. */
 std::vector<Point<2>> singular_points(const BoundData &data) {
   std::vector<Point<2>> points;
   for (const Side<2> &side : data.scene.geometry.sides) {
@@ -25,6 +26,9 @@ std::vector<Point<2>> singular_points(const BoundData &data) {
     for (const double s : side.corners())
       points.push_back(side.point(s));
   }
+  for (std::size_t i = 0; i < data.scene.boundary.size(); ++i)
+    for (const double s : data.scene.boundary[i].directions.changes())
+      points.push_back(data.scene.geometry.sides[i].point(s));
   const std::vector<NodeState> states = patch_states(data.multipliers, data.P);
   const auto &patches = data.multipliers.surface().patches();
   const auto add = [&](const unsigned int number, const double s) {

@@ -94,6 +94,8 @@ TractionSpace::TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scen
     here.degree = mesh.inner_degree(cell);
     for (unsigned int k = 0; k < 4; ++k) {
       here.sides[k] = find_side(cell, face_in_circle[k], here.shape.corners[k], scene);
+      if (here.shape.centres[k])
+        here.shape.directions[k] = edges_[here.sides[k].edge].direction;
       unsigned int &on_edge = edges_[here.sides[k].edge].degree;
       on_edge = std::max(on_edge, degree);
     }
@@ -155,8 +157,12 @@ unsigned int TractionSpace::find_edge(const LineIterator &line, const Scene<2> &
       const unsigned int side = line->boundary_id();
       const Curve on_side = sides_[side].between(a, b);
       edges_.push_back({on_side, side, 1, 0, freedom_on(scene.boundary[side].role)});
-      on_side_[side].emplace(sides_[side].arc_length(a + 0.5 * (b - a)) - 0.5 * on_side.length(),
-                             number);
+      const double middle = sides_[side].arc_length(a + 0.5 * (b - a)),
+                   inside = (0.5 - 1e-9) * on_side.length();
+      const ContactDirections &directions = scene.boundary[side].directions;
+      edges_.back().direction = directions.at(middle);
+      edges_.back().mixes = directions.change_between(middle - inside, middle + inside);
+      on_side_[side].emplace(middle - 0.5 * on_side.length(), number);
     }
   }
   return number;
@@ -221,8 +227,9 @@ TractionSide TractionSpace::find_side(const Triangulation<2>::active_cell_iterat
 std::vector<TractionSpace::Entry> TractionSpace::entries(const TractionCell &cell) const {
   std::vector<Entry> entries;
   unsigned int row = 0;
-  for (const TractionSide &side : cell.sides)
+  for (unsigned int k = 0; k < 4; ++k)
     for (unsigned int c = 0; c < 2; ++c, row += cell.degree + 1) {
+      const TractionSide &side = cell.sides[k];
       const TractionEdge &edge = edges_[side.edge];
       const FullMatrix<double> &R =
         halves_[(side.from + side.to < 1. ? 0 : 2) + (side.is_reversed() ? 1 : 0)];
@@ -236,6 +243,14 @@ std::vector<TractionSpace::Entry> TractionSpace::entries(const TractionCell &cel
               {row + i, edges_[part.shared].position(c, j), sign(i) * part.R(i, j)});
       if (!parts_[side.edge].empty())
         continue;
+      if (edge.direction && edge.line.is_flat()) {
+        const Tensor<1, 2> along = cell.shape.corners[(k + 1) % 4] - cell.shape.corners[k],
+                           t = along / along.norm(), axis = c == 0 ? cross_product_2d(t) : t;
+        for (unsigned int d = 0; d < 2; ++d)
+          for (unsigned int j = 0; j <= edge.degree; ++j)
+            entries.push_back({row + j, edge.position(d, j), sign(j) * (axis * edge.axis(d, {}))});
+        continue;
+      }
       for (unsigned int j = 0; j <= edge.degree; ++j)
         if (!side.is_half())
           entries.push_back({row + j, edge.position(c, j), sign(j)});
@@ -254,16 +269,19 @@ TractionSpace::Vector TractionSpace::traces(const TractionCell &cell, const Vect
 }
 
 std::vector<Tensor<1, 3>> resultants(const Curve &line, const double side,
-                                     const unsigned int degree, const Point<2> &about) {
+                                     const unsigned int degree, const Point<2> &about,
+                                     const std::optional<Tensor<1, 2>> &direction) {
   std::vector<Tensor<1, 3>> sums(2 * (degree + 1));
   const QGauss<1> gauss(degree + (line.is_flat() ? 2 : 10));
   for (unsigned int q = 0; q < gauss.size(); ++q) {
     const double s = gauss.point(q)[0], weight = gauss.weight(q) * line.length();
-    const Tensor<1, 2> t = side * line.tangent(s * line.length(), 0.), n({t[1], -t[0]}),
+    const Tensor<1, 2> tangent = side * line.tangent(s * line.length(), 0.),
+                       m = direction.value_or(Tensor<1, 2>({tangent[1], -tangent[0]})),
+                       t = direction_of(Component::tangential, m),
                        arm = line.point(s * line.length()) - about;
     const std::vector<double> L = legendre_values(degree, s);
     for (unsigned int i = 0; i <= degree; ++i) {
-      sums[i] += weight * L[i] * Tensor<1, 3>({n[0], n[1], cross(arm, n)});
+      sums[i] += weight * L[i] * Tensor<1, 3>({m[0], m[1], cross(arm, m)});
       sums[degree + 1 + i] += weight * L[i] * Tensor<1, 3>({t[0], t[1], cross(arm, t)});
     }
   }
@@ -276,7 +294,8 @@ FullMatrix<double> balance_rows(const CellShape &shape, const unsigned int degre
   FullMatrix<double> rows(3, 8 * (degree + 1) + ArcLift::n_conditions * n_arcs);
   unsigned int trace = 0, condition = 8 * (degree + 1);
   for (unsigned int k = 0; k < 4; ++k) {
-    for (const Tensor<1, 3> &sum : resultants(shape.edge(k), 1., degree, shape.crossing)) {
+    for (const Tensor<1, 3> &sum :
+         resultants(shape.edge(k), 1., degree, shape.crossing, shape.directions[k])) {
       for (unsigned int r = 0; r < 3; ++r)
         rows(r, trace) = sum[r];
       ++trace;

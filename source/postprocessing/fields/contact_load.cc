@@ -12,9 +12,9 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
   const SurfaceRule<dim> &rule = piece.on_mesh;
   for (std::size_t q = 0; q < rule.size(); ++q) {
     const Point<dim - 1> &s = rule.on_side[q];
-    const Tensor<1, dim> &n = rule.normals[q];
-    resultant.add((multipliers.value(multiplier.normal(), piece.patch, s) * n +
-                   tangential_traction(multipliers, multiplier, piece.patch, s, n)) *
+    const Tensor<1, dim> &m = rule.directions[q];
+    resultant.add((multipliers.value(multiplier.normal(), piece.patch, s) * m +
+                   tangential_traction(multipliers, multiplier, piece.patch, s, m)) *
                     rule.weights[q],
                   rule.points[q]);
   }
@@ -34,7 +34,7 @@ std::vector<double> penetration(const Scene<dim> &scene, const ContactSurface<di
   const auto &data = component == Component::normal ? condition.data : condition.shift;
   std::vector<double> depths(rule.size());
   for (std::size_t q = 0; q < rule.size(); ++q)
-    depths[q] = u[q] * direction_of(component, rule.normals[q]) -
+    depths[q] = u[q] * direction_of(component, rule.directions[q]) -
                 (data != nullptr ? data->value(rule.points[q]) : 0.);
   return depths;
 }

@@ -219,7 +219,7 @@ std::vector<double> exact_normal_displacement(const Scene<2> &scene, const Surfa
   std::vector<double> u_n(rule.size(), 0.);
   for (std::size_t k = 0; k < rule.size(); ++k)
     for (unsigned int d = 0; d < 2; ++d)
-      u_n[k] += scene.exact_displacement->value(rule.points[k], d) * rule.normals[k][d];
+      u_n[k] += scene.exact_displacement->value(rule.points[k], d) * rule.directions[k][d];
   return u_n;
 }
 
@@ -257,7 +257,7 @@ double interpolation_trace(const DisplacementSpace<2> &space, const Scene<2> &sc
       const auto interpolated = traces.displacement(surface, piece, rule, interpolant);
       for (std::size_t k = 0; k < rule.size(); ++k) {
         samples.arc_lengths.push_back(rule.on_side[k][0]);
-        samples.weighted_values.push_back((u_n[k] - interpolated[k] * rule.normals[k]) *
+        samples.weighted_values.push_back((u_n[k] - interpolated[k] * rule.directions[k]) *
                                           rule.weights[k]);
       }
     }

@@ -79,19 +79,31 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
   return Penetration{depth, {scene.geometry.sides[surface.faces()[face].side].name(), s, x}};
 }
 
+/** Returns the normal of the opposite side or of the obstacle that a point of a piece touches; none
+ * where it touches neither, or the gap is an expression. */
+static std::optional<Tensor<1, 2>> normal_across(const ContactSurface<2> &surface,
+                                                 const Piece<2> &piece, const Point<2> &x,
+                                                 const Tensor<1, 2> &m) {
+  const Scene<2> &scene = surface.scene();
+  const BoundaryCondition<2> &condition = surface.condition(piece);
+  if (condition.foundation != nullptr)
+    return condition.foundation->normal_at_entry(Point<2>(x - scene.foundation_position), m);
+  if (!condition.opposite)
+    return {};
+  const Side<2> &other = scene.geometry.sides[*condition.opposite];
+  return other.normal(other.arc_length(other.across(x, m)));
+}
+
 /** Returns Answer::turn_of_normals, at the middles of the pieces. */
 static double turn_of_normals(const MultiplierSpace<2> &multipliers, const Pressure &P) {
   const ContactSurface<2> &surface = multipliers.surface();
   double turn = 0.;
   for (const Piece<2> &piece : surface.pieces()) {
     const SurfaceRule<2> middle = surface.at(piece, {Point<1>(0.5)});
-    if (!piece.opposite ||
-        multipliers.value(P, piece.patch, middle.on_side[0]) >= pressing_threshold(P))
-      continue;
-    const Side<2> &other = surface.scene().geometry.sides[*surface.condition(piece).opposite];
-    const Tensor<1, 2> n = middle.normals[0];
-    const double s = other.arc_length(other.across(middle.points[0], n));
-    turn = std::max(turn, (n + other.normal(s)).norm());
+    const Tensor<1, 2> &m = middle.directions[0];
+    if (multipliers.value(P, piece.patch, middle.on_side[0]) < pressing_threshold(P))
+      if (const auto across = normal_across(surface, piece, middle.points[0], m))
+        turn = std::max(turn, (m + *across).norm());
   }
   return turn;
 }

@@ -116,22 +116,31 @@ std::vector<double> sample(const Side<2> &side, const Point<2> &near) {
   return samples;
 }
 
-/** Returns whether the normal somewhere on a side meets an obstacle; wherever it is, if load cases
- * move it. */
+/** How obstacles are read: along which direction planes act, and whether load cases move them. */
+struct FoundationUse {
+  ContactDirection direction;
+  bool moves;
+};
+
+/** Returns whether the direction of contact somewhere on a side meets an obstacle; wherever it is,
+ * if load cases move it. */
 bool can_touch(const Obstacle &obstacle, const Side<2> &side, const Tensor<1, 2> &position,
-               const double reach, const bool moves) {
+               const double reach, const FoundationUse &use) {
   const std::vector<double> samples = sample(side, obstacle.anchor() + position);
+  const auto of_plane =
+    use.direction == ContactDirection::foundation ? obstacle.direction() : std::nullopt;
   return std::any_of(samples.begin(), samples.end(), [&](const double s) {
     const Tensor<1, 2> n = side.normal(s);
-    return moves ? obstacle.can_be_hit_along(n)
-                 : obstacle.is_hit_by_line(side.point(s) - position, n, reach);
+    return obstacle.can_be_hit_along(n) &&
+           (use.moves ||
+            obstacle.is_hit_by_line(side.point(s) - position, of_plane.value_or(n), reach));
   });
 }
 
 /** Returns the obstacles of each contact side. */
 std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::string> &given,
                                                              const Scene<2> &scene,
-                                                             const bool moves) {
+                                                             const FoundationUse &use) {
   const Geometry<2> &geometry = scene.geometry;
   const std::vector<std::string> texts = split_list(given, '|');
   if (texts.size() > max_obstacles)
@@ -151,8 +160,8 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
     for (const auto &entry : entries) {
       const unsigned int side = geometry.find_side(entry.first);
       obstacles[side].push_back(obstacle);
-      touches = touches ||
-                can_touch(obstacle, geometry.sides[side], scene.foundation_position, reach, moves);
+      touches =
+        touches || can_touch(obstacle, geometry.sides[side], scene.foundation_position, reach, use);
     }
     if (!touches)
       throw error_at(given, "found ", quote(text),
@@ -166,19 +175,25 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
 
 void read_foundation(const ContactParameters &given, const bool moves, Scene<2> &scene) {
   if (given.foundation.value.empty()) {
-    if (given.foundation_position.changed)
-      throw error_at(given.foundation_position, "it needs ", given.foundation.name,
-                     ", which is not given.");
+    for (const Entry *const entry :
+         std::initializer_list<const Entry *>{&given.foundation_position, &given.direction})
+      if (entry->changed)
+        throw error_at(*entry, "it needs ", given.foundation.name, ", which is not given.");
     return;
   }
   scene.foundation_position = ObstacleReader(given.foundation_position, scene.geometry)
                                 .vector({"", trim(given.foundation_position)});
-  for (const auto &[side, obstacles] : read_obstacles(given.foundation, scene, moves)) {
-    BoundaryCondition<2> &condition = scene.boundary[side];
+  const auto of_sides = read_obstacles(given.foundation, scene, {given.direction, moves});
+  for (const auto &[number, obstacles] : of_sides) {
+    BoundaryCondition<2> &condition = scene.boundary[number];
+    const Side<2> &side = scene.geometry.sides[number];
     condition.foundation =
       std::make_shared<Foundation>(obstacles, max_gap * scene.geometry.diameter());
+    if (given.direction == ContactDirection::foundation)
+      condition.directions =
+        ContactDirections(side, *condition.foundation, scene.foundation_position);
     condition.data =
-      foundation_gap(scene.geometry.sides[side], condition.foundation, scene.foundation_position);
+      foundation_gap(side, condition.foundation, scene.foundation_position, condition.directions);
   }
 }
 

@@ -195,7 +195,7 @@ void check_exact_on_side(const ExactSolutionParameters &exact, const Scene<dim> 
                    name + " = " + number_text(found) + " on the side " + side.name(), x, allowed);
     };
     const Tensor<1, dim> u = u_at(x);
-    const double u_n = u * side.normal(side.coordinates(x));
+    const double u_n = u * scene.contact_direction(i, x);
     if (condition.role == Role::clamped || condition.role == Role::displacement)
       for (unsigned int c = 0; c < dim; ++c) {
         const double given = condition.data == nullptr ? 0. : condition.data->value(x, c);

@@ -140,10 +140,14 @@ void Declarations::declare_data(Parameters &parameters) {
       "radius r; circle x,y radius r inside (the body lies in a round hole); parabola x,y normal "
       "nx,ny curvature k (with k < 0 it bends away from the body). Numbers may be formulas of the "
       "constants. Normals point towards the body and may have any length. 'bottom: circle ...' is "
-      "for one contact side, others are for all. The gap is the distance along the outward normal "
-      "of the body, at most ten diameters of the body.");
+      "for one contact side, others are for all. The gap is the distance along the direction of "
+      "contact, at most ten diameters of the body.");
   add("Contact/Foundation position", parameters.contact.foundation_position,
       "dx, dy by which the whole foundation is moved (length).");
+  add("Contact/Direction", parameters.contact.direction,
+      "The direction along which planes of a Foundation act. foundation: their own normal, so that "
+      "without friction a plane exerts no force along itself, whatever the shape of the body. "
+      "body: the outward normal of the body, as everywhere else.");
   add(
     "Contact/Friction", parameters.contact.friction,
     "Law of friction of the tangential traction q: none (q = 0), tresca (|q| <= Friction bound), "

@@ -15,6 +15,7 @@ const std::vector<std::string> &option_names(const std::type_index &option) {
     {typeid(Element), {"Q1", "Q1 B-bar", "Q2"}},
     {typeid(ContactSolver), {"automatic", "psor", "active set", "multigrid"}},
     {typeid(LinearSolver), {"automatic", "condensed", "amesos_mumps", "amesos_klu", "multigrid"}},
+    {typeid(ContactDirection), {"foundation", "body"}},
     {typeid(Friction), {"none", "tresca", "coulomb"}},
     {typeid(CaseSequence), {"independent", "steps"}},
     {typeid(VtuLevels), {"none", "finest", "all"}},

@@ -113,8 +113,7 @@ std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const
   const auto name = [&](const unsigned int k) {
     return "'" + scene.geometry.sides[k].name() + "'";
   };
-  const Side<dim> &second = scene.geometry.sides[j];
-  const Tensor<1, dim> n = second.normal(second.coordinates(x));
+  const Tensor<1, dim> n = scene.contact_direction(j, x);
   const auto held_part = [&](const Tensor<1, dim> &u) {
     return second_holds_all ? u : (u * n) * n;
   };

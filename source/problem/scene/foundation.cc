@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini {
 namespace {
@@ -96,6 +97,27 @@ bool Obstacle::can_be_hit_along(const Tensor<1, 2> &n) const {
   return parabola == nullptr || parabola->curvature != 0. || n * parabola->normal < -parallel;
 }
 
+std::optional<Tensor<1, 2>> Obstacle::direction() const {
+  const auto *parabola = std::get_if<Parabola>(&shape_);
+  if (parabola == nullptr || parabola->curvature != 0.)
+    return {};
+  return -1. * parabola->normal;
+}
+
+std::optional<Tensor<1, 2>> Obstacle::normal_at_entry(const Point<2> &x,
+                                                      const Tensor<1, 2> &n) const {
+  const std::optional<double> t = distance(x, n);
+  if (!t)
+    return {};
+  const Tensor<1, 2> d = x + *t * n - anchor();
+  if (const auto *circle = std::get_if<Circle>(&shape_))
+    return (circle->body == Body::outside ? 1. : -1.) * d / d.norm();
+  const Parabola &parabola = std::get<Parabola>(shape_);
+  const Tensor<1, 2> tau = cross_product_2d(parabola.normal),
+                     slope = parabola.normal - parabola.curvature * (d * tau) * tau;
+  return slope / slope.norm();
+}
+
 const Point<2> &Obstacle::anchor() const {
   if (const auto *circle = std::get_if<Circle>(&shape_))
     return circle->centre;
@@ -113,13 +135,100 @@ double Foundation::gap(const Point<2> &x, const Tensor<1, 2> &n) const {
   return gap;
 }
 
+std::optional<Tensor<1, 2>> Foundation::direction(const Point<2> &x, const Tensor<1, 2> &n) const {
+  constexpr double far = std::numeric_limits<double>::max();
+  double least = far, facing = -far;
+  std::optional<Tensor<1, 2>> nearest, elsewhere;
+  for (const Obstacle &obstacle : obstacles_) {
+    const std::optional<Tensor<1, 2>> m = obstacle.direction();
+    const double distance = obstacle.distance(x, m.value_or(n)).value_or(far),
+                 share = m ? *m * n : 1.;
+    if (share > parallel) {
+      if (distance < least - parallel * max_gap_) {
+        least = distance;
+        nearest = m;
+      }
+    } else if (distance >= 0. && share > facing) {
+      facing = share;
+      elsewhere = m;
+    }
+  }
+  return least < far ? nearest : elsewhere;
+}
+
+std::optional<Tensor<1, 2>> Foundation::normal_at_entry(const Point<2> &x,
+                                                        const Tensor<1, 2> &n) const {
+  double gap = max_gap_;
+  std::optional<Tensor<1, 2>> normal;
+  for (const Obstacle &obstacle : obstacles_)
+    if (const double distance = obstacle.distance(x, n).value_or(max_gap_); distance < gap) {
+      gap = distance;
+      normal = obstacle.normal_at_entry(x, n);
+    }
+  return normal;
+}
+
+ContactDirections::ContactDirections(const Side<2> &side, const Foundation &foundation,
+                                     const Tensor<1, 2> &position) {
+  constexpr unsigned int n_samples = 64;
+  const auto begin_part = [this](const double s, const std::optional<Tensor<1, 2>> &m) {
+    if (!of_parts_.empty() && of_parts_.back() == m)
+      return;
+    if (!of_parts_.empty())
+      changes_.push_back(s);
+    of_parts_.push_back(m);
+  };
+  for (unsigned int k = 0; k < side.n_pieces(); ++k) {
+    const Curve &piece = side.piece(k);
+    const auto direction = [&](const double s) {
+      return foundation.direction(piece.point(s) - position, piece.normal(s));
+    };
+    const double step = piece.length() / n_samples;
+    double from = 0.5 * step;
+    begin_part(side.start_of(k), direction(from));
+    for (unsigned int i = 1; i < n_samples; ++i) {
+      const double to = (i + 0.5) * step;
+      while (direction(to) != of_parts_.back()) {
+        // The next change: halves until no number lies between.
+        double after = to;
+        for (double middle = 0.5 * (from + after); middle > from && middle < after;
+             middle = 0.5 * (from + after))
+          (direction(middle) == of_parts_.back() ? from : after) = middle;
+        begin_part(side.start_of(k) + after, direction(after));
+        from = after;
+      }
+      from = to;
+    }
+  }
+  // A straight side that is parallel to a plane has its normal to the last digit.
+  if (side.is_flat() && of_parts_.size() == 1 && of_parts_[0] &&
+      (*of_parts_[0] - side.normal(0.)).norm() < parallel)
+    of_parts_.clear();
+}
+
+std::optional<Tensor<1, 2>> ContactDirections::at(const double s) const {
+  if (of_parts_.empty())
+    return {};
+  return of_parts_[std::upper_bound(changes_.begin(), changes_.end(), s) - changes_.begin()];
+}
+
+bool ContactDirections::change_between(const double from, const double to) const {
+  return std::upper_bound(changes_.begin(), changes_.end(), from) !=
+         std::lower_bound(changes_.begin(), changes_.end(), to);
+}
+
+bool ContactDirections::are_normals() const {
+  return std::none_of(of_parts_.begin(), of_parts_.end(),
+                      [](const auto &m) { return m.has_value(); });
+}
+
 std::shared_ptr<const Function<2>>
 foundation_gap(const Side<2> &side, const std::shared_ptr<const Foundation> &foundation,
-               const Tensor<1, 2> &position) {
+               const Tensor<1, 2> &position, const ContactDirections &directions) {
   return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
     const Point<1> s = side.coordinates(x);
     const Point<2> on_side = side.is_flat() ? x : side.point(s);
-    return foundation->gap(on_side - position, side.normal(s));
+    return foundation->gap(on_side - position, directions.at(s[0]).value_or(side.normal(s)));
   });
 }
 

@@ -53,6 +53,15 @@ bool Scene<dim>::has_pairs() const {
 }
 
 template <int dim>
+Tensor<1, dim> Scene<dim>::contact_direction(const unsigned int side, const Point<dim> &x) const {
+  const auto s = geometry.sides[side].coordinates(x);
+  if constexpr (dim == 2)
+    if (const auto m = boundary[side].directions.at(s[0]))
+      return *m;
+  return geometry.sides[side].normal(s);
+}
+
+template <int dim>
 std::vector<unsigned int> Scene<dim>::given_patches() const {
   std::vector<unsigned int> n;
   for (const BoundaryCondition<dim> &condition : boundary)
@@ -115,12 +124,13 @@ FunctionPointer<2> scale(const FunctionPointer<2> &function, const double factor
   return std::make_shared<ScaledFunction>(function, factor);
 }
 
-/** Returns the tangential motion of a foundation: @p given, and the part of a shift along the side.
- */
-FunctionPointer<2> slide_along(const Side<2> &side, const FunctionPointer<2> &given,
-                               const Tensor<1, 2> &shift) {
+/** Returns the tangential motion of a foundation: @p given, and the part of a shift across the
+ * direction of contact. */
+FunctionPointer<2> slide_along(const Side<2> &side, const ContactDirections &directions,
+                               const FunctionPointer<2> &given, const Tensor<1, 2> &shift) {
   return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
-    const double along = -shift * cross_product_2d(side.normal(side.coordinates(x)));
+    const double s = side.arc_length(x);
+    const double along = -shift * cross_product_2d(directions.at(s).value_or(side.normal(s)));
     return along + (given == nullptr ? 0. : given->value(x));
   });
 }
@@ -150,12 +160,13 @@ Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case) {
       condition.data = scale(condition.data, load_case.travel);
     if (condition.role == Role::contact) {
       if (condition.foundation != nullptr && load_case.shift.norm() > 0.)
-        condition.data =
-          foundation_gap(scene.geometry.sides[i], condition.foundation, scene.foundation_position);
+        condition.data = foundation_gap(scene.geometry.sides[i], condition.foundation,
+                                        scene.foundation_position, condition.directions);
       condition.data = scale(condition.data, load_case.gap);
       condition.shift = scale(condition.shift, load_case.slide);
       if (scene.friction != Friction::none && load_case.shift.norm() > 0.)
-        condition.shift = slide_along(scene.geometry.sides[i], condition.shift, load_case.shift);
+        condition.shift = slide_along(scene.geometry.sides[i], condition.directions,
+                                      condition.shift, load_case.shift);
     }
   }
   return scene;

@@ -69,7 +69,8 @@ void add_friction_columns(Columns<ContactRow<dim>> &columns) {
 }
 
 template <int dim>
-Columns<ContactRow<dim>> contact_columns(const bool has_friction, const bool has_pairs) {
+Columns<ContactRow<dim>> contact_columns(const bool has_friction, const bool has_pairs,
+                                         const bool has_directions) {
   using Row = ContactRow<dim>;
   Columns<Row> columns;
   if (dim == 2)
@@ -102,6 +103,9 @@ Columns<ContactRow<dim>> contact_columns(const bool has_friction, const bool has
     add_opposite(std::string(1, "xyz"[d]), [d](const auto &opposite) { return opposite.x[d]; });
   if (has_pairs)
     add_opposite("u_n", [](const auto &opposite) { return opposite.u_n; });
+  for (unsigned int d = 0; d < dim && has_directions; ++d)
+    columns.push_back(
+      {std::string("m_") + "xyz"[d], [d](const Row &row) { return row.point.direction[d]; }});
   return columns;
 }
 
@@ -137,10 +141,11 @@ public:
       point.p_H = multipliers_.value(P_.normal(), piece.patch, point.s);
       point.p_recovered = recovered_(piece.patch, point.s);
       point.u = u[q];
-      point.u_n = closing[q] * rule.normals[q];
+      point.direction = rule.directions[q];
+      point.u_n = closing[q] * point.direction;
       point.g = condition.data->value(point.x);
       if (P_.has_friction())
-        point.friction = friction_at(piece.patch, condition, point, closing[q], rule.normals[q]);
+        point.friction = friction_at(piece.patch, condition, point, closing[q]);
       if constexpr (dim == 2)
         if (piece.opposite) {
           const Tensor<1, dim> n = rule.normals[q];
@@ -157,8 +162,8 @@ public:
 
 private:
   FrictionPoint friction_at(const unsigned int patch, const BoundaryCondition<dim> &condition,
-                            const ContactPoint<dim> &at, Tensor<1, dim> slip,
-                            const Tensor<1, dim> &normal) const {
+                            const ContactPoint<dim> &at, Tensor<1, dim> slip) const {
+    const Tensor<1, dim> &m = at.direction;
     const NodeState state = P_.state(multipliers_.nearest_node(patch, at.s));
     FrictionPoint point;
     point.q_H = multipliers_.value(P_.values(), patch, at.s, 1);
@@ -167,14 +172,14 @@ private:
     if (condition.exact_friction != nullptr)
       point.q_exact = condition.exact_friction->value(at.x);
     if constexpr (dim == 2)
-      point.slip = slip * direction_of(Component::tangential, normal) -
+      point.slip = slip * direction_of(Component::tangential, m) -
                    (condition.shift != nullptr ? condition.shift->value(at.x) : 0.);
     else {
       for (unsigned int d = 0; d < dim && condition.shift != nullptr; ++d)
         slip[d] -= condition.shift->value(at.x, d);
-      point.slip_vector = slip - (slip * normal) * normal;
+      point.slip_vector = slip - (slip * m) * m;
       point.slip = point.slip_vector.norm();
-      point.traction = tangential_traction(multipliers_, P_, patch, at.s, normal);
+      point.traction = tangential_traction(multipliers_, P_, patch, at.s, m);
       point.q_H = point.traction.norm();
     }
     return point;
@@ -217,6 +222,7 @@ TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                        piece.patch,
                        patch.measure,
                        surface.condition(piece).opposite,
+                       !surface.condition(piece).directions.are_normals(),
                        {points.begin(), middle},
                        {middle, points.end()}});
   }
@@ -235,10 +241,18 @@ static bool has_pairs(const TracedContact<dim> &contact) {
                      [](const auto &piece) { return piece.opposite.has_value(); });
 }
 
+/** Returns whether contact acts along the normals of planes somewhere. */
+template <int dim>
+static bool has_directions(const TracedContact<dim> &contact) {
+  return std::any_of(contact.begin(), contact.end(),
+                     [](const auto &piece) { return piece.has_direction; });
+}
+
 template <int dim>
 void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact) {
   const bool has_friction = !contact.empty() && contact.front().rows.front().friction;
-  const Columns<ContactRow<dim>> columns = contact_columns<dim>(has_friction, has_pairs(contact));
+  const Columns<ContactRow<dim>> columns =
+    contact_columns<dim>(has_friction, has_pairs(contact), has_directions(contact));
   stream << "side," << csv_header(columns) << "\n";
   for (const ContactPiece<dim> &piece : contact)
     for (const ContactPoint<dim> &point : piece.rows)
@@ -278,7 +292,7 @@ template <int dim>
 void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
                        const std::vector<double> &bound) {
   VtuCells<dim - 1> cells;
-  const bool with_opposite = has_pairs(contact);
+  const bool with_opposite = has_pairs(contact), with_directions = has_directions(contact);
   constexpr unsigned int n_corners = GeometryInfo<dim - 1>::vertices_per_cell;
   /** Adds the corners of one side, which may touch another one. */
   const auto add_side = [&](const ContactPiece<dim> &piece, const std::size_t first,
@@ -299,6 +313,8 @@ void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
         all.emplace_back("opposite", is_second ? own : other);
       if (!bound.empty())
         all.emplace_back("bound_contact", bound[piece.face]);
+      for (unsigned int d = 0; d < 3 && with_directions; ++d)
+        all.emplace_back("contact_direction", d < dim ? point.direction[d % dim] : 0.);
       const VtuFields common = common_fields(point);
       all.insert(all.end(), common.begin(), common.end());
       fields.push_back(std::move(all));

@@ -62,6 +62,8 @@ void write_scene_json(std::ostream &stream, const Scene<2> &scene,
       side["points"].push_back(AnswerVector(samples.points[k]));
       side["normals"].push_back(AnswerVector(samples.normals[k]));
       side["values"].push_back(samples.values[k]);
+      if (!scene.boundary[i].directions.are_normals())
+        side["directions"].push_back(AnswerVector(scene.contact_direction(i, samples.points[k])));
     }
     for (const Plate &plate : scene.plates)
       if (plate.side == i)

@@ -44,10 +44,10 @@ PointMotions with_forces_at_points(FreeMotions motions, const Discretization<2> 
     for (unsigned int j = 0; j < modes.size(); ++j) {
       const auto z = traces.displacement(surface, piece, rule, modes.Z[j]);
       for (std::size_t e = 0; e < ends.size(); ++e) {
-        motions.B(ends.size() * i + e, j) = z[e] * rule.normals[e];
+        motions.B(ends.size() * i + e, j) = z[e] * rule.directions[e];
         if (has_friction)
           motions.B(n + ends.size() * i + e, j) =
-            z[e] * direction_of(Component::tangential, rule.normals[e]);
+            z[e] * direction_of(Component::tangential, rule.directions[e]);
       }
     }
     for (std::size_t e = 0; has_friction && e < ends.size(); ++e) {

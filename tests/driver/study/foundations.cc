@@ -6,6 +6,9 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <array>
+#include <cmath>
+
 #include "graded_steps.h"
 #include "tests.h"
 
@@ -74,6 +77,85 @@ void test_groove(Checks &checks) {
                 dealii::Point<2>(i == 0 ? -1. : 1., 1.), 1e-9);
 }
 
+/** A rounded foot, which a plane dents in: without friction it exerts no force along itself,
+ * however the foot is tilted; along the body's normals it does. Bounds of the energy on coarse
+ * meshes contain those on fine ones. */
+void test_foot(Checks &checks) {
+  const std::string foot =
+    "Geometry/Shape = polygon\n"
+    "Geometry/Vertices = 0,0 fillet 0.5; 1,0 fillet 0.4; 1,1; 0,1\nBoundary/Clamped = side2\n"
+    "Boundary/Contact = fillet0 side0 fillet1\nContact/Foundation = plane 0,0.15 normal 0,1\n";
+  for (const std::string direction : {"foundation", "body"}) {
+    checks.about("foot, direction of the " + direction);
+    std::vector<std::array<double, 2>> brackets;
+    for (std::vector<std::string> overrides : {levels(2, 3), graded("1e-2"), graded("3e-3")}) {
+      overrides.push_back("Contact/Direction=" + direction);
+      const StudyResult<2> result = solve(foot, overrides);
+      const auto force = result.levels.back().answer.contact_force.resultant.force;
+      checks.that("no force along the plane",
+                  (std::abs(force[0]) <= 1e-12 * force[1]) == (direction == "foundation"));
+      checks.between("the force is ∫ p", force[1] / last(result, "contact_force_n"),
+                     direction == "foundation" ? 1. - 1e-12 : 0.8,
+                     direction == "foundation" ? 1. + 1e-12 : 0.99);
+      brackets.push_back({{last(result, "energy_lower"), last(result, "energy_upper")}});
+      for (const auto &[lower, upper] : brackets)
+        checks.that("brackets have numbers in common",
+                    lower <= brackets.back()[1] && brackets.back()[0] <= upper);
+    }
+  }
+}
+
+/** A half disc whose flat side is pressed and pushed along an oblique plane, and the same turned by
+ * 0.3 about the origin: the same digits but for rounding. The zone is not in the middle of the arc,
+ * and the normals in it are not those of the plane. */
+void test_turned(Checks &checks) {
+  const auto press = [](const std::string &angle, const std::string &friction) {
+    return solve("Constants/Values = a=" + angle +
+                   ", c=cos(a), s=sin(a), C=cos(a+0.2), S=sin(a+0.2)\nGeometry/Shape = polygon\n"
+                   "Geometry/Vertices = -c,-s; arc 0,0 ccw; c,s; 0.3*c,0.3*s\n"
+                   "Boundary/Displacement = side1: -0.02*s+0.01*c; -0.02*c-0.01*s | "
+                   "side2: 0.02*s+0.01*c; -0.02*c+0.01*s\n"
+                   "Boundary/Contact = side0\n"
+                   "Contact/Foundation = plane S,-C normal -S,C\n" +
+                   friction,
+                 levels(2, 3, {"Output/VTU=none"}));
+  };
+  for (const std::string friction :
+       {"", "Contact/Friction = tresca\nContact/Friction bound = 0.01\n",
+        "Contact/Friction = coulomb\nContact/Friction coefficient = 0.2\n"}) {
+    checks.about("turned, " + friction);
+    const StudyResult<2> straight = press("0", friction), turned = press("0.3", friction);
+    for (const char *column : {"energy", "contact_force_n", "peak_pressure", "contact_length"})
+      checks.near(column, last(turned, column) / last(straight, column), 1., 1e-9);
+    const auto force = straight.levels.back().answer.contact_force.resultant.force,
+               other = turned.levels.back().answer.contact_force.resultant.force;
+    const dealii::Point<2> m(std::sin(0.2), -std::cos(0.2));
+    checks.near("the force turns", other[0], std::cos(0.3) * force[0] - std::sin(0.3) * force[1],
+                1e-9 * std::abs(force[1]));
+    const double along =
+      std::abs(force[0] * m[1] - force[1] * m[0]) / last(straight, "contact_force_n");
+    if (friction.empty())
+      checks.near("no force along the plane", along, 0., 1e-12);
+    else
+      checks.between("friction", along, 0.01, 0.2 + 1e-9);
+  }
+}
+
+/** A disc spring between plates, whose edges roll on these: stiff elastic bodies in place of the
+ * plates give 4081 N. */
+void test_disc_spring(Checks &checks) {
+  const StudyResult<2> result =
+    solve("Constants/Values = a=12.7, b=25, t=3, h=1.1, c=h/(b-a), L=sqrt(1+c^2)\n"
+          "Geometry/Shape = polygon\nGeometry/Vertices = b-t*c/L, 0 fillet 0.3; b, t/L fillet 0.3; "
+          "a+t*c/L, h+t/L fillet 0.3; a, h fillet 0.3\n"
+          "Material/Young's modulus = 206000\nMaterial/Poisson's ratio = 0.3\n"
+          "Material/Plane state = axisymmetric\nBoundary/Contact = fillet0 fillet2\n"
+          "Contact/Foundation = plane 0,0.0261193 normal 0,1 | plane 0,4.06196-0.236 normal 0,-1\n",
+          graded("1e-2"));
+  checks.near("disc spring", result.levels.back().answer.contact_by_side.at(0).resultant.force[1],
+              4081., 15.);
+}
+
 /** A roller in a groove of twice its radius, by Hertz: half the zone is b with b² = 4 F R_* /(pi
  * E*), the peak 2 F/(pi b); here E* = 8/3, 1/R_* = 1 - 1/2. The law holds up to (b/R)² = 0.014;
  * rollers on planes are in tests/driver/benchmarks. */
@@ -99,5 +181,7 @@ void test_hertz(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {test_digits, test_small_disc, test_groove, test_hertz});
+  return run_tests(argc, argv,
+                   {test_digits, test_small_disc, test_groove, test_foot, test_turned,
+                    test_disc_spring, test_hertz});
 }

@@ -171,6 +171,58 @@ void test_gaps(Checks &checks) {
   }
 }
 
+/** Planes act along their own normals on all of a round side, whose gap then is the height above
+ * them; where there are several, the nearest one that the body faces. */
+void test_planes(Checks &checks) {
+  const double R = 2., largest = 40.;
+  const Side<2> arc = make_half_disc(R).sides[1], flat = make_half_disc(R).sides[0];
+  const auto ground = std::make_shared<Foundation>(
+    std::vector<Obstacle>{Obstacle::plane(Point(0., -R), Vector({0., 5.}))}, largest);
+  const ContactDirections below(arc, *ground, Vector({0., -0.25}));
+  const auto height = foundation_gap(arc, ground, Vector({0., -0.25}), below);
+  checks.that("one plane, one direction", below.changes().empty() && !below.are_normals());
+  for (double s = 0.05; s < arc.length(); s += 0.1) {
+    checks.near("along the plane's normal", (*below.at(s) - down).norm(), 0., 1e-15);
+    checks.near("the gap is the height", height->value(arc.point(s)), arc.point(s)[1] + R + 0.25,
+                1e-14);
+  }
+  checks.that("a straight side that is parallel keeps its normal",
+              ContactDirections(
+                flat, Foundation({Obstacle::plane(Point(0., 1.), Vector({0., -3.}))}, largest), {})
+                .are_normals());
+  // A groove about the line that is tilted by 0.1: the nearest plane changes at the lowest point of
+  // that line, and beside the groove planes go on.
+  const double tilt = 0.1;
+  const Vector left = at_angle(PI / 4. + tilt), to_right = at_angle(3. * PI / 4. + tilt);
+  const Foundation groove({Obstacle::plane(Point(-2. * R * left), left),
+                           Obstacle::plane(Point(-2. * R * to_right), to_right)},
+                          largest);
+  const ContactDirections two(arc, groove, {});
+  const double bottom = arc.arc_length(Point(R * at_angle(-PI / 2. + tilt)));
+  checks.near("a groove", two.changes().size(), 1., 0.);
+  checks.near("the nearest plane changes", two.changes().at(0), bottom, 1e-12);
+  for (const double s : {bottom - 0.3, bottom + 0.3})
+    checks.near("the plane on this side", *two.at(s) * arc.normal(s), std::cos(PI / 4. - 0.3 / R),
+                1e-12);
+  checks.that("changes lie between", two.change_between(bottom - 1e-9, bottom + 1e-9) &&
+                                       !two.change_between(bottom + 1e-9, arc.length()));
+  // Between two plates: a side does not belong to the one behind the body, however near it is.
+  const Foundation plates(
+    {Obstacle::plane(Point(0., -30.), up), Obstacle::plane(Point(0., 0.), down)}, largest);
+  checks.near("the plate in front", (*ContactDirections(arc, plates, {}).at(bottom) - down).norm(),
+              0., 1e-15);
+  const Obstacle disc = Obstacle::circle(Point(0., -5.), 2., Body::outside);
+  checks.that("round things",
+              ContactDirections(arc, Foundation({disc}, largest), {}).are_normals() &&
+                !disc.direction());
+  checks.near("their normals",
+              (*disc.normal_at_entry(Point(0., 0.), down) - up).norm() +
+                (*Obstacle::parabola(Point(0., 0.), up, 1.).normal_at_entry(Point(1., 3.), down) -
+                 Vector({-1., 1.}) / std::sqrt(2.))
+                  .norm(),
+              0., 1e-15);
+}
+
 Scene<2> scene(std::vector<std::string> settings) {
   settings.insert(settings.end(), {"Boundary/Clamped=top", "Boundary/Contact=bottom, left"});
   return make_scene<2>(parse_parameters("", "foundation.prm", settings));
@@ -205,5 +257,5 @@ void test_scenes(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests({test_lines, test_digits, test_directions, test_gaps, test_scenes});
+  return run_tests({test_lines, test_digits, test_directions, test_gaps, test_planes, test_scenes});
 }

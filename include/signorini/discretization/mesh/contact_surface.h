@@ -35,6 +35,8 @@ struct Patch {
   Point<dim - 1> lower, upper;
   /** The measure |τ| (length^{dim-1}). */
   double measure;
+  /** Whether contact acts along several directions on it, one on each piece. */
+  bool mixes = false;
 
   Point<dim - 1> centre() const {
     return lower + 0.5 * (upper - lower);
@@ -104,6 +106,8 @@ struct SurfaceRule {
   std::vector<Point<dim>> points;
   /** The outward unit normals. */
   std::vector<Tensor<1, dim>> normals;
+  /** The directions m of contact, mostly the normals: u.m <= g, and p m is the traction. */
+  std::vector<Tensor<1, dim>> directions;
   /** The quadrature weights times the surface element (length^{dim-1}). */
   std::vector<double> weights;
   /** In a pair: the points along the normals, in the reference coordinates of the face of the other
@@ -127,7 +131,7 @@ struct FaceSpan {
 };
 
 /** A piece face ∩ τ, in a pair of bodies face ∩ face ∩ τ: traces of V^h are polynomials on it, and
- * so are multipliers. */
+ * so are multipliers. It lies in one part of ContactDirections. */
 template <int dim>
 struct Piece {
   /** The numbers of the contact face and of the patch. */
@@ -254,8 +258,8 @@ private:
   void divide(const Partition &partition);
   /** Sets has_unstable_patch_, and keeps the pieces of this rank only. */
   void keep_own_pieces();
-  /** Fills SurfaceRule::on_opposite. */
-  void find_opposite(const Piece<dim> &piece, SurfaceRule<dim> &rule) const;
+  /** Fills SurfaceRule::directions and on_opposite. */
+  void complete(const Piece<dim> &piece, SurfaceRule<dim> &rule) const;
   /** Fills Piece::on_mesh with the given numbers of points, by active cell. */
   void place_points(const std::vector<unsigned int> &n_points);
 

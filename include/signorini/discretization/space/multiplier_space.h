@@ -138,10 +138,10 @@ dealii::Vector<double> integrate_against_multipliers(const MultiplierSpace<dim> 
   return moments;
 }
 
-/** A component of a vector on Γ_c: along the outward normal n, or along a tangent. In the plane the
- * tangent is n turned counter-clockwise. In space there are two: the first is the part of the x
- * axis in the side (of the y axis where the side is nearly perpendicular to x), the second is n ×
- * that. */
+/** A component of a vector on Γ_c: along the direction m of contact, mostly the outward normal, or
+ * along a tangent. In the plane the tangent is m turned counter-clockwise. In space m = n, and
+ * there are two: the first is the part of the x axis in the side (of the y axis where the side is
+ * nearly perpendicular to x), the second is n × that. */
 enum class Component { normal, tangential, second_tangential };
 
 /** Returns the components of P_t. */
@@ -153,9 +153,9 @@ std::vector<Component> tangents() {
     return {Component::tangential, Component::second_tangential};
 }
 
-/** Returns n or a tangent. */
+/** Returns m or a tangent. */
 template <int dim>
-Tensor<1, dim> direction_of(Component component, const Tensor<1, dim> &normal);
+Tensor<1, dim> direction_of(Component component, const Tensor<1, dim> &m);
 
 /**
  * Returns G_k = ∫ g ψ_k (length^dim), with @p n_points Gauss points per direction and part of a
@@ -202,8 +202,8 @@ private:
 template <int dim>
 Coupling sum_columns(const DisplacementSpace<dim> &space, std::vector<Coupling::Column> parts);
 
-/** Assembles D_jk = ∫_{Γ_c} φ_j.n ψ_k, integrated exactly on the pieces face ∩ patch; with a
- * tangent in the place of n if the component is tangential.
+/** Assembles D_jk = ∫_{Γ_c} φ_j.m ψ_k, integrated exactly on the pieces face ∩ patch; with a
+ * tangent in the place of m if the component is tangential.
  * @param share of the sides that are named first, and of their opposites. */
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,

@@ -8,6 +8,7 @@
 
 #include <deal.II/base/polynomial.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <optional>
@@ -44,7 +45,8 @@ struct FacePolynomial {
 using FaceVector = std::array<FacePolynomial, 2>;
 
 /** A contact face with d = ũ_n - g on it, as a function of t in [0,1] from vertex 0 to vertex 1 of
- * the face. In a pair ũ_n is that of both bodies, and d belongs to faces of the carrier; beyond the
+ * the face. Here and below v_n is v.m with the direction m of contact, and v_t that along its
+ * tangent. In a pair ũ_n is that of both bodies, and d belongs to faces of the carrier; beyond the
  * other side d goes on as a constant, or falls to zero at a node that a support holds. */
 struct PenetrationFace {
   using Dofs = std::array<types::global_dof_index, 2>;
@@ -69,12 +71,14 @@ struct PenetrationFace {
   std::vector<Polynomial> basis;
   /** The numbers of the conditions at the nodes, see ContactTrace::conditions(). */
   std::vector<unsigned int> conditions;
-  /** The part of a patch on the face, and whether p_H presses and friction holds it there. In a
-   * pair also the place on the other face. */
+  /** The part of a patch on the face, whether p_H presses and friction holds it there, and the
+   * direction of contact where that is not the normal. In a pair also the place on the other face.
+   */
   struct Pressed {
     double from, to;
     bool presses, sticks;
     std::optional<PieceOnFace> other;
+    std::optional<Tensor<1, 2>> direction;
 
     /** Returns the parameter of the other face at t. */
     double on_other(double t) const;
@@ -97,10 +101,12 @@ struct PenetrationFace {
   Point<2> point(const double t) const {
     return line.point(t * length());
   }
-  /** Returns n or t at a point of the face. */
+  /** Returns the direction m of contact or its tangent at a point of the face. */
   Tensor<1, 2> direction(Component component, double t) const;
-  /** Returns d/dt of direction(), zero on segments. */
+  /** Returns d/dt of direction(), zero on segments and where contact acts along planes' normals. */
   Tensor<1, 2> turning(Component component, double t) const;
+  /** Returns whether contact acts along several directions on the face. */
+  bool mixes() const;
   /** Returns whether there is a d on the face. */
   bool is_contact() const {
     return !pressures.empty();
@@ -208,6 +214,11 @@ public:
   }
   /** Returns ∫ τ_n d + τ_t (ũ_t - g_t) over Γ_c, by the same points. */
   double work_of_penetration() const;
+  /** Returns whether contact acts along several directions on a face. */
+  bool mixes() const {
+    return std::any_of(faces_.begin(), faces_.end(),
+                       [](const PenetrationFace &face) { return face.mixes(); });
+  }
   /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */
   double max_penetration() const {
     return max_;

@@ -47,9 +47,9 @@ using PolynomialLoad = std::vector<Tensor<1, 2>>;
  * traces are all tractions of degree q that are in balance: the rank of N is 8 (q + 1) - 3.
  *
  * In the triangle of an edge that is an arc φ goes on, and stresses are τ - L(τ n) + L(λ): the
- * ArcLift L replaces the traction of τ by λ, polynomials of the angle, which are 2 (q + 1) further
- * functions and the traces on this edge. The conditions of the lift on λ - τ n are five further
- * traces, which are zero.
+ * ArcLift L replaces the traction of τ by λ, polynomials of the angle along n and t, or along the
+ * direction of contact and its tangent, which are 2 (q + 1) further functions and the traces on
+ * this edge. The conditions of the lift on λ - τ n are five further traces, which are zero.
  *
  * With the Gram matrix G of these stresses in the norm ‖.‖_{E⁻¹}, the traces y in balance cost the
  * energy yᵀ S y, S = (N G⁻¹ Nᵀ)⁺. G = RᵀR is not formed: lifts of one more degree are nearly

@@ -10,6 +10,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <array>
+#include <optional>
 
 namespace Signorini {
 /** A 2-D stress (s11, s22, s12) or strain (e11, e22, 2 e12): s * e is their scalar product. */
@@ -69,6 +70,9 @@ struct CellShape {
 
   std::array<Point<2>, 4> corners;
   ArcCentres centres;
+  /** The directions of contact on edges that are arcs, where they are not the normals: components
+   * of tractions there are those of TractionEdge. */
+  std::array<std::optional<Tensor<1, 2>>, 4> directions;
   /** Whether the cell is a parallelogram. */
   bool affine;
   /** The point in which the diagonals meet. */
@@ -95,7 +99,9 @@ struct CellShape {
       if (centres[k])
         shape.centres[k] = x(*centres[k]);
     }
-    return CellShape(shape.corners, shape.centres);
+    CellShape result(shape.corners, shape.centres);
+    result.directions = directions;
+    return result;
   }
   /** Returns the cell with the crossing at the origin. */
   CellShape seen_from_crossing() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/error_control/equilibration/cell_shape.h>
 #include <signorini/error_control/equilibration/equilibration_mesh.h>
 
@@ -9,14 +10,17 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace Signorini {
 /** Returns the forces (two) and the moments about a point of Legendre's polynomials as τ_nn (first)
  * and τ_nt on a segment or an arc. @param side 1 if the body is on the left of the line, else -1.
+ * @param direction that of TractionEdge.
  */
 std::vector<Tensor<1, 3>> resultants(const Curve &line, double side, unsigned int degree,
-                                     const Point<2> &about);
+                                     const Point<2> &about,
+                                     const std::optional<Tensor<1, 2>> &direction = {});
 
 /**
  * A line of the mesh that carries a traction; where a node hangs, the longer line. The traction is
@@ -39,6 +43,12 @@ struct TractionEdge {
   std::array<bool, 2> is_free = {{true, true}};
   /** Whether it carries the traction of a pair of sides, see SharedPart. */
   bool is_shared = false;
+  /** The direction m of contact, where that is not the normal: the components of the traction are
+   * those along m and along the tangent of m, in place of τ_nn and τ_nt. */
+  std::optional<Tensor<1, 2>> direction = {};
+  /** Whether contact acts along several directions on the edge. Then nothing presses there: no
+   * polynomials are tractions of all of them. */
+  bool mixes = false;
 
   double length() const {
     return line.length();
@@ -51,12 +61,17 @@ struct TractionEdge {
   double position_of(const Point<2> &x) const {
     return line.arc_length(x) / length();
   }
+  /** Returns the direction of a component of the traction, for the outward normal. */
+  Tensor<1, 2> axis(const unsigned int component, const Tensor<1, 2> &n) const {
+    return direction_of(component == 0 ? Component::normal : Component::tangential,
+                        direction.value_or(n));
+  }
   /** Returns the forces and moments of the coefficients of a boundary edge. */
   std::vector<Tensor<1, 3>> resultants(const Geometry<2> &geometry, const Point<2> &about) const {
     const Point<2> middle = point(0.5);
     const Tensor<1, 2> n = geometry.sides[side].normal_at(middle, middle);
     return Signorini::resultants(line, line.normal(0.5 * length()) * n > 0. ? 1. : -1., degree,
-                                 about);
+                                 about, direction);
   }
   unsigned int n_coefficients() const {
     return 2 * (degree + 1);

@@ -9,12 +9,12 @@
 #include <vector>
 
 namespace Signorini {
-/** Returns the force and the moment of p_H n + q_H on a piece of Γ_c. */
+/** Returns the force and the moment of p_H m + q_H on a piece of Γ_c. */
 template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
                                  const Multiplier &multiplier, const Piece<dim> &piece);
 
-/** Returns u_{h,n} - g at the points of a rule on a piece, positive where the body penetrates, or
+/** Returns u_h.m - g at the points of a rule on a piece, positive where the body penetrates, or
  * the slip u_{h,t} - g_t; g is that of @p scene, whose contact sides are those of the surface.
  * @throws InputError where g has no value. */
 template <int dim>
@@ -23,8 +23,8 @@ std::vector<double> penetration(const Scene<dim> &scene, const ContactSurface<di
                                 const Displacement &U, TraceValues<dim> &traces,
                                 Component component = Component::normal);
 
-/** Returns ∫_{Γ_c} q φ_j.n for all j, as the column of a coupling: @p values_on (piece, rule) is q
- * at the points of @p rule_on (piece). With t in the place of n if the component is tangential. */
+/** Returns ∫_{Γ_c} q φ_j.m for all j, as the column of a coupling: @p values_on (piece, rule) is q
+ * at the points of @p rule_on (piece). With t in the place of m if the component is tangential. */
 template <int dim, typename RuleOn, typename ValuesOn>
 Coupling::Column contact_load(const DisplacementSpace<dim> &space,
                               const ContactSurface<dim> &surface, const RuleOn &rule_on,
@@ -42,7 +42,7 @@ Coupling::Column contact_load(const DisplacementSpace<dim> &space,
         for (unsigned int j = 0; j < indices.size(); ++j)
           load[indices[j]] += sign * q[k] * rule.weights[k] *
                               (values[FEValuesExtractors::Vector(0)].value(j, k) *
-                               direction_of(component, rule.normals[k]));
+                               direction_of(component, rule.directions[k]));
     }
   }
   return load;

@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace Signorini {
-/** The largest u_{h,n} - g, positive where the body penetrates (length). */
+/** The largest u_h.m - g, positive where the body penetrates (length). */
 struct Penetration {
   double value = 0.;
   BoundaryPlace place;
@@ -41,8 +41,8 @@ struct Answer {
   std::vector<ContactZone> zones;
   /** The penetration; empty without a contact side. */
   std::optional<Penetration> penetration;
-  /** The largest |n_1 + n_2| of the unit normals of two sides where they press: the angle by which
-   * they are not opposite. */
+  /** The largest |m + n_2| of the direction of contact and the unit normal of the other side of a
+   * pair, or of the obstacle, where they press: the angle by which they are not opposite. */
   double turn_of_normals = 0.;
   VonMises von_mises;
   /** The places of Output/Report. */
@@ -52,7 +52,7 @@ struct Answer {
 };
 
 /**
- * Returns the largest u_{h,n} - g at 17 points of every piece, in 3-D at 5 x 5.
+ * Returns the largest u_h.m - g at 17 points of every piece, in 3-D at 5 x 5.
  * @throws InputError where g has no value.
  */
 template <int dim>

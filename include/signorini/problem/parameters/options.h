@@ -71,6 +71,14 @@ enum class Element {
   q2
 };
 
+/** The direction along which contact with planes of a foundation acts. */
+enum class ContactDirection {
+  /** The plane's own normal. */
+  foundation,
+  /** The outward normal of the body, as in the paper. */
+  body
+};
+
 /** The law of friction on the contact sides. */
 enum class Friction {
   none,

@@ -117,6 +117,7 @@ struct ContactParameters {
   /** The rigid obstacles in place of the gap. */
   Given<std::string> foundation;
   Given<std::string> foundation_position{"0, 0"};
+  Given<ContactDirection> direction{ContactDirection::foundation};
   Given<Friction> friction{Friction::none};
   Given<std::string> friction_coefficient;
   Given<std::string> friction_bound;

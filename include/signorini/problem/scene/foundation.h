@@ -50,6 +50,14 @@ public:
    * lies in it. A line that misses does not count, although distance() has a value for it. */
   bool is_hit_by_line(const Point<2> &x, const Tensor<1, 2> &n, double reach) const;
 
+  /** Returns the direction into a plane, along which it acts whatever the body's normal is; none
+   * for others. */
+  std::optional<Tensor<1, 2>> direction() const;
+
+  /** Returns the unit normal, out of the obstacle, where the line x + t n, |n| = 1, enters it; none
+   * where distance() is empty. */
+  std::optional<Tensor<1, 2>> normal_at_entry(const Point<2> &x, const Tensor<1, 2> &n) const;
+
   /** Returns a point of a plane or a parabola, or the centre of a circle. */
   const Point<2> &anchor() const;
 
@@ -86,6 +94,19 @@ public:
    */
   double gap(const Point<2> &x, const Tensor<1, 2> &n) const;
 
+  /**
+   * Returns the direction m of contact at a point of a body with the outward normal n: that of the
+   * obstacle with the smallest distance, which is measured into a plane that n faces, and along n
+   * for others. None stands for n itself. Where n faces nothing, a plane that it faces elsewhere on
+   * a round side goes on acting, unless the point lies behind it: a gap that jumps to a large
+   * number has moments of both signs.
+   */
+  std::optional<Tensor<1, 2>> direction(const Point<2> &x, const Tensor<1, 2> &n) const;
+
+  /** Returns the unit normal of the obstacle to which gap() is the distance; none where that is
+   * max_gap(). */
+  std::optional<Tensor<1, 2>> normal_at_entry(const Point<2> &x, const Tensor<1, 2> &n) const;
+
   double max_gap() const {
     return max_gap_;
   }
@@ -99,13 +120,44 @@ private:
 };
 
 /**
- * Returns the gap g(x) of (1) on a side (length): the distance along its outward normal n(x) to the
- * foundation that was moved by @p position. Points beside a curved side count as those of the side
- * with the same arc length. Thread-safe.
+ * The directions m along which contact acts on a side: u.m <= g and sigma n = p m. On each of the
+ * parts of the side m is constant, a plane's direction, or it is the outward normal n of the body.
+ */
+class ContactDirections {
+public:
+  /** Makes those of the paper, n everywhere. */
+  ContactDirections() = default;
+  /** Makes those of a foundation that was moved by @p position. Parts end where another obstacle is
+   * the nearest one, found by samples: on a part that they miss m is that of its neighbours, and
+   * the gap along that still counts all obstacles. */
+  ContactDirections(const Side<2> &side, const Foundation &foundation,
+                    const Tensor<1, 2> &position);
+
+  /** Returns m on the part with the arc length s; none stands for n. */
+  std::optional<Tensor<1, 2>> at(double s) const;
+  /** Returns the arc lengths at which parts end, without the ends of the side. */
+  const std::vector<double> &changes() const {
+    return changes_;
+  }
+  /** Returns whether a part ends between two arc lengths. */
+  bool change_between(double from, double to) const;
+  /** Returns whether contact acts along n everywhere. */
+  bool are_normals() const;
+
+private:
+  std::vector<double> changes_;
+  /** Those of the parts, one more than changes; empty: normals. */
+  std::vector<std::optional<Tensor<1, 2>>> of_parts_;
+};
+
+/**
+ * Returns the gap g(x) of (1) on a side (length): the distance along the direction of contact to
+ * the foundation that was moved by @p position. Points beside a curved side count as those of the
+ * side with the same arc length. Thread-safe.
  */
 std::shared_ptr<const Function<2>>
 foundation_gap(const Side<2> &side, const std::shared_ptr<const Foundation> &foundation,
-               const Tensor<1, 2> &position);
+               const Tensor<1, 2> &position, const ContactDirections &directions = {});
 
 /**
  * Returns the gap of a pair of sides: @p given in addition to the distance along the outward normal

@@ -120,7 +120,8 @@ enum class Role {
   displacement,
   /** sigma n is given. */
   traction,
-  /** u.n <= g, sigma_n <= 0, sigma_n (u.n - g) = 0; sigma_T = 0, or the law of friction. */
+  /** u.m <= g, sigma n = p m, p <= 0, p (u.m - g) = 0 with the direction m of contact, mostly n;
+   * or with the law of friction across m. */
   contact,
   /** A contact side of another body touches this one, whose traction is that of the contact side
    * with the other sign. */
@@ -149,11 +150,14 @@ struct BoundaryCondition {
    * groups of faces. */
   unsigned int n_patches = 0;
   /** The obstacles of a contact side whose gap is the distance to them; foundation_gap(side,
-   * foundation, position) computes the gap for another position of theirs. Else empty. */
+   * foundation, directions, position) computes the gap for another position of theirs. Else empty.
+   */
   std::shared_ptr<const Foundation> foundation = nullptr;
+  /** The directions of contact, in 2-D. Load cases that move the foundation keep them. */
+  ContactDirections directions = {};
   /** With friction: Coulomb's coefficient f or Tresca's bound s, and the tangential motion g_t of
    * the foundation, empty where it rests: in the plane along t, in space a vector whose tangential
-   * part counts. The tangent t is n turned counter-clockwise. */
+   * part counts. The tangent t is m turned counter-clockwise. */
   FunctionPointer<dim> friction = nullptr;
   FunctionPointer<dim> shift = nullptr;
   /** The exact tangential traction q = σn·t of a contact side, if known. */
@@ -198,6 +202,8 @@ struct Scene {
   std::vector<unsigned int> contact_sides() const;
   /** Returns whether a contact side touches another body. */
   bool has_pairs() const;
+  /** Returns the direction m of contact at a point of a side; on sides of other roles n. */
+  Tensor<1, dim> contact_direction(unsigned int side, const Point<dim> &x) const;
   /** Returns BoundaryCondition::n_patches of all sides. */
   std::vector<unsigned int> given_patches() const;
   /** Returns whether p is known on every contact side. */

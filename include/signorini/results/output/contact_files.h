@@ -55,6 +55,8 @@ struct ContactPoint {
   double p_H = 0.;
   double p_recovered = 0.;
   Tensor<1, dim> u;
+  /** The direction m of contact, and u.m. */
+  Tensor<1, dim> direction;
   double u_n = 0.;
   double g = 0.;
   std::optional<double> p_exact;
@@ -63,7 +65,7 @@ struct ContactPoint {
 
   template <typename Archive>
   void serialize(Archive &archive, unsigned int) {
-    archive &s &x &p_H &p_recovered &u &u_n &g;
+    archive &s &x &p_H &p_recovered &u &direction &u_n &g;
     archive_optional(archive, p_exact);
     archive_optional(archive, friction);
     archive_optional(archive, opposite);
@@ -80,6 +82,8 @@ struct ContactPiece {
   double patch_measure;
   /** The number of the side of another body that it may touch. */
   std::optional<unsigned int> opposite;
+  /** Whether contact acts along the normals of planes on the side. */
+  bool has_direction;
   /** The points of tables. A piece with a constant has its middle; a piece with polynomials has its
    * ends, the nodes of the multipliers, and the middles between all of these, in the order of arc
    * length. */
@@ -90,7 +94,7 @@ struct ContactPiece {
 
   template <typename Archive>
   void serialize(Archive &archive, unsigned int) {
-    archive &side &side_number &face &patch &patch_measure &rows &corners;
+    archive &side &side_number &face &patch &patch_measure &has_direction &rows &corners;
     archive_optional(archive, opposite);
   }
 };
