@@ -46,10 +46,21 @@ public:
   }
   /** Evaluates one branch of an undecided switch. */
   BoxRun on_branch(const Index number, const bool after) const {
-    BoxRun result(*this);
-    result.parts_[number] = {parts_[number].value.upper() - (after ? 0. : 1.), true};
-    result.evaluate(box_, parts_.size());
-    return result;
+    return with_fixed(number, parts_[number].value.upper() - (after ? 0. : 1.));
+  }
+  /** Evaluates the branch on which all undecided switches are what they are at a point. @return
+   * nothing if one of them does not change on @p line. */
+  std::optional<BoxRun> beside(const KinkLine<dim> &line, const Point<dim> &x) const {
+    Index number = 0;
+    const auto found = line_of_switch(number);
+    if (!found)
+      return root().undecided == 0 ? std::optional<BoxRun>(*this) : std::nullopt;
+    if (!is_among({line}, *found, box_))
+      return {};
+    return with_fixed(number, value(x, number)).beside(line, x);
+  }
+  double value_at(const Point<dim> &x) const {
+    return median(value(x, formula_.root));
   }
 
   const Box &root() const {
@@ -114,7 +125,7 @@ public:
     std::vector<double> samples;
     BoxRun sample(*this);
     for (Index i = 0; i < stride[dim]; ++i) {
-      const Point<dim> x = box_part(i, n).centre();
+      const Point<dim> x = part_of(box_, i, n).centre();
       sample.evaluate({x, x}, formula_.n_values);
       samples.push_back(median(sample.root().value));
     }
@@ -131,33 +142,34 @@ public:
     const double shown = *high - *low;
     if (fourth <= 0.05 * shown && largest_step(n) <= 0.7 * shown)
       return true;
-    constexpr unsigned int n_parts = 4;
-    bool is_shown = fourth <= 0.002 * shown;
-    BoxRun part(*this);
-    for (Index i = 0; is_shown && i < n_box_parts(n_parts); ++i) {
-      part.evaluate(box_part(i, n_parts), parts_.size());
-      is_shown = part.largest_step(n) <= 0.7 * shown;
-    }
-    return is_shown;
+    constexpr unsigned int most_halvings = 5;
+    return fourth <= 0.002 * shown &&
+           BoxRun(*this).steps_are_small(n, 0.7 * shown, most_halvings, box_);
   }
 
 private:
+  BoxRun with_fixed(const Index number, const Interval &value) const {
+    BoxRun result(*this);
+    result.parts_[number] = {value, true};
+    result.evaluate(box_, parts_.size());
+    return result;
+  }
   const Interval &slope_of(const Index i, const int d) const {
     return parts_[formula_.slopes[i][d]].value;
   }
-  /** Returns part i of the box, which is cut into n parts in each direction in which it has a
-   * width. */
-  FormulaBox<dim> box_part(Index i, const unsigned int n) const {
-    FormulaBox<dim> part = box_;
+  /** Returns part i of a box, which is cut into n parts in each direction in which it has a width.
+   */
+  static FormulaBox<dim> part_of(const FormulaBox<dim> &box, Index i, const unsigned int n) {
+    FormulaBox<dim> part = box;
     for (int d = 0; d < dim; ++d)
-      if (const double width = (box_.upper[d] - box_.lower[d]) / n; width > 0.) {
+      if (const double width = (box.upper[d] - box.lower[d]) / n; width > 0.) {
         part.lower[d] += i % n * width;
         part.upper[d] = part.lower[d] + width;
         i /= n;
       }
     return part;
   }
-  Index n_box_parts(const unsigned int n) const {
+  Index n_parts(const unsigned int n) const {
     Index product = 1;
     for (int d = 0; d < dim; ++d)
       product *= box_.upper[d] > box_.lower[d] ? n : 1;
@@ -171,6 +183,18 @@ private:
       if (const double width = box_.upper[d] - box_.lower[d]; width > 0.)
         step += norm(slope_of(formula_.root, d)) * width / n;
     return step;
+  }
+  /** Returns whether the steps between samples are not above a limit by the slopes in parts of the
+   * box where it was evaluated last. These are halved where their bounds are too large. */
+  bool steps_are_small(const unsigned int n, const double limit, const unsigned int halvings,
+                       const FormulaBox<dim> &part) {
+    evaluate(part, parts_.size());
+    if (largest_step(n) <= limit)
+      return true;
+    bool are_small = halvings > 0;
+    for (Index i = 0; are_small && i < n_parts(2); ++i)
+      are_small = steps_are_small(n, limit, halvings - 1, part_of(part, i, 2));
+    return are_small;
   }
   /** Returns the value of the argument at which a switch changes: what is rounded down changes at
    * the upper one of two values. */
@@ -354,6 +378,25 @@ bool FormulaTree<dim>::is_shown(const FormulaBox<dim> &box, const std::vector<Ki
     return is_shown;
   });
   return is_shown;
+}
+
+template <int dim>
+LineEffect FormulaTree<dim>::effect_of(const KinkLine<dim> &line, const FormulaBox<dim> &box,
+                                       const std::vector<Point<dim>> &points,
+                                       const double tolerance) const {
+  const BoxRun<dim> run(*formula_, box);
+  if (run.root().undecided == 0 || run.bounds().width() <= tolerance)
+    return LineEffect::none;
+  const auto first = run.beside(line, points.front()), second = run.beside(line, points.back());
+  if (!first || !second)
+    return LineEffect::unclear;
+  for (const BoxRun<dim> *const side : {&*first, &*second})
+    if (!(side->bounds().width() <= tolerance || side->is_smooth()))
+      return LineEffect::unclear;
+  const bool agree = std::all_of(points.begin(), points.end(), [&](const Point<dim> &x) {
+    return std::abs(second->value_at(x) - first->value_at(x)) <= tolerance;
+  });
+  return agree ? LineEffect::none : LineEffect::some;
 }
 
 template class FormulaTree<1>;

@@ -16,11 +16,19 @@ constexpr double negligible = 1e-8;
 /** The largest number of lines: more are resolved by boxes. */
 constexpr std::size_t max_lines = 64;
 
-/** A formula, the size of its values, and whether it belongs to the body, not to a side. */
+/** The share of a box by which it overlaps its neighbours, so that a switch between two boxes lies
+ * in both. */
+constexpr double overlap = 1e-7;
+
+/** The distance from a line at which branches are compared, and the difference that counts, as
+ * shares of the body and of the size of the data: a derivative may jump by 1e-5 of that. */
+constexpr double beside_line = 1e-6, least_effect = 1e-11;
+
+/** A formula, the size of its values, and the side that has it; none if the body has it. */
 struct Datum {
   Expression<2> formula;
   double size;
-  bool in_body;
+  const Side<2> *side;
 };
 using Data = std::vector<Datum>;
 
@@ -40,24 +48,65 @@ void append(const FunctionPointer<2> &function, std::vector<Expression<2>> &form
     formulas.insert(formulas.end(), given->components().begin(), given->components().end());
 }
 
-/** Returns whether a formula or its derivatives jump on a line, at one of many points in a box. */
-bool jumps_on(const KinkLine<2> &line, const Datum &datum, const BoundingBox<2> &body) {
-  constexpr int n = 128;
-  constexpr double step = 1e-10, least = 1e-5;
-  const double size = body.side_length(0) + body.side_length(1);
-  const FormulaTree<2> &formula = datum.formula.formula();
-  const Point<2> foot = body.center() - line.signed_distance(body.center()) * line.normal;
-  for (int i = -n; i <= n; ++i) {
-    const Point<2> x = foot + (i + 0.3) * size / n * cross_product_2d(line.normal),
-                   before = x - step * size * line.normal, behind = x + step * size * line.normal;
-    if (!body.point_inside(x))
-      continue;
-    const double jump = std::abs(formula.value(behind) - formula.value(before)),
-                 kink = (formula.gradient(behind) - formula.gradient(before)).norm() * size;
-    if (!(std::max(jump, kink) <= least * datum.size))
-      return true;
+/** Returns the part of a line in a box; two equal points if there is none. */
+std::array<Point<2>, 2> part_in(const KinkLine<2> &line, const BoundingBox<2> &box) {
+  const Tensor<1, 2> along = cross_product_2d(line.normal);
+  const Point<2> foot = box.center() - line.signed_distance(box.center()) * line.normal;
+  double from = -HUGE_VAL, to = HUGE_VAL;
+  for (unsigned int d = 0; d < 2; ++d)
+    if (std::abs(along[d]) > 1e-14) {
+      const double one = (box.lower_bound(d) - foot[d]) / along[d],
+                   other = (box.upper_bound(d) - foot[d]) / along[d];
+      from = std::max(from, std::min(one, other));
+      to = std::min(to, std::max(one, other));
+    }
+  return {{foot + from * along, foot + std::max(from, to) * along}};
+}
+
+/** Returns the box of all points that are not farther from a segment than a vector. */
+FormulaBox<2> box_around(const Point<2> &a, const Point<2> &b, const Tensor<1, 2> &margin = {}) {
+  FormulaBox<2> box = {a, b};
+  for (unsigned int d = 0; d < 2; ++d) {
+    box.lower[d] = std::min(a[d], b[d]) - std::abs(margin[d]);
+    box.upper[d] = std::max(a[d], b[d]) + std::abs(margin[d]);
   }
-  return false;
+  return box;
+}
+
+/** Returns whether data of the body changes on a line anywhere between two of its points. Parts in
+ * which that is unclear are halved, down to some 1e-7 of the body.
+ * @param n_looks the number of looks that are left; if they do not suffice, the data changes. */
+bool changes_between(const Datum &datum, const KinkLine<2> &line, const Point<2> &a,
+                     const Point<2> &b, const double size, unsigned int &n_looks) {
+  constexpr double shortest = 1e-7;
+  constexpr unsigned int n = 8;
+  const Tensor<1, 2> step = beside_line * size * line.normal;
+  std::vector<Point<2>> points;
+  for (unsigned int i = 0; i < n; ++i)
+    for (const double sign : {-0.5, 0.5})
+      points.push_back(a + (i + 0.5) / n * (b - a) + sign * step);
+  const LineEffect effect = datum.formula.formula().effect_of(line, box_around(a, b, step), points,
+                                                              least_effect * datum.size);
+  if (effect != LineEffect::unclear || n_looks == 0)
+    return effect != LineEffect::none;
+  --n_looks;
+  const Point<2> middle = a + 0.5 * (b - a);
+  return a.distance(b) > shortest * size &&
+         (changes_between(datum, line, a, middle, size, n_looks) ||
+          changes_between(datum, line, middle, b, size, n_looks));
+}
+
+/** Returns whether data of a side changes where a line crosses it. */
+bool changes_at_crossing(const Datum &datum, const KinkLine<2> &line, const double size) {
+  const Side<2> &side = *datum.side;
+  const std::vector<double> crossings =
+    side.crossings(line.normal, line.position, 0., side.length());
+  return std::any_of(crossings.begin(), crossings.end(), [&](const double s) {
+    const Point<2> before = side.point(std::max(0., s - beside_line * size)),
+                   behind = side.point(std::min(side.length(), s + beside_line * size));
+    return datum.formula.formula().effect_of(line, box_around(before, behind), {before, behind},
+                                             least_effect * datum.size) != LineEffect::none;
+  });
 }
 
 /** A part of a side, and whether Gauss' rules show its data. */
@@ -82,14 +131,14 @@ public:
   /** @param max_looks the price of data that varies everywhere. */
   BoxTree scan_body(const std::vector<Expression<2>> &formulas, unsigned int max_looks);
   void scan_side(unsigned int number, std::vector<Point<2>> &breaks);
-  /** Returns the lines of the scene, and those on which data is not smooth: switches inside of
-   * others may change nothing. */
+  /** Returns the lines of the scene, and those on which data changes: a switch may change nothing
+   * where others are as they are. */
   std::vector<KinkLine<2>> kinks() const;
 
 private:
-  /** Returns the formulas that depend on the place. @param side points of the side that has them;
-   * empty for those of the body. */
-  Data data_of(const std::vector<Expression<2>> &formulas, const std::vector<Point<2>> &side = {});
+  /** Returns the formulas that depend on the place. @param side that has them; none for the body.
+   */
+  Data data_of(const std::vector<Expression<2>> &formulas, const Side<2> *side = nullptr);
   /** @param share that of the box in the body, or of an interval in its side. */
   std::array<bool, 2> look(const FormulaBox<2> &box, const Data &data, double share);
   void add_lines(const FormulaTree<2> &formula, const FormulaBox<2> &box);
@@ -106,32 +155,42 @@ private:
   Data all_data_;
 };
 
-Data Scan::data_of(const std::vector<Expression<2>> &formulas, const std::vector<Point<2>> &side) {
+Data Scan::data_of(const std::vector<Expression<2>> &formulas, const Side<2> *const side) {
   // What vanishes on a side vanishes up to rounding of its values in the body.
   constexpr double rounding = 1e-6;
+  constexpr unsigned int n = 64;
+  std::vector<Point<2>> on_side;
+  for (unsigned int i = 0; i < n && side != nullptr; ++i)
+    on_side.push_back(side->point((i + 0.5) / n * side->length()));
   Data data;
   for (const Expression<2> &formula : formulas)
-    if (!formula.is_constant())
+    if (!formula.is_constant()) {
+      const double in_body = mean_size(formula, points_);
       data.push_back({formula,
-                      side.empty()
-                        ? mean_size(formula, points_)
-                        : mean_size(formula, side) + rounding * mean_size(formula, points_),
-                      side.empty()});
+                      side == nullptr ? in_body : mean_size(formula, on_side) + rounding * in_body,
+                      side});
+    }
   all_data_.insert(all_data_.end(), data.begin(), data.end());
   return data;
 }
 
 std::vector<KinkLine<2>> Scan::kinks() const {
+  constexpr unsigned int max_looks = 4000;
+  const double size = scene_.geometry.diameter();
   const std::size_t n_given = scene_.kinks.lines().size();
   std::vector<KinkLine<2>> found(lines_.begin(), lines_.begin() + n_given);
   for (auto line = lines_.begin() + n_given; line != lines_.end(); ++line) {
-    const auto jumps_in = [&](const bool in_body) {
+    const std::array<Point<2>, 2> ends = part_in(*line, body_);
+    const auto changes = [&](const bool in_body) {
       return std::any_of(all_data_.begin(), all_data_.end(), [&](const Datum &datum) {
-        return datum.in_body == in_body && jumps_on(*line, datum, body_);
+        unsigned int n_looks = max_looks;
+        return (datum.side == nullptr) == in_body &&
+               (in_body ? changes_between(datum, *line, ends[0], ends[1], size, n_looks)
+                        : changes_at_crossing(datum, *line, size));
       });
     };
-    const bool in_body = jumps_in(true);
-    if (in_body || jumps_in(false))
+    const bool in_body = changes(true);
+    if (in_body || changes(false))
       found.push_back({line->normal, line->position, in_body});
   }
   return found;
@@ -153,7 +212,7 @@ std::array<bool, 2> Scan::look(const FormulaBox<2> &box, const Data &data, const
   // In tiny boxes every curve looks like a line.
   constexpr double least_share = 1e-6;
   std::array<bool, 2> wanted = {{false, false}};
-  for (const auto &[expression, size, in_body] : data) {
+  for (const auto &[expression, size, side] : data) {
     const FormulaTree<2> &formula = expression.formula();
     const double tolerance = negligible * size / share;
     bool is_shown = formula.is_shown(box, lines_, tolerance);
@@ -175,20 +234,24 @@ BoxTree Scan::scan_body(const std::vector<Expression<2>> &formulas, const unsign
   const Data data = data_of(formulas);
   if (data.empty())
     return {};
-  // Where boxes meet on a line, nothing switches in either of them.
-  for (const Datum &datum : data)
-    add_lines(datum.formula.formula(), {scene_.geometry.lower, scene_.geometry.upper});
   return BoxTree(
     body_,
     [&](const BoundingBox<2> &box) {
-      return look({box.get_boundary_points().first, box.get_boundary_points().second}, data,
-                  box.volume() / body_.volume());
+      FormulaBox<2> wider;
+      for (unsigned int d = 0; d < 2; ++d) {
+        const double margin = overlap * box.side_length(d);
+        wider.lower[d] = std::max(box.lower_bound(d) - margin, body_.lower_bound(d));
+        wider.upper[d] = std::min(box.upper_bound(d) + margin, body_.upper_bound(d));
+      }
+      return look(wider, data, box.volume() / body_.volume());
     },
     max_looks);
 }
 
 bool Scan::shows(const Curve &curve, const Data &data, const double from, const double to) {
-  const Point<2> a = curve.point(from), b = curve.point(to), chord = a + 0.5 * (b - a);
+  const double margin = overlap * (to - from);
+  const Point<2> a = curve.point(std::max(0., from - margin)),
+                 b = curve.point(std::min(curve.length(), to + margin)), chord = a + 0.5 * (b - a);
   // An arc is nowhere farther from its chord than in the middle.
   const double height = curve.is_flat() ? 0. : curve.point(0.5 * (from + to)).distance(chord);
   BoundingBox<2> box({a, a});
@@ -215,14 +278,10 @@ void Scan::halve(const Curve &curve, const Data &data, const Interval &whole,
 void Scan::scan_side(const unsigned int number, std::vector<Point<2>> &breaks) {
   const Side<2> &side = scene_.geometry.sides[number];
   const BoundaryCondition<2> &condition = scene_.boundary[number];
-  constexpr unsigned int n = 64;
-  std::vector<Point<2>> points;
-  for (unsigned int i = 0; i < n; ++i)
-    points.push_back(side.point((i + 0.5) / n * side.length()));
   std::vector<Expression<2>> formulas;
   for (const auto &function : {condition.data, condition.friction, condition.shift})
     append(function, formulas);
-  const Data data = data_of(formulas, points);
+  const Data data = data_of(formulas, &side);
   const unsigned int n_first = side.n_pieces() > 16 ? 1 : 4;
   for (unsigned int k = 0; k < side.n_pieces() * n_first && !data.empty(); ++k) {
     const Curve &piece = side.piece(k / n_first);

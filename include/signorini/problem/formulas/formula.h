@@ -48,6 +48,9 @@ struct Enclosure {
   }
 };
 
+/** Whether a formula changes on a line, as far as bounds can tell. */
+enum class LineEffect { none, some, unclear };
+
 /**
  * The tree of a formula in x, y (and z) that muParser accepts: its values, its derivatives, and
  * bounds of its values in a box.
@@ -96,6 +99,15 @@ public:
    * There are lines where the argument is affine in the box, or depends on one coordinate and is
    * monotone. @param all whether every undecided switch has a line. */
   std::vector<KinkLine<dim>> lines_in(const FormulaBox<dim> &box, bool &all) const;
+
+  /** Returns whether the formula changes on a line: whether the branches on its two sides, followed
+   * through the box, differ by more than @p tolerance. It is unclear where the box does not decide
+   * other switches, or samples do not show a branch.
+   * @param points of the box; the first one lies on one side of the line, the last one on the
+   * other.
+   */
+  LineEffect effect_of(const KinkLine<dim> &line, const FormulaBox<dim> &box,
+                       const std::vector<Point<dim>> &points, double tolerance) const;
 
 private:
   std::shared_ptr<const FormulaParts::Formula> formula_;
