@@ -38,15 +38,18 @@ std::array<bool, 2> halves_met(const KinkLine<2> &line, const BoundingBox<2> &bo
 BoxTree::BoxTree(const BoundingBox<2> &body, const Look &look, const unsigned int max_looks) {
   std::queue<Open> open;
   open.push({0, body, {{0, 0}}});
+  unsigned int n_deep_looks = 0;
   for (unsigned int n_looks = 0; !open.empty(); open.pop()) {
     const Open here = open.front();
     unsigned int d = next_direction(here, {{true, true}}, first_halvings);
     const bool asks = d == 2;
     if (asks) {
-      const std::array<bool, 2> wanted = look(here.box);
+      const auto [varies, matters] = look(here.box);
       if (n_looks++ < max_looks)
-        d = next_direction(here, wanted, max_halvings);
-      nodes_[here.node].is_rough = wanted[0] || wanted[1];
+        d = next_direction(here, varies, max_halvings);
+      if (d == 2 && matters && n_looks < max_looks && n_deep_looks++ < max_deep_looks)
+        d = next_direction(here, varies, deepest_halvings);
+      nodes_[here.node].is_rough = varies[0] || varies[1];
     }
     if (d == 2)
       continue;

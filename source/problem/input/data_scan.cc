@@ -140,7 +140,7 @@ private:
    */
   Data data_of(const std::vector<Expression<2>> &formulas, const Side<2> *side = nullptr);
   /** @param share that of the box in the body, or of an interval in its side. */
-  std::array<bool, 2> look(const FormulaBox<2> &box, const Data &data, double share);
+  BoxTree::View look(const FormulaBox<2> &box, const Data &data, double share);
   void add_lines(const FormulaTree<2> &formula, const FormulaBox<2> &box);
   bool shows(const Curve &curve, const Data &data, double from, double to);
   void halve(const Curve &curve, const Data &data, const Interval &whole, unsigned int depth,
@@ -208,10 +208,10 @@ void Scan::add_lines(const FormulaTree<2> &formula, const FormulaBox<2> &box) {
   }
 }
 
-std::array<bool, 2> Scan::look(const FormulaBox<2> &box, const Data &data, const double share) {
+BoxTree::View Scan::look(const FormulaBox<2> &box, const Data &data, const double share) {
   // In tiny boxes every curve looks like a line.
-  constexpr double least_share = 1e-6;
-  std::array<bool, 2> wanted = {{false, false}};
+  constexpr double least_share = 1e-6, matters = 1e-6;
+  BoxTree::View view;
   for (const auto &[expression, size, side] : data) {
     const FormulaTree<2> &formula = expression.formula();
     const double tolerance = negligible * size / share;
@@ -223,11 +223,12 @@ std::array<bool, 2> Scan::look(const FormulaBox<2> &box, const Data &data, const
     }
     if (is_shown)
       continue;
-    const auto varies = formula.enclose(box).varies;
+    const Enclosure<2> values = formula.enclose(box);
     for (unsigned int d = 0; d < 2; ++d)
-      wanted[d] = wanted[d] || varies[d];
+      view.varies[d] = view.varies[d] || values.varies[d];
+    view.matters = view.matters || values.width() * share > matters * size;
   }
-  return wanted;
+  return view;
 }
 
 BoxTree Scan::scan_body(const std::vector<Expression<2>> &formulas, const unsigned int max_looks) {
@@ -257,9 +258,10 @@ bool Scan::shows(const Curve &curve, const Data &data, const double from, const 
   BoundingBox<2> box({a, a});
   box.merge_with(BoundingBox<2>({b, b}));
   box.extend(height);
-  const auto wanted = look({box.get_boundary_points().first, box.get_boundary_points().second},
-                           data, (to - from) / curve.length());
-  return !wanted[0] && !wanted[1];
+  const auto varies = look({box.get_boundary_points().first, box.get_boundary_points().second},
+                           data, (to - from) / curve.length())
+                        .varies;
+  return !varies[0] && !varies[1];
 }
 
 void Scan::halve(const Curve &curve, const Data &data, const Interval &whole,

@@ -38,8 +38,13 @@ struct KinkLine {
  */
 class BoxTree {
 public:
-  /** Says in which directions data in a box varies faster than a few points show. */
-  using Look = std::function<std::array<bool, 2>(const BoundingBox<2> &)>;
+  /** In which directions data in a box varies faster than a few points show, and whether this
+   * variation times the area of the box matters among all of the data. */
+  struct View {
+    std::array<bool, 2> varies = {{false, false}};
+    bool matters = false;
+  };
+  using Look = std::function<View(const BoundingBox<2> &)>;
 
   /** A box, and the line that halves it. */
   struct Node {
@@ -52,8 +57,10 @@ public:
     bool is_rough = false;
   };
 
-  /** The first boxes are 1/4 of the body wide, the smallest 1/4096. */
-  static constexpr unsigned int first_halvings = 2, max_halvings = 12;
+  /** The first boxes are 1/4 of the body wide, the smallest 1/4096, or, where what they hold
+   * matters, 6e-8. So many looks are at boxes below 1/4096. */
+  static constexpr unsigned int first_halvings = 2, max_halvings = 12, deepest_halvings = 24,
+                                max_deep_looks = 4000;
   /** Divides nothing. */
   BoxTree() = default;
   /** @param max_looks the largest number of looks at boxes; those that are left stay whole. */
