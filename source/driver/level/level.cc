@@ -5,8 +5,8 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/driver/level/level.h>
 #include <signorini/error_control/bound/error_bound.h>
+#include <signorini/error_control/estimate/contact_part.h>
 #include <signorini/error_control/estimate/error_estimate.h>
-#include <signorini/error_control/estimate/missed_contact.h>
 #include <signorini/error_control/estimate/pressure_correction.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
@@ -106,9 +106,8 @@ ErrorEstimate estimate_of(const Discretization<dim> &discretization,
   const auto &[contact, scene] = std::tie(solution.contact, solution.scene);
   OtherErrors others;
   others.algebra = contact.algebraic_error;
-  if constexpr (dim == 3)
-    others.contact = energy_of_missed_contact(discretization.space, discretization.multipliers,
-                                              scene, contact.U, contact.P.normal());
+  others.contact = contact_part(discretization.space, discretization.multipliers, scene, contact.U,
+                                contact.P.normal());
   return estimate_error(discretization.space, scene, contact.U, solution.energy,
                         correct_pressure(discretization, scene, contact), others);
 }

@@ -4,6 +4,7 @@
 #include <signorini/base/columns.h>
 #include <signorini/driver/sequence/level_clock.h>
 #include <signorini/driver/sequence/sequence.h>
+#include <signorini/error_control/estimate/contact_part.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/error_control/hp/step_examination.h>
 #include <signorini/postprocessing/quantities/case_solver.h>
@@ -33,7 +34,10 @@ std::optional<double> error_of_case(const Parameters &parameters, const Scene<2>
                              norm_of_rigid_motion(space, scene, U)};
   double error = 1.;
   if (!is_graded) {
-    error = estimate_error(space, scene, U, scale, correct_pressure(discretization, scene, contact))
+    OtherErrors others;
+    others.contact = contact_part(space, multipliers, scene, U, contact.P.normal());
+    error = estimate_error(space, scene, U, scale, correct_pressure(discretization, scene, contact),
+                           others)
               .relative;
   } else {
     const StepFindings found =

@@ -2,6 +2,7 @@
 // The decay of Legendre coefficients, cell by cell.
 
 #include <signorini/discretization/space/cell_field.h>
+#include <signorini/error_control/estimate/contact_part.h>
 #include <signorini/error_control/hp/cell_indicator.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -85,11 +86,6 @@ double area_of(const Triangulation<2>::active_cell_iterator &cell) {
 }
 } // namespace
 
-double indicator_modulus(const Scene<2> &scene, const Point<2> &x) {
-  const SymmetricTensor<4, 2> E = scene.material->hooke(x);
-  return std::min(std::max(E[0][0][0][0], E[1][1][1][1]), 4. * E[0][1][0][1]);
-}
-
 std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space, const Scene<2> &scene,
                                     const Displacement &U) {
   std::map<unsigned int, Analysis> analyses;
@@ -99,7 +95,7 @@ std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space, const Sce
     const Analysis &analysis = analyses.try_emplace(u.degree(), u.degree()).first->second;
     const double lengths[] = {0.5 * (cell->face(2)->diameter() + cell->face(3)->diameter()),
                               0.5 * (cell->face(0)->diameter() + cell->face(1)->diameter())};
-    const double modulus = indicator_modulus(scene, cell->center());
+    const double modulus = softer_modulus(scene, cell->center());
     const double area = area_of(cell) * scene.geometry.circumference(cell->center());
     CellIndicator indicator;
     double square = 0.;

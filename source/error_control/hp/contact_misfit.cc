@@ -3,6 +3,7 @@
 // the nodes of the multipliers.
 
 #include <signorini/discretization/space/trace_values.h>
+#include <signorini/error_control/estimate/contact_part.h>
 #include <signorini/error_control/hp/contact_misfit.h>
 #include <signorini/postprocessing/fields/contact_load.h>
 
@@ -32,7 +33,7 @@ void add_contact_misfit(const DisplacementSpace<2> &space, const MultiplierSpace
     const double waves = 0.5 * numbers::PI * p / surface.patches()[piece.patch].measure;
     CellIndicator &indicator = indicators[face.cell->active_cell_index()];
     indicator.error = std::sqrt(indicator.error * indicator.error +
-                                indicator_modulus(scene, face.cell->center()) * waves * square);
+                                softer_modulus(scene, face.cell->center()) * waves * square);
   }
 }
 

@@ -13,7 +13,7 @@ namespace Signorini {
 struct OtherErrors {
   /** The error that the contact solver leaves, see algebraic_error(). */
   double algebra = 0.;
-  /** The error where u_h misses contact, see energy_of_missed_contact(). */
+  /** The error in contact, see contact_part(). */
   double contact = 0.;
 };
 

@@ -29,10 +29,6 @@ struct CellIndicator {
 std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space, const Scene<2> &scene,
                                     const Displacement &U);
 
-/** Returns a modulus for the energy of all strains but those that incompressible bodies avoid
- * (force/area). */
-double indicator_modulus(const Scene<2> &scene, const Point<2> &x);
-
 /** Returns the root of the sum of the squares of the errors. */
 double total(const std::vector<CellIndicator> &indicators);
 } // namespace Signorini
