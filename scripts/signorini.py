@@ -11,6 +11,7 @@ Names, units and signs are those of doc/output.md.
 """
 import base64
 import csv
+import functools
 import itertools
 import json
 import os
@@ -32,9 +33,10 @@ class Refused(Exception):
 
 def names_damaged_file(read):
     """Lets a function of a path say which file has numbers, names or bytes that are missing or wrong."""
-    def read_or_name(path):
+    @functools.wraps(read)
+    def read_or_name(path, *arguments):
         try:
-            return read(path)
+            return read(path, *arguments)
         except OSError:
             raise
         except Exception as error:
@@ -71,8 +73,9 @@ def decode(array):
 
 
 @names_damaged_file
-def read_vtu(path):
-    """Returns points, cells (corners in a row) and fields at points; the pieces of all ranks together."""
+def read_vtu(path, names=None):
+    """Returns points, cells (corners in a row) and fields at points, all or those that are named; the pieces of all ranks
+    together."""
     points, cells, fields, n = [], [], {}, 0
     for piece in ElementTree.parse(path).iter("Piece"):
         n_cells, n_points = int(piece.get("NumberOfCells")), int(piece.get("NumberOfPoints"))
@@ -81,6 +84,8 @@ def read_vtu(path):
         points.append(decode(piece.find("Points/DataArray")).reshape(-1, 3).astype(float))
         cells.append(decode(piece.find("Cells/DataArray[@Name='connectivity']")).reshape(n_cells, -1) + n)
         for array in piece.iterfind("PointData/DataArray"):
+            if names is not None and array.get("Name") not in names:
+                continue
             values = decode(array).astype(float).reshape(n_points, -1)
             fields.setdefault(array.get("Name"), []).append(values[:, 0] if values.shape[1] == 1 else values)
         n += n_points
