@@ -5,6 +5,7 @@
 add_custom_target(run
   COMMAND signorini prm/block_on_parabola.prm
   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+  DEPENDS luo_liang
   USES_TERMINAL)
 
 add_custom_target(benchmark

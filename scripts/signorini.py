@@ -4,8 +4,11 @@
     import signorini
     run = signorini.run("prm/pressed_plate.prm", push=0.004)   # constants by name, other entries by overrides={...}
     run = signorini.read("results/pressed_plate")              # or the results of a run that is over
+    run                                                        # shows the level, the answer and its error
     run.answer["contact_force"]["force"], run.table["bound_relative"][-1]
     run.contact()["p_H"], run.fields()[2]["von_mises_stress"]
+    for point, run in signorini.sweep("prm/pressed_plate.prm", "results/sweep", push=[0.001, 0.002]):
+        ...                                                    # point is {"push": 0.001}, then {"push": 0.002}
 
 Names, units and signs are those of doc/output.md.
 """
@@ -15,6 +18,7 @@ import functools
 import itertools
 import json
 import os
+import re
 import shutil
 import subprocess
 import xml.etree.ElementTree as ElementTree
@@ -100,7 +104,10 @@ def read_json(path):
 
 
 class Run:
-    """The results of a run: table (convergence.csv), answer, certificate, and files by level or load case."""
+    """The results of a run in a folder.
+
+    table: the columns of convergence.csv. level: the finest. certificate: the content of certificate.json. verdict: its word
+    on the run. Raises FileNotFoundError where the folder has no results, DamagedFile where a file is cut or wrong."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -111,28 +118,43 @@ class Run:
         self.certificate = read_json(self.path("certificate.json"))
         self.verdict = self.certificate["verdict"]
 
+    def __repr__(self):
+        lines = [f"{self.folder}, level {self.level}: {self.verdict}"]
+        try:
+            answer = self.answer
+            peak = answer["peak_pressure"] or {}
+            force = np.array(answer["contact_force"]["force"])
+            force = ", ".join(f"{component:.6g}" for component in np.where(abs(force) > 1e-12 * abs(force).max(), force, 0.))
+            lines += [f"contact force ({force})" + (f", peak pressure {peak['value']:.6g} on {peak['side']}" if peak else "")]
+        except (OSError, DamagedFile, KeyError):
+            lines += ["no answer yet"]
+        return "\n  ".join(lines + [self.certificate["accuracy"]] * bool(self.certificate.get("accuracy")))
+
     def path(self, name):
+        """Returns the path of a file in the folder."""
         return os.path.join(self.folder, name)
 
     @property
     def answer(self):
+        """The content of answer.json: forces, peaks, zones, energy of the finest level."""
         return read_json(self.path("answer.json"))
 
     @property
     def cases(self):
-        """The load cases, one row each."""
+        """The columns of cases.csv: the load cases, one row each."""
         return read_csv(self.path("cases.csv"))
 
     def of_level(self, name, ending, level=None, case=None):
+        """Returns the path of a file of a level, the finest unless another is named, or of a load case."""
         number = f"case-{case:06}" if case is not None else f"{self.level if level is None else level:02}"
         return self.path(f"{name}-{number}.{ending}")
 
     def contact(self, level=None, case=None):
-        """Returns the columns of contact-LL.csv, of the finest level unless another is named."""
+        """Returns the columns of contact-LL.csv, of the finest level unless another is named, or of a load case."""
         return read_csv(self.of_level("contact", "csv", level, case))
 
     def fields(self, level=None, case=None):
-        """Returns points, cells and fields of solution-LL.vtu."""
+        """Returns points (n, 3), cells (m, corners) and fields at points, {name: (n,) or (n, components)}, of solution-LL.vtu."""
         return read_vtu(self.of_level("solution", "vtu", level, case))
 
 
@@ -159,16 +181,37 @@ def run(scene, output=None, overrides=None, program=None, **constants):
     folder = output or os.path.join("results", os.path.splitext(os.path.basename(scene))[0])
     command = [program or find_program(), scene, "--output", folder]
     for name, value in {**constants, **(overrides or {})}.items():
-        command += ["--set", f"{name}={float(value)!r}" if isinstance(value, float) else f"{name}={value}"]
+        command += ["--set", f"{name}={text_of(value)}"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode not in (0, 2):
         raise Refused(done.stderr.strip() or f"exit code {done.returncode}")
     return Run(folder)
 
 
+def text_of(value):
+    """Returns a value as a parameter file has it: all digits of a number, true or false."""
+    return str(value).lower() if isinstance(value, bool) else repr(float(value)) if isinstance(value, float) else str(value)
+
+
+def folder_of(values):
+    """Returns the name of the folder of a run of a sweep, as the program's --sweep names it: values with '_' between them and in
+    place of characters that are no letters or digits, and none of .-+=^*()."""
+    names = [re.sub(r"[^A-Za-z0-9.+=^*()-]", "_", text_of(value)[:80]) for value in values]
+    return "_".join(f"_{name}" if name[:1] in ("", ".", "-") else name for name in names)
+
+
 def sweep(scene, output, overrides=None, program=None, **constants):
-    """Yields ({name: value}, run) for all combinations of the lists of values; each run has a folder in output."""
-    for values in itertools.product(*constants.values()):
-        point = dict(zip(constants, values))
-        folder = os.path.join(output, "_".join(str(value) for value in values))
-        yield point, run(scene, folder, overrides, program, **point)
+    """Yields ({name: value}, run) for all combinations of values; each run has a folder in output, named by its values.
+
+    constants and overrides: as for run(), but a list, tuple, range or array has several values of a constant or of another entry:
+    sweep(scene, output, {"Material/Young's modulus": [1, 2], "Output/Bound": False}, push=[0.001, 0.002]). Raises ValueError where
+    none has several values or two runs would have one folder, and Refused as run() does."""
+    given = {**constants, **(overrides or {})}
+    lists = {name: list(values) for name, values in given.items() if not isinstance(values, str) and hasattr(values, "__iter__")}
+    points = [dict(zip(lists, values)) for values in itertools.product(*lists.values())]
+    folders = [folder_of(point.values()) for point in points]
+    if not lists or len(set(folders)) < len(folders):
+        raise ValueError("sweep: found " + ("no list of values" if not lists else "two runs with one folder") +
+                         ", allowed: lists of values that differ in their letters and digits")
+    for point, folder in zip(points, folders):
+        yield point, run(scene, os.path.join(output, folder), {**given, **point}, program)

@@ -320,9 +320,13 @@ public:
   }
 };
 
-// The sides of the square have the numbers that GridGenerator::hyper_cube() gives them.
+// The sides of the square have the numbers that GridGenerator gives them.
 constexpr types::boundary_id contact_side = 2; // y = 0
 constexpr types::boundary_id clamped_side = 3; // y = 1
+
+// The contact side is the interval (0, length). The formulas of the example hold for every whole
+// length, of as many squares as the coarsest mesh then has.
+constexpr unsigned int length = 1;
 
 // @sect3{Stage 2: parameters}
 //
@@ -476,7 +480,8 @@ LuoLiang::LuoLiang(const Parameters &parameters)
   , dof_handler(triangulation)
   , dof_handler_post(triangulation)
   , m(0) {
-  GridGenerator::hyper_cube(triangulation, 0., 1., /*colorize*/ true);
+  GridGenerator::subdivided_hyper_rectangle(triangulation, {length, 1}, Point<dim>(0., 0.),
+                                            Point<dim>(length, 1.), /*colorize*/ true);
   triangulation.refine_global(parameters.coarsest_level);
 }
 
@@ -490,7 +495,7 @@ double LuoLiang::patch_length() const {
 }
 
 unsigned int LuoLiang::patches_of(const unsigned int ratio) const {
-  return static_cast<unsigned int>(std::lround(1. / (ratio * mesh_size())));
+  return static_cast<unsigned int>(std::lround(length / (ratio * mesh_size())));
 }
 
 // @sect3{Stage 3: V^h and Q^H}
@@ -576,7 +581,8 @@ void LuoLiang::assemble_D(const unsigned int n_patches, SparsityPattern &sparsit
     for (const auto &cell : dof_handler.active_cell_iterators())
       for (const unsigned int face : cell->face_indices())
         if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == contact_side)
-          visit(cell, face, static_cast<unsigned int>(cell->face(face)->center()[0] * n_patches));
+          visit(cell, face,
+                static_cast<unsigned int>(cell->face(face)->center()[0] / length * n_patches));
   };
   std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
 
@@ -604,8 +610,8 @@ void LuoLiang::assemble_D(const unsigned int n_patches, SparsityPattern &sparsit
   });
 }
 
-// The gap is a function on the interval (0, 1), and a polynomial on either side of xi. Patch tau is
-// the interval (tau H, (tau + 1) H).
+// The gap is a function on the interval (0, length), and a polynomial on either side of xi. Patch
+// tau is the interval (tau H, (tau + 1) H).
 void LuoLiang::assemble_G() {
   const double H = patch_length();
   G.reinit(m);
@@ -996,11 +1002,11 @@ const FEValues<dim> &CellValues::reinit(const DoFHandler<dim>::active_cell_itera
 //   |||q|||_{-1/2}    = sup over phi of (int q phi)/||phi||_{1/2},
 //   ||phi||^2_{1/2}   = ||phi||_0^2 + int int (phi(x) - phi(y))^2/(x - y)^2 dx dy,
 //
-// over Gamma_c, which is the interval (0, 1) here. (The square in the numerator is missing in the
-// paper. If Gamma_c had several sides, the norm would be taken on each of them, and their squares
-// added.) Such a supremum becomes computable when phi is taken from a finite dimensional space. We
-// take the continuous, piecewise linear functions on N equal cells. With b_k = int q phi_k and the
-// Gram matrix S of ||.||_{1/2} the supremum is
+// over Gamma_c, which is the interval (0, length) here. (The square in the numerator is missing in
+// the paper. If Gamma_c had several sides, the norm would be taken on each of them, and their
+// squares added.) Such a supremum becomes computable when phi is taken from a finite dimensional
+// space. We take the continuous, piecewise linear functions on N equal cells. With b_k = int q
+// phi_k and the Gram matrix S of ||.||_{1/2} the supremum is
 //
 //   |||q|||_N = (b^T S^{-1} b)^{1/2}.
 //
@@ -1053,7 +1059,7 @@ LAPACKFullMatrix<double> gram_matrix(const unsigned int n_cells) {
   for (unsigned int c = 0; c < n_cells; ++c)
     for (unsigned int i = 0; i < 2; ++i)
       for (unsigned int j = 0; j < 2; ++j)
-        S(c + i, c + j) += (i == j ? 1. / 3. : 1. / 6.) / n_cells + (i == j ? 1. : -1.);
+        S(c + i, c + j) += (i == j ? 1. / 3. : 1. / 6.) * length / n_cells + (i == j ? 1. : -1.);
   for (unsigned int d = 1; d < n_cells; ++d) {
     const PairMatrix pair = pair_matrix(d);
     for (unsigned int c = 0; c + d < n_cells; ++c) {
@@ -1073,15 +1079,15 @@ LAPACKFullMatrix<double> gram_matrix(const unsigned int n_cells) {
 std::vector<double> dual_norms(const std::vector<std::function<double(double)>> &functions,
                                const unsigned int n_cells) {
   const LAPACKFullMatrix<double> S = gram_matrix(n_cells);
-  const double length = 1. / n_cells;
+  const double h = double(length) / n_cells;
   std::vector<double> norms;
   for (const auto &function : functions) {
     Vector<double> b(n_cells + 1);
     for (unsigned int c = 0; c < n_cells; ++c) {
-      const Quadrature<1> rule = gauss_split_at_xi(c * length, (c + 1) * length);
+      const Quadrature<1> rule = gauss_split_at_xi(c * h, (c + 1) * h);
       for (unsigned int q = 0; q < rule.size(); ++q) {
         const double s = rule.point(q)[0];
-        const double value = function((c + s) * length) * rule.weight(q) * length;
+        const double value = function((c + s) * h) * rule.weight(q) * h;
         b[c] += (1. - s) * value;
         b[c + 1] += s * value;
       }
@@ -1104,10 +1110,10 @@ LAPACKFullMatrix<double> dual_gram_matrix(const unsigned int n_patches) {
     Vector<double> x(n_cells + 1);
     for (unsigned int c = n_parts * tau; c < n_parts * (tau + 1); ++c)
       for (unsigned int i = 0; i < 2; ++i)
-        x[c + i] += 0.5 / n_cells;
+        x[c + i] += 0.5 * length / n_cells;
     S.solve(x);
     for (unsigned int c = 0; c < n_cells; ++c)
-      gram(c / n_parts, tau) += 0.5 * (x[c] + x[c + 1]) / n_cells;
+      gram(c / n_parts, tau) += 0.5 * (x[c] + x[c + 1]) * length / n_cells;
   }
   return gram;
 }
