@@ -4,6 +4,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/problem/scene/facing.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/geometry_info.h>
@@ -162,31 +163,65 @@ Point<1> FaceSpan::parameter(const double s) const {
 }
 
 namespace {
-/** Returns the faces [first, last) of a side, and those of the side that it touches.
+/** An interval of a face, and the number of the face. */
+using NumberedSpan = std::pair<FaceSpan, unsigned int>;
+
+/** Returns whether a face of the other side of a pair faces a side where it is projected. */
+bool faces_side(const ContactFace<2> &face, const Side<2> &its_side, const Side<2> &side,
+                const FaceSpan &span) {
+  const Point<2> middle = face.vertices[0] + 0.5 * (face.vertices[1] - face.vertices[0]);
+  return its_side.normal(its_side.arc_length(middle)) * side.normal(0.5 * (span.start + span.end)) <
+         0.;
+}
+
+/** Sorts intervals by arc length. Those of a closed side come as often as its overlap, which may
+ * contain its start, contains a part of them. */
+void sort_into(const std::vector<NumberedSpan> &found, const Side<2> &side, const SideFaces &faces,
+               std::vector<FaceSpan> &spans, std::vector<unsigned int> &numbers) {
+  std::vector<NumberedSpan> sorted;
+  const double length = side.length(), rounding = 1e-10 * length;
+  for (const auto &[span, number] : found)
+    for (const int turn : {-1, 0, 1})
+      if (const FaceSpan moved = {span.start + turn * length, span.end + turn * length,
+                                  span.reversed};
+          side.is_closed()
+            ? moved.end > faces.lower + rounding && moved.start < faces.upper - rounding
+            : turn == 0)
+        sorted.emplace_back(moved, number);
+  std::sort(sorted.begin(), sorted.end(),
+            [](const auto &a, const auto &b) { return a.first.start < b.first.start; });
+  for (const auto &[span, number] : sorted) {
+    spans.push_back(span);
+    numbers.push_back(number);
+  }
+}
+
+/** Returns the faces of a side, and those of the side that it touches.
  * @throws InputError where the overlap of a pair is shorter than two faces. */
 SideFaces faces_of_side(const std::vector<FaceInterval> &all, const unsigned int number,
                         const Scene<2> &scene) {
   const Side<2> &side = scene.geometry.sides[number];
   const std::optional<unsigned int> opposite = scene.boundary[number].opposite;
   SideFaces faces;
+  std::vector<NumberedSpan> own, other;
   for (unsigned int f = 0; f < all.size(); ++f)
-    if (all[f].face.side == number) {
-      faces.own.push_back(all[f].span);
-      faces.own_numbers.push_back(f);
-    } else if (opposite && all[f].face.side == *opposite) {
-      faces.opposite.push_back(span_of(all[f].face, side));
-      faces.opposite_numbers.push_back(f);
-    }
-  faces.lower = faces.own.front().start;
-  faces.upper = faces.own.back().end;
+    if (all[f].face.side == number)
+      own.emplace_back(all[f].span, f);
+    else if (opposite && all[f].face.side == *opposite)
+      if (const FaceSpan span = span_of(all[f].face, side);
+          faces_side(all[f].face, scene.geometry.sides[*opposite], side, span))
+        other.emplace_back(span, f);
+  faces.lower = own.front().first.start;
+  faces.upper = own.back().first.end;
+  if (opposite) {
+    const FacingPart overlap = overlap_of(side, scene.geometry.sides[*opposite]);
+    faces.lower = overlap.from;
+    faces.upper = overlap.to;
+  }
+  sort_into(own, side, faces, faces.own, faces.own_numbers);
+  sort_into(other, side, faces, faces.opposite, faces.opposite_numbers);
   if (!opposite)
     return faces;
-  if (faces.opposite.front().start > faces.opposite.back().start) {
-    std::reverse(faces.opposite.begin(), faces.opposite.end());
-    std::reverse(faces.opposite_numbers.begin(), faces.opposite_numbers.end());
-  }
-  faces.lower = std::max(faces.lower, faces.opposite.front().start);
-  faces.upper = std::min(faces.upper, faces.opposite.back().end);
   const double face = std::max(longest_of(faces.own), longest_of(faces.opposite));
   if (!(faces.upper - faces.lower >= 2. * (1. - 1e-10) * face))
     throw InputError("the sides '" + side.name() + "' and '" +

@@ -4,6 +4,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/mesh/contact_surface.h>
+#include <signorini/discretization/mesh/patch_row.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -93,7 +94,8 @@ std::vector<Neighbours<dim>> ContactSurface<dim>::neighbours() const {
             if (side.has_corner(end) ||
                 scene_.boundary[grid.side].directions.change_between(end - near, end + near))
               continue;
-            if (side.is_closed() && n > 1 && (next < 0 || next == n)) {
+            if (n > 1 && (next < 0 || next == n) &&
+                goes_round(side, grid.ends[0].front(), grid.ends[0].back())) {
               next -= step * n;
               shift = step * side.length();
             }

@@ -125,7 +125,11 @@ RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Co
   const StrategyDecision decision = decide_strategy(given, scene);
   std::copy(decision.overrides.begin(), decision.overrides.end(),
             std::back_inserter(decided.overrides));
-  const Parameters parameters = parameters_of(decided);
+  Parameters parameters = parameters_of(decided);
+  if (decision.levels) {
+    parameters.discretization.coarsest_level.value = (*decision.levels)[0];
+    parameters.discretization.finest_level.value = (*decision.levels)[1];
+  }
   std::optional<ResultsDirectory> results;
   agree(communicator, [&]() {
     if (is_first_rank(communicator))

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The sequence of meshes of a run that states none.
 
+#include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
+#include <signorini/base/text.h>
+#include <signorini/discretization/mesh/contact_surface.h>
+#include <signorini/discretization/mesh/mesh.h>
 #include <signorini/driver/runs/strategy.h>
+#include <signorini/driver/sequence/sequence.h>
+
+#include <cmath>
 
 namespace Signorini {
 namespace {
@@ -43,6 +50,35 @@ unsigned int first_level(const double n_coarse_cells) {
     ++level;
   return level;
 }
+
+/** Returns whether a mesh has enough cells to begin with, and the sides of all pairs face each
+ * other on more than two faces. */
+bool can_begin(const Scene<2> &scene, const unsigned int level) {
+  constexpr double n_enough = 256.;
+  if (scene.geometry.n_coarse_cells * std::pow(4., level) < n_enough)
+    return false;
+  try {
+    const Mesh<2> mesh(scene.geometry, level, level, MPI_COMM_SELF);
+    return !ContactSurface<2>(mesh, scene, Partition()).has_unstable_patch();
+  } catch (const InputError &) {
+    return false;
+  }
+}
+
+/** Returns the levels from the first one that can begin to the last one with less than half a
+ * million unknowns: not above the usual ones, and two at least, since one has no estimate. */
+std::array<unsigned int, 2> levels_of_pairs(const Scene<2> &scene) {
+  constexpr double most = 5e5;
+  const DiscretizationParameters usual;
+  unsigned int first = 0;
+  while (first < usual.coarsest_level && !can_begin(scene, first))
+    ++first;
+  unsigned int last = first + 1;
+  while (last < usual.finest_level &&
+         2. * scene.geometry.n_coarse_cells * std::pow(4., last + 1.) < most)
+    ++last;
+  return {{first, last}};
+}
 } // namespace
 
 template <int dim>
@@ -60,6 +96,15 @@ StrategyDecision decide_strategy(const Parameters &parameters, const Scene<dim> 
         (reason.empty() ? "neither levels nor an exact solution are given" : reason);
     decision.overrides.push_back(given.strategy.name + "=" + to_text(strategy));
   }
+  if constexpr (dim == 2)
+    if (strategy == Strategy::nested && scene.has_pairs() && !given.finest_level.is_given &&
+        !given.coarsest_level.is_given) {
+      decision.levels = levels_of_pairs(scene);
+      if (!decision.sentence.empty() && scene.load_cases.empty() &&
+          scene.exact_displacement == nullptr)
+        decision.sentence +=
+          ", until the error is below " + number_text(100. * enough_for_pairs) + " %";
+    }
   if (strategy == Strategy::hp && !given.coarsest_level.is_given)
     decision.overrides.push_back(given.coarsest_level.name + "=" +
                                  std::to_string(first_level(scene.geometry.n_coarse_cells)));

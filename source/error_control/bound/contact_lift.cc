@@ -4,6 +4,7 @@
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/discretization/space/body_measure.h>
 #include <signorini/discretization/space/cell_field.h>
+#include <signorini/discretization/space/internal_forces.h>
 #include <signorini/error_control/bound/contact_lift.h>
 
 #include <deal.II/base/mpi.h>
@@ -132,17 +133,24 @@ ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const Li
   bound.cell_energies = lift.cell_energies();
   const MPI_Comm communicator = data.space.mesh().communicator();
   bound.lift_energy = Utilities::MPI::sum(bound.cell_energies.l1_norm(), communicator);
+  // A w_h acts at contact nodes only: its work there is |||w_h|||², however far from contact that
+  // is.
+  const DualVector forces = internal_forces(data.space, data.scene, lift.w_h()).forces;
   double largest = 0.;
   for (unsigned int i = 0; i < trace.faces().size(); ++i) {
     const PenetrationFace &face = trace.faces()[i];
-    double term = 0.;
+    double term = 0., work = 0.;
+    for (std::size_t k = 0; k < face.dofs.size(); ++k)
+      for (const types::global_dof_index dof : face.dofs[k])
+        work += (k < 2 ? 0.5 : 1.) * lift.w_h()[dof] * forces[dof];
     for (unsigned int c = 0; c < on_faces[i].n_components; ++c)
       term += on_faces[i].term(trace, face, c);
     bound.contact_term += term;
     bound.face_terms.push_back(2. * term);
     const auto cell = trace.surface().faces()[i].cell;
     const double part =
-      2. * term + Utilities::MPI::sum(bound.cell_energies[cell->active_cell_index()], communicator);
+      2. * term + work +
+      Utilities::MPI::sum(bound.cell_energies[cell->active_cell_index()], communicator);
     if (i == 0 || part > largest) {
       largest = part;
       bound.dominant_part = {face.side,

@@ -156,10 +156,11 @@ Displacement relaxed_displacement(const BoundData &data, const Coupling &E, cons
   return result;
 }
 
-/** Returns the solution of the dual problem of nodal_lift(). @param touches receives the nodes at
- * which w_n is what is required; rounding of A⁻¹ may lift them. */
+/** Returns the solution of the dual problem of nodal_lift(). @param of_carriers what is required of
+ * the carriers' own w_n. @param touches receives the nodes at which it is that; rounding of A⁻¹ may
+ * lift them. */
 Displacement pressed_displacement(const BoundData &data, const ContactTrace &trace,
-                                  std::vector<bool> &touches) {
+                                  const Vector &of_carriers, std::vector<bool> &touches) {
   DualVector forces = data.space.make_vector();
   // Where friction slips, its force does the work that s |ũ_t - g_t - w_t| loses.
   const Pressure &P_n = data.P.normal();
@@ -177,7 +178,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
     const NodeCondition &condition = trace.conditions()[nodes.numbers[i]];
     intervals.push_back(
       {Interval().lower, condition.is_normal() ? 0. : std::numeric_limits<double>::infinity()});
-    required[i] = condition.required;
+    required[i] = of_carriers[nodes.numbers[i]];
     if (condition.presses)
       start[i] = -P_n.linfty_norm() * trace.faces()[0].length();
     held.push_back(condition.presses || required[i] > 0.);
@@ -201,6 +202,16 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
     nodes.E.add_product(minus_Q, forces);
   }
   return solve_homogeneous(data.inverse, data.space, forces);
+}
+
+/** Returns the part of a.w that is not the carrier's own. */
+double motion_across(const NodeCondition &condition, const Displacement &w) {
+  double motion = 0.;
+  for (const auto &[row, factor] : condition.column)
+    motion += factor * w[row];
+  for (const auto &[row, factor] : condition.own)
+    motion -= factor * w[row];
+  return motion;
 }
 
 /** Returns A⁻¹ E Q with Eᵀ A⁻¹ E Q = targets. Where columns of C cost solves, its products cost
@@ -231,8 +242,22 @@ std::optional<Displacement> nodal_lift(const BoundData &data, const ContactTrace
   Vector required(trace.conditions().size());
   for (unsigned int k = 0; k < required.size(); ++k)
     required[k] = trace.conditions()[k].required;
-  std::vector<bool> touches(required.size(), false);
-  Displacement w = pressed_displacement(data, trace, touches);
+  std::vector<bool> touches;
+  Displacement w = data.space.zero();
+  // Where w moves the body across, because other nodes ask for that, the carrier has to follow.
+  constexpr unsigned int max_rounds = 8;
+  Vector of_carriers = required, last;
+  for (unsigned int round = 0; round < max_rounds; ++round) {
+    touches.assign(required.size(), false);
+    w = pressed_displacement(data, trace, of_carriers, touches);
+    last = of_carriers;
+    for (unsigned int k = 0; k < required.size(); ++k)
+      of_carriers[k] = required[k] - motion_across(trace.conditions()[k], w);
+    last -= of_carriers;
+    // Any w is raised afterwards.
+    if (last.linfty_norm() <= 1e-6 * of_carriers.linfty_norm())
+      break;
+  }
   // This corrects the remainder of the solver's tolerance, and pins.
   for (unsigned int k = 0; k < required.size(); ++k)
     if (touches[k])

@@ -59,12 +59,13 @@ std::pair<std::vector<Resultant<dim>>, double> contact_by_body(
   std::vector<Resultant<dim>> contact(geometry.n_bodies());
   double size = 0.;
   for (const Piece<dim> &piece : discretization.surface.pieces()) {
-    const Resultant<dim> resultant = contact_resultant(discretization.multipliers, P, piece);
+    const MultiplierSpace<dim> &multipliers = discretization.multipliers;
+    const Resultant<dim> resultant = contact_resultant(multipliers, P, piece);
     const auto &faces = discretization.surface.faces();
     contact[geometry.body_of_side(faces[piece.face].side)] += resultant;
     if (piece.opposite)
       contact[geometry.body_of_side(faces[piece.opposite->first].side)] +=
-        {-resultant.force, -resultant.moment};
+        contact_resultant(multipliers, P, piece, PairSide::opposite);
     size += resultant.force.norm();
   }
   const MPI_Comm communicator = discretization.surface.communicator();

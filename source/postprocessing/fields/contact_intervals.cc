@@ -2,6 +2,7 @@
 // The ends of contact between the nodes of multipliers.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/discretization/mesh/patch_row.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>
 
 #include <algorithm>
@@ -13,10 +14,11 @@ std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
   std::vector<SideNodes> sides;
   for (unsigned int k = 0; k < states.size(); ++k) {
     const Patch<2> &patch = surface.patches()[multipliers.patch_of(k)];
-    if (sides.empty() || sides.back().number != patch.side) {
-      const Side<2> &side = surface.side(patch);
-      sides.push_back({patch.side, side.length(), side.is_closed(), {}});
-    }
+    if (sides.empty() || sides.back().number != patch.side)
+      sides.push_back(
+        {patch.side, surface.side(patch).length(), patch.lower[0], patch.upper[0], false, {}});
+    sides.back().to = patch.upper[0];
+    sides.back().closed = goes_round(surface.side(patch), sides.back().from, sides.back().to);
     sides.back().nodes.push_back({multipliers.node(k)[0], states[k]});
   }
   return sides;
@@ -61,7 +63,7 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side) {
   if (std::none_of(side.nodes.begin(), side.nodes.end(), presses))
     return {};
   if (std::all_of(side.nodes.begin(), side.nodes.end(), presses))
-    return {{side.number, {0., 0.}, {side.length, 0.}}};
+    return {{side.number, {side.from, 0.}, {side.to, 0.}}};
   std::vector<Change> changes;
   for (const std::vector<SideNode> &run : alternations(side))
     if (run.front().state != run.back().state)
@@ -76,12 +78,12 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side) {
     changes.back().end.s += side.length;
   }
   if (!side.closed && presses(side.nodes.front()))
-    changes.insert(changes.begin(), {{0., 0.}, true});
+    changes.insert(changes.begin(), {{side.from, 0.}, true});
   if (!side.closed && presses(side.nodes.back()))
-    changes.push_back({{side.length, 0.}, false});
+    changes.push_back({{side.to, 0.}, false});
   std::vector<PressedInterval> intervals;
   for (std::size_t i = 0; i + 1 < changes.size(); i += 2) {
-    const double turn = changes[i].end.s < side.length ? 0. : side.length;
+    const double turn = side.closed && changes[i].end.s >= side.length ? side.length : 0.;
     intervals.push_back({side.number, changes[i].end, changes[i + 1].end});
     intervals.back().start.s -= turn;
     intervals.back().end.s -= turn;

@@ -6,8 +6,24 @@
 
 namespace Signorini {
 template <int dim>
+std::vector<Point<dim>> points_of_action(const ContactSurface<dim> &surface,
+                                         const Piece<dim> &piece, const PairSide side) {
+  std::vector<Point<dim>> points = piece.on_mesh.points;
+  if constexpr (dim == 2)
+    if (side == PairSide::opposite) {
+      const Side<2> &other = surface.scene().geometry.sides[*surface.condition(piece).opposite];
+      for (std::size_t q = 0; q < points.size(); ++q)
+        points[q] = other.across(points[q], piece.on_mesh.normals[q]);
+    }
+  return points;
+}
+
+template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
-                                 const Multiplier &multiplier, const Piece<dim> &piece) {
+                                 const Multiplier &multiplier, const Piece<dim> &piece,
+                                 const PairSide side) {
+  const double sign = side == PairSide::first ? 1. : -1.;
+  const std::vector<Point<dim>> points = points_of_action(multipliers.surface(), piece, side);
   Resultant<dim> resultant;
   const SurfaceRule<dim> &rule = piece.on_mesh;
   for (std::size_t q = 0; q < rule.size(); ++q) {
@@ -15,8 +31,8 @@ Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
     const Tensor<1, dim> &m = rule.directions[q];
     resultant.add((multipliers.value(multiplier.normal(), piece.patch, s) * m +
                    tangential_traction(multipliers, multiplier, piece.patch, s, m)) *
-                    rule.weights[q],
-                  rule.points[q]);
+                    (sign * rule.weights[q]),
+                  points[q]);
   }
   // Forces all around an axis have no moment.
   if (multipliers.surface().scene().geometry.axisymmetric)
@@ -39,6 +55,7 @@ std::vector<double> penetration(const Scene<dim> &scene, const ContactSurface<di
   return depths;
 }
 
+INSTANTIATE_FUNCTION(points_of_action);
 INSTANTIATE_FUNCTION(contact_resultant);
 INSTANTIATE_FUNCTION(penetration);
 } // namespace Signorini

@@ -141,12 +141,9 @@ Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &sce
   for (const unsigned int side : scene.contact_sides()) {
     answer.contact_by_side.push_back(contact_force(multipliers, {side}, multiplier));
     if (const auto opposite = scene.boundary[side].opposite) {
-      SideForce reaction = answer.contact_by_side.back();
-      reaction.side = scene.geometry.sides[*opposite].name();
-      for (AnswerVector *const part : {&reaction.resultant.force, &reaction.resultant.moment})
-        for (double &component : *part)
-          component *= -1.;
-      answer.contact_by_side.push_back(reaction);
+      answer.contact_by_side.push_back(
+        contact_force(multipliers, {side}, multiplier, PairSide::opposite));
+      answer.contact_by_side.back().side = scene.geometry.sides[*opposite].name();
     }
   }
   answer.contact_force = contact_force(multipliers, sides_of_contact_force(scene), multiplier);

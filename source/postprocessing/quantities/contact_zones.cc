@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The ends of zones, according to the nodes of the multipliers.
 
+#include <signorini/discretization/mesh/patch_row.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 
@@ -66,12 +67,12 @@ struct PatchMean {
   bool presses;
 };
 
-/** Returns the patches of a side in their order, those of a closed side for three turns. */
+/** Returns the patches of a side in their order, for three turns where they go around it. */
 std::vector<PatchMean> patches_on(const PatchGrid &grid, const MultiplierSpace<2> &multipliers,
-                                  const Pressure &P) {
+                                  const Pressure &P, const bool is_round) {
   const ContactSurface<2> &surface = multipliers.surface();
   const Side<2> &side = surface.scene().geometry.sides[grid.side];
-  const int n_turns = side.is_closed() ? 1 : 0;
+  const int n_turns = is_round ? 1 : 0;
   std::vector<PatchMean> patches;
   for (int turn = -n_turns; turn <= n_turns; ++turn)
     for (const unsigned int tau : grid.patches) {
@@ -108,14 +109,14 @@ ZoneEnd end_of_run(const Side<2> &side, const std::vector<PatchMean> &patches, c
 }
 
 /** Adds the zones of a side, where multipliers are constants. */
-void add_zones(const Side<2> &side, const std::vector<PatchMean> &patches,
+void add_zones(const Side<2> &side, const std::vector<PatchMean> &patches, const bool is_round,
                std::vector<ContactZone> &zones) {
   const auto presses = [](const PatchMean &patch) { return patch.presses; };
-  if (std::all_of(patches.begin(), patches.end(), presses)) {
+  if (is_round && std::all_of(patches.begin(), patches.end(), presses)) {
     zones.push_back({{place_on(side, 0.), 0.}, {place_on(side, side.length()), 0.}, side.length()});
     return;
   }
-  const int n_turns = side.is_closed() ? 3 : 1, n = patches.size() / n_turns;
+  const int n_turns = is_round ? 3 : 1, n = patches.size() / n_turns;
   const int begin = n * (n_turns / 2);
   for (int first = begin; first < begin + n; ++first)
     if (presses(patches[first]) && (first == 0 || !presses(patches[first - 1]))) {
@@ -135,8 +136,11 @@ std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers, co
   const std::vector<Side<2>> &sides = surface.scene().geometry.sides;
   std::vector<ContactZone> zones;
   if (multipliers.is_piecewise_constant())
-    for (const PatchGrid &grid : patch_grids(surface.patches()))
-      add_zones(sides[grid.side], patches_on(grid, multipliers, P), zones);
+    for (const PatchGrid &grid : patch_grids(surface.patches())) {
+      const Side<2> &side = sides[grid.side];
+      const bool is_round = goes_round(side, grid.ends[0].front(), grid.ends[0].back());
+      add_zones(side, patches_on(grid, multipliers, P, is_round), is_round, zones);
+    }
   else
     for (const PressedInterval &interval : pressed_intervals(multipliers, P)) {
       const auto end_at = [&](const PressedInterval::End &end) {

@@ -51,20 +51,22 @@ std::vector<unsigned int> sides_of_contact_force(const Scene<dim> &scene) {
 
 template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,
-                        const std::vector<unsigned int> &sides, const Multiplier &multiplier) {
+                        const std::vector<unsigned int> &sides, const Multiplier &multiplier,
+                        const PairSide acts_on) {
   const ContactSurface<dim> &surface = multipliers.surface();
   Resultant<dim> resultant;
   double total = 0.;
   Tensor<1, dim> centre;
   for (const Piece<dim> &piece : surface.pieces())
     if (std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0) {
-      resultant += contact_resultant(multipliers, multiplier, piece);
+      resultant += contact_resultant(multipliers, multiplier, piece, acts_on);
       const SurfaceRule<dim> &rule = piece.on_mesh;
+      const std::vector<Point<dim>> points = points_of_action(surface, piece, acts_on);
       for (std::size_t q = 0; q < rule.size(); ++q) {
         const double share =
           multipliers.value(multiplier.normal(), piece.patch, rule.on_side[q]) * rule.weights[q];
         total += share;
-        centre += share * rule.points[q];
+        centre += share * points[q];
       }
     }
   const MPI_Comm communicator = surface.communicator();

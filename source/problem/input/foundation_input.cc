@@ -4,6 +4,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/parameters/entry_error.h>
+#include <signorini/problem/scene/facing.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <algorithm>
@@ -147,13 +148,18 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
     throw error_at(given, "found ", texts.size(), " things, allowed: at most ", max_obstacles, ".");
   const double reach = max_gap * geometry.diameter();
   const std::vector<std::string> names = contact_side_names(scene);
+  // What names no side is for those that touch no other body.
+  std::vector<std::string> rigid;
+  for (const unsigned int side : scene.contact_sides())
+    if (!scene.boundary[side].opposite)
+      rigid.push_back(geometry.sides[side].name());
   std::map<unsigned int, std::vector<Obstacle>> obstacles;
   for (const std::string &text : texts) {
     SideTexts entries;
     if (begins_with_a_name(text))
       entries = read_side_list(text, given.where(), names);
     else
-      for (const std::string &name : names)
+      for (const std::string &name : rigid.empty() ? names : rigid)
         entries.emplace_back(name, text);
     const Obstacle obstacle = ObstacleReader(given, geometry).read(entries.front().second);
     bool touches = false;
@@ -200,24 +206,36 @@ void read_foundation(const ContactParameters &given, const bool moves, Scene<2> 
 SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2> &scene) {
   const Given<std::string> &gap = given.gap;
   const std::vector<std::string> all = scene.geometry.side_names();
-  std::vector<std::string> with, without;
-  for (const unsigned int side : scene.contact_sides())
-    (scene.boundary[side].foundation == nullptr ? without : with).push_back(all[side]);
-  if (!with.empty() && gap.changed && (without.empty() || !begins_with_a_name(gap.value)))
+  SideTexts named;
+  if (begins_with_a_name(gap.value))
+    named = read_side_list(gap.value, gap.where(), all);
+  std::vector<std::string> with, without, rigid;
+  for (const unsigned int side : scene.contact_sides()) {
+    const BoundaryCondition<2> &condition = scene.boundary[side];
+    const bool has_text = std::any_of(named.begin(), named.end(),
+                                      [&](const auto &entry) { return entry.first == all[side]; });
+    if (condition.foundation != nullptr)
+      with.push_back(all[side]);
+    else if (!condition.opposite)
+      rigid.push_back(all[side]);
+    // The gap of a pair is the distance of its sides, to which a text adds.
+    if (condition.foundation == nullptr && (!condition.opposite || named.empty() || has_text))
+      without.push_back(all[side]);
+  }
+  if (!with.empty() && gap.changed && (without.empty() || named.empty()))
     throw error_at(gap, "found a gap for the side '", with.front(), "', which has a ",
                    given.foundation.name, "; allowed: one of them for each contact side.");
-  if (!with.empty() && !gap.changed && !without.empty())
-    throw error_at(given.foundation, "found nothing for the contact side '", without.front(),
+  if (!with.empty() && !gap.changed && !rigid.empty())
+    throw error_at(given.foundation, "found nothing for the contact side '", rigid.front(),
                    "', allowed: something for every contact side, here or in ", gap.name, " (",
-                   without.front(), ": 0).");
+                   rigid.front(), ": 0).");
   return read_list_for(without, gap.value, gap.where(), all);
 }
 
 // Pairs of sides of two bodies.
 
 void close_pairs(const std::string &where, Scene<2> &scene) {
-  constexpr unsigned int n_samples = 32;
-  const double small = 0.01 * scene.geometry.diameter();
+  const double small = 0.01 * scene.geometry.diameter(), least = std::cos(numbers::PI / 6.);
   for (BoundaryCondition<2> &condition : scene.boundary) {
     if (!condition.opposite)
       continue;
@@ -228,25 +246,19 @@ void close_pairs(const std::string &where, Scene<2> &scene) {
       throw input_error(where, ": the pair ", pair,
                         " has a Contact/Foundation, allowed: a Gap, in addition to the distance of "
                         "the two sides.");
-    unsigned int n_facing = 0;
-    for (unsigned int k = 0; k < n_samples; ++k) {
-      const double s = (k + 0.5) / n_samples * first.length();
-      const Point<2> x = first.point(s);
-      const Tensor<1, 2> n = first.normal(s);
-      const std::optional<double> d = second.distance_along(x, n);
-      const double t = d ? second.arc_length(x + *d * n) : -1.;
-      if (!(t >= 0. && t <= second.length()) || n * second.normal(t) > -std::cos(numbers::PI / 6.))
-        continue;
-      ++n_facing;
-      if (*d < -small)
-        throw input_error(where, ": the bodies of the pair ", pair, " overlap by ", -*d, " at (", x,
-                          "), allowed: bodies that lie apart or touch as they are drawn, and a "
-                          "negative Gap for interference.");
-    }
-    if (n_facing < 2)
+    const std::vector<FacingPart> parts = facing_parts(first, second, least);
+    if (parts.empty())
       throw input_error(where, ": the sides of the pair ", pair,
                         " do not face each other, allowed: sides of which some part has a normal "
                         "within 30 degrees of the other's.");
+    for (const FacingPart &part : parts)
+      if (part.distance < -small)
+        throw input_error(where, ": the bodies of the pair ", pair, " overlap by ", -part.distance,
+                          " at (", first.point(part.nearest),
+                          "), allowed: bodies that lie apart or touch as they are drawn, and a "
+                          "negative Gap for interference.");
+    if (condition.data == nullptr)
+      condition.data = std::make_shared<Functions::ZeroFunction<2>>();
     condition.data = gap_of_pair(first, second, condition.data);
   }
 }

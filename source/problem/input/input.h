@@ -84,8 +84,8 @@ void read_foundation(const ContactParameters &given, bool moves, Scene<2> &scene
 
 /**
  * Returns the contact sides that read_foundation() left without a gap, with their texts in
- * Contact/Gap.
- * @throws InputError if a side has both or neither.
+ * Contact/Gap; without those of pairs that this does not name.
+ * @throws InputError if a side has both, or one on rigid ground neither.
  */
 SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2> &scene);
 

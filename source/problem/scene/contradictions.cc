@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -100,15 +101,61 @@ std::vector<std::pair<Tensor<1, dim>, std::string>> motions_at(const Scene<dim> 
   return found;
 }
 
+/** Returns u.n at a point of a side if that is given, and nothing can change it. */
+template <int dim>
+std::optional<double> given_along(const Scene<dim> &scene, const unsigned int side,
+                                  const Point<dim> &x, const Tensor<1, dim> &n) {
+  const BoundaryCondition<dim> &condition = scene.boundary[side];
+  const Side<dim> &on = scene.geometry.sides[side];
+  if (condition.role == Role::roller && std::abs(on.normal(on.coordinates(x)) * n) > 1. - rounding)
+    return 0.;
+  for (const auto &[motion, text] : motions_at(scene, side, x))
+    if (std::abs(motion * n) > rounding * motion.norm())
+      return {};
+  return prescribes_all(condition.role)
+           ? std::optional<double>(given_displacement(condition, x) * n)
+           : std::nullopt;
+}
+
+/** Returns whether a closing is larger than a gap, which may have rounding. */
+template <int dim>
+bool penetrates(const Scene<dim> &scene, const double closing, const double gap,
+                const double size) {
+  return closing - gap > rounding * (size + std::abs(gap)) + 1e-12 * scene.geometry.diameter();
+}
+
+/** Returns why a side contradicts a rigid foundation at the end of a contact side, or nothing.
+ * @param size the largest prescribed displacement. */
+template <int dim>
+std::string contradiction_to_foundation(const Scene<dim> &scene, const Point<dim> &x,
+                                        const unsigned int side, const unsigned int contact,
+                                        const double size) {
+  const Side<dim> &touching = scene.geometry.sides[contact];
+  const std::optional<double> u_n =
+    given_along(scene, side, x, touching.normal(touching.coordinates(x)));
+  if (!u_n)
+    return "";
+  const double g = scene.boundary[contact].data->value(x);
+  return !penetrates(scene, *u_n, g, size)
+           ? ""
+           : "the side '" + scene.geometry.sides[side].name() +
+               "' prescribes u = " + text_of(given_displacement(scene.boundary[side], x)) + " at " +
+               text_of(x) + ", where the side '" + touching.name() + "' has the gap " +
+               number_text(g) +
+               ", and no displacement of finite energy stays outside of the foundation; allowed: "
+               "u.n <= g where they meet";
+}
+
 /** Returns why the second side contradicts the first one at a common point, or nothing. @param size
  * the largest prescribed displacement. */
 template <int dim>
 std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const unsigned int i,
                              const unsigned int j, const double size) {
   const Role role = scene.boundary[j].role;
-  const bool second_holds_all = prescribes_all(role), touches = role == Role::contact;
-  if (!prescribes_all(scene.boundary[i].role) ||
-      !(second_holds_all || touches || role == Role::roller))
+  if (role == Role::contact && !scene.boundary[j].opposite)
+    return contradiction_to_foundation(scene, x, i, j, size);
+  const bool second_holds_all = prescribes_all(role);
+  if (!prescribes_all(scene.boundary[i].role) || !(second_holds_all || role == Role::roller))
     return "";
   const auto name = [&](const unsigned int k) {
     return "'" + scene.geometry.sides[k].name() + "'";
@@ -119,18 +166,6 @@ std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const
   };
   const Tensor<1, dim> a = given_displacement(scene.boundary[i], x),
                        b = given_displacement(scene.boundary[j], x);
-  if (touches) {
-    const double g = scene.boundary[j].data->value(x);
-    // A gap by a foundation has rounding; a plate that is pushed moves until the gap lets it.
-    const bool penetrates =
-      a * n - g > rounding * (size + std::abs(g)) + 1e-12 * scene.geometry.diameter();
-    return !penetrates || !motions_at(scene, i, x).empty()
-             ? ""
-             : "the side " + name(i) + " prescribes u = " + text_of(a) + " at " + text_of(x) +
-                 ", where the side " + name(j) + " has the gap " + number_text(g) +
-                 ", and no displacement of finite energy stays outside of the foundation; allowed: "
-                 "u.n <= g where they meet";
-  }
   for (const auto &[mover, holder] : {std::pair{i, j}, std::pair{j, i}})
     for (const auto &[motion, text] : motions_at(scene, mover, x))
       if (held_part(motion).norm() > rounding * motion.norm())
@@ -145,6 +180,41 @@ std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const
          ", and no displacement of finite energy jumps; allowed: values that agree where sides "
          "meet";
 }
+
+/** A place at which two sides meet. */
+template <int dim>
+using Meeting = std::pair<Point<dim>, std::array<unsigned int, 2>>;
+
+/** Returns why the bodies of a pair would overlap at a common point of a side and a contact side,
+ * or nothing: where the other body is held, too, at the point across. Elsewhere that gives way. */
+std::string contradiction_of_pair(const Scene<2> &scene, const Meeting<2> &here,
+                                  const unsigned int side, const unsigned int contact,
+                                  const std::vector<Meeting<2>> &all, const double size) {
+  const std::optional<unsigned int> opposite = scene.boundary[contact].opposite;
+  if (!opposite)
+    return "";
+  const auto &sides = scene.geometry.sides;
+  const Point<2> &x = here.first;
+  const Tensor<1, 2> n = sides[contact].normal(sides[contact].arc_length(x));
+  const Point<2> y = sides[*opposite].across(x, n);
+  const std::optional<double> u_n = given_along(scene, side, x, n);
+  if (!u_n || sides[*opposite].normal(sides[*opposite].arc_length(y)) * n >= 0.)
+    return "";
+  for (const auto &[point, meet] : all)
+    for (const auto &[held, other] : {std::pair{meet[0], meet[1]}, std::pair{meet[1], meet[0]}})
+      if (other == *opposite && point.distance(y) < 1e-8 * scene.geometry.diameter())
+        if (const std::optional<double> v_n = given_along(scene, held, y, n)) {
+          const double g = scene.boundary[contact].data->value(x);
+          if (penetrates(scene, *u_n - *v_n, g, size))
+            return "the sides '" + sides[side].name() + "' and '" + sides[held].name() +
+                   "' close the gap " + number_text(g) + " of the pair '" + sides[contact].name() +
+                   "' with '" + sides[*opposite].name() + "' by " + number_text(*u_n - *v_n) +
+                   " at " + text_of(x) +
+                   ", and no displacement of finite energy keeps the bodies apart; allowed: a "
+                   "closing of at most the gap where both are held";
+        }
+  return "";
+}
 } // namespace
 
 template <int dim>
@@ -154,10 +224,16 @@ std::string find_contradiction(const Scene<dim> &scene) {
     for (const Point<dim> &x : samples(scene.geometry.sides[i]))
       size = std::max(size, given_displacement(scene.boundary[i], x).norm());
   std::string contradiction;
-  for (const auto &[x, sides] : meetings(scene.geometry))
-    for (const auto &[i, j] : {std::pair{sides[0], sides[1]}, std::pair{sides[1], sides[0]}})
+  const auto all = meetings(scene.geometry);
+  for (const auto &here : all)
+    for (const auto &[i, j] :
+         {std::pair{here.second[0], here.second[1]}, std::pair{here.second[1], here.second[0]}}) {
       if (contradiction.empty())
-        contradiction = contradiction_at(scene, x, i, j, size);
+        contradiction = contradiction_at(scene, here.first, i, j, size);
+      if constexpr (dim == 2)
+        if (contradiction.empty())
+          contradiction = contradiction_of_pair(scene, here, i, j, all, size);
+    }
   return contradiction;
 }
 

@@ -28,9 +28,33 @@ unsigned int n_given_patches(const Scene<dim> &scene) {
   return std::accumulate(patches.begin(), patches.end(), 0U);
 }
 
-/** Returns the number of unknowns from which V-cycles are faster than a factorisation. */
-constexpr double min_unknowns_of_cycles(const unsigned int dim) {
-  return dim == 2 ? 1e5 : 5e3;
+/** Returns whether the coarse mesh has many inner vertices at which not four cells meet, like one
+ * of split triangles. */
+bool is_irregular(const Geometry<2> &geometry) {
+  constexpr int many = 50;
+  Triangulation<2> mesh;
+  geometry.make_coarse_mesh(mesh);
+  // Vertices of the boundary have fewer cells.
+  std::vector<unsigned int> n_cells(mesh.n_vertices(), 0);
+  for (const auto &cell : mesh.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      ++n_cells[cell->vertex_index(v)];
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary())
+      for (const unsigned int v : face->vertex_indices())
+        n_cells[face->vertex_index(v)] = 4;
+  return std::count_if(n_cells.begin(), n_cells.end(),
+                       [](const unsigned int n) { return n != 4; }) > many;
+}
+
+/** Returns whether V-cycles are faster than a factorisation. On irregular meshes contact takes up
+ * to eight times as many of them: there they save memory only. */
+template <int dim>
+bool cycles_are_faster(const Geometry<dim> &geometry, const double n_unknowns) {
+  constexpr double fewest = dim == 2 ? 1e5 : 5e3;
+  if constexpr (dim == 2)
+    return n_unknowns >= 20. * fewest || (n_unknowns >= fewest && !is_irregular(geometry));
+  return n_unknowns >= fewest;
 }
 
 /** Returns whether V-cycles find contact in few steps, whatever the number of unknowns. Their
@@ -73,11 +97,12 @@ SolverChoice choose_solvers(const Parameters &parameters, const Scene<dim> &scen
   const SolverParameters &solver = parameters.solver;
   SolverChoice choice = {solver.contact_solver, solver.linear_solver};
   const double n_unknowns = dim * scene.geometry.n_coarse_cells * std::pow(2., double(dim) * level);
-  const bool many =
-    n_unknowns >= min_unknowns_of_cycles(dim) || solver.linear_solver == LinearSolver::multigrid;
   if (choice.contact == ContactSolver::automatic)
     choice.contact =
-      many && may_iterate(parameters, scene) ? ContactSolver::multigrid : ContactSolver::active_set;
+      may_iterate(parameters, scene) && (solver.linear_solver == LinearSolver::multigrid ||
+                                         cycles_are_faster(scene.geometry, n_unknowns))
+        ? ContactSolver::multigrid
+        : ContactSolver::active_set;
   if (choice.is_by_cycles())
     choice.linear = LinearSolver::multigrid;
   return choice;

@@ -99,8 +99,8 @@ struct ContactBound {
   std::vector<double> face_terms;
   /** The part of |||w|||² of every active cell; zero for cells of other ranks. */
   dealii::Vector<double> cell_energies;
-  /** The middle of the contact face where the face's term and the energy of its cell are largest.
-   */
+  /** The middle of the contact face where the face's term, the work of the lift at its nodes and
+   * the energy of its cell are largest together. */
   SidePlace dominant_part;
 
   /** Returns c² = |||w|||² + 2 contact_term. */

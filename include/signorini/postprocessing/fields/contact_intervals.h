@@ -19,7 +19,9 @@ struct SideNode {
 struct SideNodes {
   /** The number of the side in the geometry. */
   unsigned int number = 0;
-  double length = 0.;
+  /** The length of the side, and the arc lengths between which it may touch (length). */
+  double length = 0., from = 0., to = 0.;
+  /** Whether the first node follows the last one. */
   bool closed = false;
   std::vector<SideNode> nodes;
 };
@@ -59,8 +61,8 @@ struct PressedInterval {
  * distance. Where pressing and open nodes alternate, contact ends only once between the first and
  * the last one of them, or, if these are of the same kind, there is a single gap or a single
  * interval between them. Where the first or the last node of a side presses, the interval ends with
- * the side, without uncertainty. A closed side that is pressed everywhere is an interval from 0 to
- * its length.
+ * the side, in a pair with the overlap, without uncertainty. A closed side that is pressed
+ * everywhere is an interval from 0 to its length.
  */
 std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipliers,
                                                const Pressure &P);

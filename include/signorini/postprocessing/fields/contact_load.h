@@ -9,10 +9,22 @@
 #include <vector>
 
 namespace Signorini {
-/** Returns the force and the moment of p_H m + q_H on a piece of Γ_c. */
+/** The sides of a pair. */
+enum class PairSide { first, opposite };
+
+/** Returns the points of Γ_c at which tractions act: x on the side named first, and on the other
+ * one the points across from these, x + d n, which are d as drawn away. */
+template <int dim>
+std::vector<Point<dim>> points_of_action(const ContactSurface<dim> &surface,
+                                         const Piece<dim> &piece, PairSide side);
+
+/** Returns the force and the moment of p_H m + q_H on a piece of Γ_c; on the opposite side of a
+ * pair those of -p_H m - q_H at the points across. The forces cancel, and the moments do but for
+ * the couple of q_H and d. */
 template <int dim>
 Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
-                                 const Multiplier &multiplier, const Piece<dim> &piece);
+                                 const Multiplier &multiplier, const Piece<dim> &piece,
+                                 PairSide side = PairSide::first);
 
 /** Returns u_h.m - g at the points of a rule on a piece, positive where the body penetrates, or
  * the slip u_{h,t} - g_t; g is that of @p scene, whose contact sides are those of the surface.

@@ -4,6 +4,7 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/space/multiplier.h>
 #include <signorini/discretization/space/resultant.h>
+#include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 
@@ -39,11 +40,12 @@ template <int dim>
 std::vector<unsigned int> sides_of_contact_force(const Scene<dim> &scene);
 
 /** Returns ∫ p_H n, with friction ∫ p_H n + q_H t, over contact sides, with the name of a single
- * one. The line of action is given by its point nearest to the centre of pressure, which lies on a
- * straight side. */
+ * one; or what acts on the opposite sides of pairs. The line of action is given by its point
+ * nearest to the centre of pressure, which lies on a straight side. */
 template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,
-                        const std::vector<unsigned int> &sides, const Multiplier &multiplier);
+                        const std::vector<unsigned int> &sides, const Multiplier &multiplier,
+                        PairSide acts_on = PairSide::first);
 
 /**
  * Returns the reaction of every clamped, prescribed and roller side: the sum of

@@ -16,7 +16,9 @@ namespace Signorini {
  * of the same kind and N = n^T on rollers. Both hold for all q and r if N a = N b, N V = 0 and N
  * W = 0. In 2-D the points are the corners, in 3-D they are points of the common edges. Jumps below
  * a millionth of the prescribed displacements count as rounding. A contact
- * side beside a prescribed one needs a.n <= g at the common point.
+ * side beside a prescribed one, or a roller with its normal, needs a.n <= g at the common point. In
+ * a pair of bodies only what both sides prescribe at points across from each other counts: (a_1 -
+ * a_2).n <= g; else the other body gives way.
  */
 template <int dim>
 std::string find_contradiction(const Scene<dim> &scene);
