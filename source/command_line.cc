@@ -50,12 +50,13 @@ std::string version_text() {
 
 std::string help_text(const po::options_description &options) {
   std::ostringstream text;
-  text << "Solves the Signorini problem: elastic bodies pressed against a rigid foundation or "
-          "against each other, with or without friction.\n\n"
-       << "usage: signorini [options] SCENE.prm ...\n\n"
-       << options
-       << "\nExit codes: 0 solved and certified; 1 the input is wrong; 2 not converged or not "
-          "certified (results are\nwritten and marked); 3 anything else.\n";
+  text
+    << "Solves the Signorini problem: elastic bodies pressed against a rigid foundation or "
+       "against each other, with or without friction.\n\n"
+    << "usage: signorini [options] SCENE.prm ...\n\n"
+    << options
+    << "\nExit codes: 0 solved and certified; 1 the input is wrong; 2 not converged or not "
+       "certified (results are\nwritten and marked); 3 anything else; 128 + n ended by signal n.\n";
   return text.str();
 }
 

@@ -67,6 +67,8 @@ std::string name_file(const std::string &message, const std::string &file_name) 
  * Ranks that cannot read it are left out. Collective. @throws InputError */
 void require_one_version(const std::string &name, const std::string &file_name,
                          MPI_Comm communicator) {
+  if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+    return;
   std::ifstream file(file_name, std::ios::binary);
   const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   const std::size_t digest = file.is_open() ? std::hash<std::string>()(text) : 0;
@@ -164,7 +166,7 @@ RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Co
       return run_parameters<dim>(nested, decided, communicator, screen);
     }
     if (!result.verdict.reason.empty())
-      screen.complain(result.verdict.reason);
+      screen.complain(name_file(result.verdict.reason, parameters.file_name));
     return summary;
   } catch (const InputError &error) {
     // After wrong input no results remain.
@@ -179,6 +181,8 @@ RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &scre
   Parameters parameters;
   agree(communicator, [&]() { parameters = parameters_of(input); });
   const auto read_file = [&](GeometryParameters &geometry) {
+    if (geometry.shape == Shape::file)
+      require_one_version(geometry.file.where(), geometry.file.value, communicator);
     agree(communicator, [&]() {
       if (is_first_rank(communicator) && geometry.shape == Shape::file)
         geometry.mesh = read_mesh_file(geometry);

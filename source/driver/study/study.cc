@@ -127,8 +127,8 @@ private:
     levels.push_back(record);
     result_.verdict = level.is_last ? judge_.verdict(levels) : judge_.unfinished(levels);
     writer_.write_tables(levels, result_.verdict);
+    writer_.write_answer(levels, result_.verdict);
     if (level.is_last) {
-      writer_.write_answer(levels, result_.verdict);
       const std::string missing = writer_.write_pictures();
       if (!missing.empty())
         report_.screen << "Pictures: " << missing << "\n";

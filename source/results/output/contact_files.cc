@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Pressure, gap and opening along the contact boundary.
 
+#include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/space/trace_values.h>
 #include <signorini/postprocessing/fields/recovered_pressure.h>
@@ -196,36 +197,46 @@ private:
 };
 } // namespace
 
+/** Returns a piece with its points. */
+template <int dim>
+static ContactPiece<dim> trace_piece(ContactTracer<dim> &tracer,
+                                     const MultiplierSpace<dim> &multipliers,
+                                     const Piece<dim> &piece) {
+  const ContactSurface<dim> &surface = multipliers.surface();
+  const Patch<dim> &patch = surface.patches()[piece.patch];
+  std::vector<Point<dim - 1>> rows = QMidpoint<dim - 1>().get_points(),
+                              corners = QTrapezoid<dim - 1>().get_points();
+  if constexpr (dim == 2)
+    if (!multipliers.is_piecewise_constant())
+      rows = corners = positions_of_polynomial(piece, multipliers);
+  // In one call: faces with the same points share a table.
+  std::vector<Point<dim - 1>> positions = rows;
+  positions.insert(positions.end(), corners.begin(), corners.end());
+  const std::vector<ContactPoint<dim>> points = tracer.trace(piece, positions);
+  const auto middle = points.begin() + rows.size();
+  return {surface.side(patch).name(),
+          patch.side,
+          piece.face,
+          piece.patch,
+          patch.measure,
+          surface.condition(piece).opposite,
+          !surface.condition(piece).directions.are_normals(),
+          {points.begin(), middle},
+          {middle, points.end()}};
+}
+
 template <int dim>
 TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
                                  const MultiplierSpace<dim> &multipliers,
                                  const std::vector<BoundaryCondition<dim>> &boundary,
                                  const Displacement &U, const Multiplier &P) {
   const ContactSurface<dim> &surface = multipliers.surface();
-  ContactTracer<dim> tracer(space, multipliers, boundary, U, P);
   TracedContact<dim> contact;
-  for (const Piece<dim> &piece : surface.pieces()) {
-    const Patch<dim> &patch = surface.patches()[piece.patch];
-    std::vector<Point<dim - 1>> rows = QMidpoint<dim - 1>().get_points(),
-                                corners = QTrapezoid<dim - 1>().get_points();
-    if constexpr (dim == 2)
-      if (!multipliers.is_piecewise_constant())
-        rows = corners = positions_of_polynomial(piece, multipliers);
-    // In one call: faces with the same points share a table.
-    std::vector<Point<dim - 1>> positions = rows;
-    positions.insert(positions.end(), corners.begin(), corners.end());
-    const std::vector<ContactPoint<dim>> points = tracer.trace(piece, positions);
-    const auto middle = points.begin() + rows.size();
-    contact.push_back({surface.side(patch).name(),
-                       patch.side,
-                       piece.face,
-                       piece.patch,
-                       patch.measure,
-                       surface.condition(piece).opposite,
-                       !surface.condition(piece).directions.are_normals(),
-                       {points.begin(), middle},
-                       {middle, points.end()}});
-  }
+  agree(surface.communicator(), [&]() {
+    ContactTracer<dim> tracer(space, multipliers, boundary, U, P);
+    for (const Piece<dim> &piece : surface.pieces())
+      contact.push_back(trace_piece(tracer, multipliers, piece));
+  });
   if (!space.mesh().is_shared())
     return contact;
   contact = collect(contact, surface.communicator());

@@ -23,6 +23,23 @@ namespace Signorini {
 namespace {
 constexpr const char *trial_name = "trial";
 
+/** The path of the file that is being written, for the handler of signals; null: none. */
+std::string unfinished_path;
+std::atomic<const char *> unfinished = nullptr;
+
+/** Makes a path known as that of an unfinished file as long as the object lives. */
+struct Unfinished {
+  explicit Unfinished(const std::filesystem::path &path) {
+    unfinished_path = path.string();
+    unfinished = unfinished_path.c_str();
+  }
+  ~Unfinished() {
+    unfinished = nullptr;
+  }
+  Unfinished(const Unfinished &) = delete;
+  Unfinished &operator=(const Unfinished &) = delete;
+};
+
 /** Writes and flushes. @return whether every byte was written. */
 bool try_to_write(const std::filesystem::path &path,
                   const std::function<void(std::ostream &)> &write) {
@@ -65,6 +82,7 @@ std::vector<std::filesystem::path> make_directories(const std::filesystem::path 
 /** Returns whether a small file can be written into @p directory; it is removed again. */
 bool is_writable(const std::filesystem::path &directory) {
   const std::filesystem::path trial = temporary_name(directory / trial_name);
+  const Unfinished until_end(trial);
   const bool written = try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
   unlink(trial.c_str());
   return written;
@@ -174,6 +192,7 @@ std::filesystem::path temporary_name(const std::filesystem::path &path) {
 void write_file(const std::filesystem::path &path,
                 const std::function<void(std::ostream &)> &write) {
   const std::filesystem::path temporary = temporary_name(path);
+  const Unfinished until_end(temporary);
   std::error_code error;
   if (try_to_write(temporary, write)) {
     std::filesystem::rename(temporary, path, error);
@@ -208,6 +227,8 @@ std::array<std::string, 2> descriptions;
 std::atomic<const std::string *> current_description = nullptr;
 
 extern "C" void end_by_signal(const int number) {
+  if (const char *const path = unfinished)
+    unlink(path);
   const std::string *const description = current_description;
   if (description != nullptr && !description->empty()) {
     // What may be called here excludes streams and the making of strings.

@@ -109,9 +109,7 @@ template <int dim>
 std::string ResultsWriter::write_body(const std::string &name, const DisplacementSpace<dim> &space,
                                       const Scene<dim> &scene, const Displacement &U,
                                       const BoundFields &bound, const unsigned int number) {
-  const auto write_cells = [&](std::ostream &stream) {
-    return write_solution_vtu(stream, space, scene, U, bound, number);
-  };
+  const auto write_cells = solution_vtu(space, scene, U, bound, number);
   if (!space.mesh().is_shared()) {
     write(name + ".vtu", write_cells);
     return name + ".vtu";
@@ -121,7 +119,14 @@ std::string ResultsWriter::write_body(const std::string &name, const Displacemen
     files.push_back(name + "." + Utilities::int_to_string(rank, 4) + ".vtu");
   VtuCells<dim> cells;
   agree(communicator_, [&]() {
-    write_file(directory_ / files[Utilities::MPI::this_mpi_process(communicator_)],
+    const unsigned int rank = Utilities::MPI::this_mpi_process(communicator_);
+    std::error_code error;
+    if (rank > 0 && !std::filesystem::is_directory(directory_, error))
+      throw WritingError("The file '" + (directory_ / files[rank]).string() +
+                         "' could not be written: rank " + std::to_string(rank) +
+                         " does not see the directory of the first rank; take one that all ranks "
+                         "share, or VTU = none.");
+    write_file(directory_ / files[rank],
                [&](std::ostream &stream) { cells = write_cells(stream); });
   });
   write(name + ".pvtu", [&](std::ostream &stream) { write_pvtu(stream, files, cells); });
@@ -247,8 +252,11 @@ void ResultsWriter::write_failure(const std::vector<LevelRecord> &levels,
       keeps_earlier_results = std::filesystem::exists(directory_ / certificate_name, error);
     });
   try {
-    if (!Utilities::MPI::broadcast(communicator_, keeps_earlier_results))
+    if (!Utilities::MPI::broadcast(communicator_, keeps_earlier_results)) {
       write_tables(levels, verdict);
+      if (!levels.empty())
+        write_answer(levels, verdict);
+    }
   } catch (const WritingError &) {
     // The first failure is reported. On a full disk even the certificate may fail: then its outcome
     // remains "unfinished".

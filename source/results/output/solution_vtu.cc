@@ -17,9 +17,15 @@
 
 namespace Signorini {
 namespace {
-/** The cells of a piece of the file. Memory of this size is used again and again, and comes from
- * the system once: with all cells in one piece, writing takes a third longer. */
-constexpr std::size_t cells_per_piece = 8192;
+/** The most cells of a piece of the file: pieces bound the memory of writing, and some readers
+ * (meshio) lose cells of a file of several. */
+constexpr std::size_t cells_per_piece = 65536;
+
+/** Returns whether the file shows a patch interpolation beside u_h. */
+template <int dim>
+bool is_recovered(const DisplacementSpace<dim> &space) {
+  return space.max_element_degree() == 1 && space.mesh().has_parents();
+}
 
 /** Writes the cells of this rank with their fields. Cells may be divided in different ways. */
 template <int dim>
@@ -27,7 +33,7 @@ class BodyWriter {
 public:
   BodyWriter(std::ostream &stream, const DataOutBase::VtkFlags &flags,
              const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U,
-             const BoundFields &bound)
+             const BoundFields &bound, const unsigned int n_generations)
     : stream_(stream)
     , flags_(flags)
     , field_(space, scene, U)
@@ -36,10 +42,9 @@ public:
     , scene_(scene)
     , U_(U)
     , bound_(bound)
-    , is_recovered_(space.max_element_degree() == 1 && space.mesh().has_parents())
-    , by_parents_(dim == 3 && is_recovered_ && scene.material->is_constant()) {
-    cells_.cells.reserve(cells_per_piece);
-  }
+    , n_generations_(n_generations)
+    , is_recovered_(is_recovered(space))
+    , by_parents_(dim == 3 && is_recovered_ && scene.material->is_constant()) {}
 
   /** Writes all cells. @return their fields. */
   VtuCells<dim> write() {
@@ -74,7 +79,7 @@ private:
                            (is_recovered_ ? update_inverse_jacobians : update_gradients));
     std::optional<PatchInterpolation<dim>> interpolation;
     if (is_recovered_)
-      interpolation.emplace(space_, U_, points, best_interpolation(space_, U_));
+      interpolation.emplace(space_, U_, points, n_generations_);
     const FEValuesExtractors::Vector vector(0);
     FieldValues<dim> u;
     u.values.resize(points.size());
@@ -165,6 +170,8 @@ private:
   const Scene<dim> &scene_;
   const Displacement &U_;
   const BoundFields &bound_;
+  /** Those of the patch interpolation. */
+  unsigned int n_generations_;
   /** Whether stresses come from the patch interpolation. */
   bool is_recovered_;
   /** Whether the children of a parent share their corners, where no field jumps between them. */
@@ -177,14 +184,18 @@ private:
 } // namespace
 
 template <int dim>
-VtuCells<dim> write_solution_vtu(std::ostream &stream, const DisplacementSpace<dim> &space,
-                                 const Scene<dim> &scene, const Displacement &U,
-                                 const BoundFields &bound, const unsigned int number) {
-  const DataOutBase::VtkFlags flags(number, number, false, DataOutBase::VtkFlags::best_speed);
-  DataOutBase::write_vtu_header(stream, flags);
-  VtuCells<dim> fields = BodyWriter<dim>(stream, flags, space, scene, U, bound).write();
-  DataOutBase::write_vtu_footer(stream);
-  return fields;
+std::function<VtuCells<dim>(std::ostream &)>
+solution_vtu(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U,
+             const BoundFields &bound, const unsigned int number) {
+  const unsigned int n_generations = is_recovered(space) ? best_interpolation(space, U) : 0;
+  return [&space, &scene, &U, &bound, number, n_generations](std::ostream &stream) {
+    const DataOutBase::VtkFlags flags(number, number, false, DataOutBase::VtkFlags::best_speed);
+    DataOutBase::write_vtu_header(stream, flags);
+    VtuCells<dim> fields =
+      BodyWriter<dim>(stream, flags, space, scene, U, bound, n_generations).write();
+    DataOutBase::write_vtu_footer(stream);
+    return fields;
+  };
 }
 
 template <int dim>
@@ -202,6 +213,6 @@ void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::st
   stream << std::regex_replace(record.str(), comment, "");
 }
 
-INSTANTIATE_FUNCTION(write_solution_vtu);
+INSTANTIATE_FUNCTION(solution_vtu);
 INSTANTIATE_FUNCTION(write_pvtu);
 } // namespace Signorini

@@ -180,6 +180,16 @@ QPResult solve_with_discs(const BoundConstrainedQP &qp, const Vector &start,
   return result;
 }
 
+/** Returns the problem of bodies that weak springs hold at the motions z: it determines where a
+ * body goes that no patch of a set holds. */
+BoundConstrainedQP on_springs(const BoundConstrainedQP &qp, const Vector &z) {
+  BoundConstrainedQP held(qp);
+  const double spring = weak_spring(qp);
+  held.balances.K.diagadd(spring);
+  held.balances.b.add(spring, z);
+  return held;
+}
+
 /** Returns how many systems are tried: with bounds that move states are random after some of them,
  * and further ones of many unknowns would take minutes. */
 unsigned int affordable_solves(const BoundConstrainedQP &qp) {
@@ -202,19 +212,21 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
   std::set<States> visited;
   std::minstd_rand random;
   bool has_path = false;
+  std::optional<BoundConstrainedQP> held;
   // Newton's method takes some 10 systems; far from a solution it may not come back for thousands.
   constexpr unsigned int max_wandering = 50;
+  // Where P and W vanish together, rounding changes the set each time, although P is the solution.
+  const auto residual_of = [&qp](const Iterate &of) {
+    Vector projected = of.P;
+    qp.K.at(projected).project(projected);
+    return qp.kkt_residual(projected, of.z, qp.gradient(projected, of.z), false);
+  };
   const unsigned int max_solves =
     std::min({options.maximum_iterations, 20 * qp.size() + 100, affordable_solves(qp)});
   for (bool settled = false; !settled && result.iterations < max_solves;) {
     ++result.iterations;
-    const Iterate wanted = solve_on_set(qp, states);
-    // Where P and W vanish together, rounding changes the set each time, although P is the
-    // solution.
-    Vector projected = wanted.P;
-    qp.K.at(projected).project(projected);
-    const double residual =
-      qp.kkt_residual(projected, wanted.z, qp.gradient(projected, wanted.z), false);
+    Iterate wanted = solve_on_set(held ? *held : qp, states);
+    const double residual = residual_of(wanted);
     if (!result.cycled) {
       x = wanted;
       visited.insert(states);
@@ -234,8 +246,10 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
         states = end ? *end : any_states(qp, random);
         result.cycled = false;
       } else if (result.cycled) {
-        if (moves)
+        if (moves) {
           x.P = qp.balances.P;
+          held = on_springs(qp, Vector(qp.balances.size()));
+        }
         qp.K.project(x.P);
         states = states_of(qp.K, x.P);
       }
@@ -243,7 +257,17 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
       settled = residual <= std::max(qp.rounding(), 1e-3 * options.tolerance);
       if (settled || step_to_first_end(qp, wanted.P, x.P, states)) {
         x = wanted;
-        settled = settled || !join_deepest(qp, x, states);
+        const bool ends = settled || !join_deepest(held ? *held : qp, x, states);
+        settled = ends;
+        if (ends && held) {
+          // Without springs; else they are fixed where the bodies are now.
+          wanted = solve_on_set(qp, states);
+          settled = residual_of(wanted) <= options.tolerance;
+          if (settled)
+            x = wanted;
+          else
+            held = on_springs(qp, x.z);
+        }
       }
     }
   }

@@ -9,6 +9,7 @@
 #include <deal.II/lac/exceptions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace Signorini {
@@ -23,17 +24,36 @@ std::string message_of(const ExceptionBase &exception) {
   return one_line(trim(text.str()));
 }
 
+/** Returns how many sweeps projected SOR may take in the place of the active set method: some
+ * seconds. */
+unsigned int affordable_sweeps(const BoundConstrainedQP &qp) {
+  constexpr double most_products = 5e9;
+  return static_cast<unsigned int>(most_products / std::pow(qp.size() + 1., 2)) + 1;
+}
+
 QPResult by_chosen_method(const BoundConstrainedQP &qp, const Vector &start,
                           const DualSolverOptions &options) {
   if (options.method == ContactSolver::psor && qp.size() > 0)
     return solve_by_psor(qp, start, options);
+  QPResult result;
+  std::string failure;
   try {
-    return solve_by_active_set(qp, start, options);
+    result = solve_by_active_set(qp, start, options);
+    if (result.converged || qp.size() == 0)
+      return result;
+    std::ostringstream text;
+    text << "KKT residual " << result.kkt_residual << " after " << result.iterations << " systems";
+    failure = text.str();
   } catch (const ExceptionBase &exception) {
-    QPResult result = solve_by_psor(qp, start, options);
-    result.active_set_failure = message_of(exception);
-    return result;
+    failure = message_of(exception);
   }
+  IterationOptions sweeps = options;
+  sweeps.maximum_iterations = std::min(options.maximum_iterations, affordable_sweeps(qp));
+  QPResult swept = solve_by_psor(qp, start, sweeps);
+  if (result.P.size() > 0 && !swept.converged)
+    return result;
+  swept.active_set_failure = failure;
+  return swept;
 }
 } // namespace
 

@@ -122,11 +122,19 @@ MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space, const Scene<2> &sc
 
 template <int dim>
 FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const {
+  // The ends of a symmetric patch balance each other: rounding must not turn that into a closing.
+  constexpr double rounding = 1e-13;
   FullMatrix<double> B(D.n_columns(), size());
+  dealii::Vector<double> magnitude(B.m());
   for (unsigned int j = 0; j < size(); ++j) {
     const dealii::Vector<double> column = D.transpose_product(Z[j]);
+    magnitude = 0.;
     for (unsigned int i = 0; i < column.size(); ++i)
-      B(i, j) = column[i];
+      for (const auto &[row, entry] : D.column(i))
+        magnitude[i] += std::abs(entry * Z[j](row));
+    Utilities::MPI::sum(magnitude, Z[j].get_mpi_communicator(), magnitude);
+    for (unsigned int i = 0; i < column.size(); ++i)
+      B(i, j) = std::abs(column[i]) > rounding * magnitude[i] ? column[i] : 0.;
   }
   return B;
 }

@@ -18,6 +18,7 @@ class SolutionPath {
 public:
   explicit SolutionPath(const BoundConstrainedQP &qp)
     : qp_(qp)
+    , C_(qp.C->dense())
     , n_patches_(qp.size() / 2)
     , states_(states_of(qp.K, Vector(qp.size())))
     , inverse_(qp.size() + qp.balances.size()) {
@@ -27,10 +28,7 @@ public:
     for (unsigned int i = 0; i < n_patches_; ++i)
       F_[1][i] = qp.F.linfty_norm() * std::sqrt(qp.diagonal[i] / qp.diagonal.linfty_norm()) *
                  (1. + 0.5 * std::sin(1. + i * i));
-    constexpr double weak = 1e-6;
-    for (unsigned int i = 0; i < qp.size(); ++i)
-      for (unsigned int j = 0; j < qp.balances.size(); ++j)
-        spring_ += weak * std::pow(qp.balances.B(i, j), 2) / qp.diagonal[i];
+    spring_ = weak_spring(qp);
   }
 
   std::optional<States> follow() {
@@ -78,7 +76,7 @@ private:
   /** Adds a multiple of the column of P_j. */
   void add_column(const unsigned int j, const double factor, Vector &to) const {
     for (unsigned int i = 0; i < qp_.size(); ++i)
-      to[i] += factor * qp_.C->dense()(i, j);
+      to[i] += factor * C_(i, j);
     for (unsigned int k = 0; k < qp_.balances.size(); ++k)
       to[qp_.size() + k] -= factor * qp_.balances.B(j, k);
   }
@@ -173,6 +171,7 @@ private:
   }
 
   const BoundConstrainedQP &qp_;
+  const FullMatrix<double> &C_;
   unsigned int n_patches_;
   States states_;
   FullMatrix<double> inverse_;
@@ -183,6 +182,15 @@ private:
   std::array<Vector, 2> F_, b_, y_;
 };
 } // namespace
+
+double weak_spring(const BoundConstrainedQP &qp) {
+  constexpr double weak = 1e-6;
+  double stiffness = 0.;
+  for (unsigned int i = 0; i < qp.size(); ++i)
+    for (unsigned int j = 0; j < qp.balances.size(); ++j)
+      stiffness += weak * std::pow(qp.balances.B(i, j), 2) / qp.diagonal[i];
+  return stiffness;
+}
 
 std::optional<States> follow_solutions(const BoundConstrainedQP &qp) {
   return SolutionPath(qp).follow();

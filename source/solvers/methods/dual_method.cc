@@ -116,9 +116,22 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
     throw InputError(parameters.boundary.where +
                      ": no load moves the body, and the pressure of the foundation, into which it "
                      "begins, leaves " +
-                     rigid_part(modes, unseen.front()).name() +
-                     " free; allowed: loads that press the body onto the foundation, or more sides "
-                     "that hold it.");
+                     rigid_part(modes, unseen.front()).name() + " free" +
+                     (K.has_friction() ? ", along which friction is too weak to hold it; allowed: "
+                                         "more friction, "
+                                       : "; allowed: ") +
+                     "loads that press the body onto the foundation, or more sides that hold it.");
+}
+
+/** Returns whether there is friction, and a larger coefficient would balance the loads. */
+bool friction_could_hold(const AdmissibleSet &K, const FreeMotions &motions) {
+  constexpr double large = 1e3;
+  if (!K.has_friction())
+    return false;
+  Vector s(K.n_normal()), f(K.n_normal());
+  f = large;
+  return !ReducedMotions(motions, AdmissibleSet::with_friction(s, f), typical_stiffness(motions))
+            .escape;
 }
 
 /**
@@ -156,13 +169,16 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
                      "act closer to the end of contact (the body would move " +
                      motion.direction() + "), allowed: a finer coarsest level.");
   }
+  const bool is_slippery = friction_could_hold(discretization.K, motions);
   throw InputError(
-    parameters.boundary.where + ": the loads move the body " + motion.direction() +
-    ", and no pressure of the foundation balances them (" +
+    parameters.boundary.where + ": the loads move the body " + motion.direction() + ", and no " +
+    (is_slippery ? "pressure with so little friction" : "pressure of the foundation") +
+    " balances them (" +
     text_of_escape(motion, opens(motions.B, v, discretization.multipliers.n_multipliers())) +
-    "); allowed: loads that press it onto the foundation, or more sides that hold "
-    "it.");
+    "); allowed: " + (is_slippery ? "more friction, " : "") +
+    "loads that press it onto the foundation, or more sides that hold it.");
 }
+
 DualSolve summary_of(const QPResult &result, const ContactSolver method) {
   DualSolve summary;
   summary.method = method;

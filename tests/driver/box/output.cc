@@ -77,7 +77,7 @@ void body(Checks &checks) {
   const Scene<3> scene = scene_with_pressure(u);
   const Box box(scene, 2, 2);
   std::ostringstream file;
-  write_solution_vtu(file, box.space, scene, interpolate_at_nodes(box.space, *u), {}, 0);
+  solution_vtu(box.space, scene, interpolate_at_nodes(box.space, *u), {}, 0)(file);
   const std::string vtu = file.str();
   checks.that("64 hexahedra, eight of each parent",
               vtu.find("NumberOfPoints=\"216\" NumberOfCells=\"64\"") != std::string::npos);

@@ -55,7 +55,7 @@ public:
 /** In plane strain with E = 2.5, nu = 1/4: lambda = mu = 1. */
 void fields(Checks &checks, const Columns4 &example) {
   std::ostringstream file;
-  write_solution_vtu(file, example.space, example.level.scene, example.U, BoundFields(), 3);
+  solution_vtu(example.space, example.level.scene, example.U, BoundFields(), 3)(file);
   const std::string vtu = file.str();
   const PointField points = read_vtu_field(vtu, ""), stress = read_vtu_field(vtu, "stress"),
                    u = read_vtu_field(vtu, "displacement"), degree = read_vtu_field(vtu, "degree");

@@ -31,7 +31,7 @@ const std::string held = "subsection Boundary\nset Clamped = top\nset Contact = 
 
 std::string body_vtu(const OneLevel &level, const Displacement &U, const BoundFields &bound) {
   std::ostringstream file;
-  write_solution_vtu(file, level.space(), level.scene, U, bound, 7);
+  solution_vtu(level.space(), level.scene, U, bound, 7)(file);
   return file.str();
 }
 

@@ -7,6 +7,7 @@
 #include <deal.II/base/data_out_base.h>
 
 #include <algorithm>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <tuple>
@@ -72,13 +73,15 @@ struct VtuCells {
  * degree p > 1 are divided into p x p, get the stress of u_h, and have the field "degree". In 3-D
  * the file contains u_h and stresses at the corners of the cells, where the patch interpolation is
  * u_h; the children of a parent share these unless the material varies. A rank writes its own
- * cells, at most 8192 or 2048 parents in a piece of the file. Collective.
- * @return the fields, without cells.
+ * cells, at most 65536 or 16384 parents in a piece of the file: with fewer, the file has one piece.
+ *
+ * Collective; the function that is returned writes, without communication, so that it may fail on
+ * one rank alone. It refers to the arguments, and returns the fields, without cells.
  */
 template <int dim>
-VtuCells<dim> write_solution_vtu(std::ostream &stream, const DisplacementSpace<dim> &space,
-                                 const Scene<dim> &scene, const Displacement &U,
-                                 const BoundFields &bound, unsigned int number);
+std::function<VtuCells<dim>(std::ostream &)>
+solution_vtu(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U,
+             const BoundFields &bound, unsigned int number);
 
 /** Writes a .pvtu that lists the files of all ranks, which have these @p fields. */
 template <int dim>

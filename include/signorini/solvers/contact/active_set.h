@@ -51,6 +51,10 @@ struct Iterate {
 Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states,
                      const dealii::Vector<double> &a = {});
 
+/** Returns the stiffness of springs against free motions that is a millionth of what separate
+ * patches would resist. */
+double weak_spring(const BoundConstrainedQP &qp);
+
 /**
  * Solves the problem of Coulomb's friction in the plane by Lemke's method (R. Cottle, J.-S. Pang,
  * R. Stone: The Linear Complementarity Problem, 1992, chapter 4), written for intervals that move.

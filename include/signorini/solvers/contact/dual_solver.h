@@ -19,9 +19,10 @@ struct DualSolverOptions : public IterationOptions {
 
 /**
  * Solves the dual problem over P in K by the chosen method. Where columns of C cost linear solves,
- * the active set method works on a growing set of patches. Where it fails because C is singular
- * (patches finer than the mesh: many pressures give the same displacement), projected SOR finds one
- * of the solutions, and QPResult::active_set_failure is set.
+ * the active set method works on a growing set of patches. Where it fails, because C is singular
+ * (patches finer than the mesh: many pressures give the same displacement) or because it does not
+ * end, projected SOR finds one of the solutions, and QPResult::active_set_failure is set. Its
+ * sweeps are limited to seconds there.
  *
  * @param start a pressure to start from; empty: none.
  */
@@ -67,7 +68,10 @@ QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<
  * method ends the search. It begins with an admissible pressure in balance, and solves on the
  * patches that press. Where one would leave its interval, the step ends there, and the patch leaves
  * the set; else the patch with the largest penetration joins. The energy falls in every step, so no
- * set comes back (J. Nocedal, S. Wright: Numerical Optimization, 2006, section 16.5).
+ * set comes back (J. Nocedal, S. Wright: Numerical Optimization, 2006, section 16.5). A set may
+ * leave bodies free, whose place would be arbitrary: patches that are to carry them would join and
+ * leave again for ever. Weak springs hold them there; where these matter in the end, they are fixed
+ * anew where the bodies have gone (a proximal iteration).
  *
  * With discs (friction in space, without balances) slip turns, which Newton's method finds
  * quadratically. There it begins with ten sweeps of projected SOR. Steps are shortened where that
