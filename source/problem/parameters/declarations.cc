@@ -295,7 +295,7 @@ void Declarations::declare_geometry(GeometryParameters &geometry) {
     "Geometry/Bodies", geometry.bodies,
     "Names of several bodies, separated by blanks. Every entry of Geometry may then have a value "
     "for each, 'upper: 1 | lower: 2', and so may moduli; a side is called upper.bottom. Bodies of "
-    "one mesh file are its surfaces of these names.");
+    "one mesh file are its surfaces of these names. At most 500.");
   add("Geometry/Shape", geometry.shape,
       "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
       "side1, ... in the order of its vertices; a half disc (the lower half) flat and arc, a disc "

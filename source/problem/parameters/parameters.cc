@@ -99,13 +99,13 @@ const std::string geometry_section = "Geometry/", bodies_path = "Geometry/Bodies
 /** Returns the values of "upper: 1 | lower: 2" by body; empty if the text is one value for all. A
  * part that begins with no body belongs to the one before it. */
 std::map<std::string, std::string> values_by_body(const std::string &text,
-                                                  const std::vector<std::string> &bodies) {
+                                                  const std::set<std::string> &bodies) {
   std::map<std::string, std::string> values;
   std::string body;
   for (const std::string &part : split_list(text, '|')) {
     const std::size_t colon = part.find(':');
     const std::string name = trim(part.substr(0, colon));
-    if (colon != std::string::npos && std::count(bodies.begin(), bodies.end(), name) > 0)
+    if (colon != std::string::npos && bodies.count(name) > 0)
       values[body = name] = trim(part.substr(colon + 1));
     else if (!body.empty())
       values[body] += " | " + part;
@@ -114,7 +114,7 @@ std::map<std::string, std::string> values_by_body(const std::string &text,
 }
 
 /** Returns the geometry of one of several bodies. */
-GeometryParameters read_body(const std::string &name, const std::vector<std::string> &bodies,
+GeometryParameters read_body(const std::string &name, const std::set<std::string> &bodies,
                              const std::vector<Assignment> &assignments,
                              const std::shared_ptr<const Constants> &constants,
                              const Parameters &parameters) {
@@ -139,6 +139,11 @@ GeometryParameters read_body(const std::string &name, const std::vector<std::str
 
 /** Checks the names of bodies. */
 void check_names(const std::vector<std::string> &names, const std::string &where) {
+  // Their motions are unknowns of one dense matrix, whose factors cost the cube of their number.
+  constexpr std::size_t most = 500;
+  if (names.size() > most)
+    throw input_error(where, ": found ", names.size(), " bodies, allowed: at most ", most,
+                      ", since the time grows like the cube of their number.");
   for (const std::string &name : names) {
     if (std::count(names.begin(), names.end(), name) > 1)
       throw input_error(where, ": found '", name, "' twice, allowed: bodies with different names.");
@@ -185,11 +190,12 @@ Parameters parse_parameters(const std::string &text, const std::string &file_nam
       check_names(bodies, assignment.place + ": " + bodies_path);
     }
   declarations.set_constants(constants);
+  const std::set<std::string> names(bodies.begin(), bodies.end());
   for (const std::string &name : bodies)
-    parameters.bodies.push_back(read_body(name, bodies, assignments, constants, parameters));
+    parameters.bodies.push_back(read_body(name, names, assignments, constants, parameters));
   for (Assignment &assignment : assignments) {
     const auto values = assignment.path.rfind(geometry_section, 0) == 0
-                          ? values_by_body(assignment.value, bodies)
+                          ? values_by_body(assignment.value, names)
                           : std::map<std::string, std::string>();
     if (!values.empty()) {
       std::vector<std::string> files;

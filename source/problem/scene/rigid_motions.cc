@@ -56,15 +56,16 @@ public:
                        const unsigned int body = 0,
                        const std::optional<unsigned int> &other = std::nullopt) {
     constexpr unsigned int n_own = n_rigid_motions<dim>;
-    dealii::Vector<double> row(matrix.m());
+    std::vector<std::pair<unsigned int, double>> row;
     for (unsigned int k = 0; k < n_own; ++k) {
-      row[n_own * body + k] += rigid_velocity<dim>(k, (x - centres[body]) / size) * n;
+      row.emplace_back(n_own * body + k, rigid_velocity<dim>(k, (x - centres[body]) / size) * n);
       if (other)
-        row[n_own * *other + k] -= rigid_velocity<dim>(k, (x - centres[*other]) / size) * n;
+        row.emplace_back(n_own * *other + k,
+                         -(rigid_velocity<dim>(k, (x - centres[*other]) / size) * n));
     }
-    for (unsigned int i = 0; i < row.size(); ++i)
-      for (unsigned int j = 0; j < row.size(); ++j)
-        matrix(i, j) += weight * row[i] * row[j];
+    for (const auto &[i, of_i] : row)
+      for (const auto &[j, of_j] : row)
+        matrix(i, j) += weight * of_i * of_j;
   }
   /** Adds what a side of this role forbids at a point to a body, or to two bodies that touch. */
   void forbid(const Role role, const Point<dim> &x, const Tensor<1, dim> &n, const double weight,

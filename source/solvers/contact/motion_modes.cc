@@ -8,6 +8,8 @@
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/motion_modes.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

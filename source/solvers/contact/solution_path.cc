@@ -39,7 +39,8 @@ public:
     for (unsigned int step = 0; step < most_per_unknown * qp_.size(); ++step) {
       if (step % n_updates == 0)
         invert();
-      y_ = {solution(0), solution(1)};
+      if (step % n_updates == 0 || moves_sides_)
+        y_ = {solution(0), solution(1)};
       if (back)
         direction = rate(*back) < 0. ? -1. : 1.;
       double length = direction < 0. ? tau_ : std::numeric_limits<double>::max();
@@ -54,6 +55,7 @@ public:
         return direction < 0. ? std::optional<States>(states_) : std::nullopt;
       tau_ += direction * length;
       back = Change{change->unknown, states_[change->unknown]};
+      moves_sides_ = qp_.K[change->unknown].upper > 0.;
       make(*change);
     }
     return {};
@@ -105,7 +107,7 @@ private:
     }
     inverse_.gauss_jordan();
   }
-  /** Updates the inverse after a change of column j. */
+  /** Updates the inverse, and with it the unknowns, after a change of column j. */
   void update(const unsigned int j) {
     Vector d(inverse_.m());
     inverse_.vmult(d, column(j));
@@ -114,6 +116,11 @@ private:
     for (unsigned int i = 0; i < d.size(); ++i)
       if (i != j)
         inverse_.add_row(i, -d[i], j);
+    for (Vector &y : y_) {
+      const double y_j = y[j] / d[j];
+      y.add(-y_j, d);
+      y[j] = y_j;
+    }
   }
   /** Returns the unknowns of the states for τ = 0 or 1. */
   Vector solution(const unsigned int end) const {
@@ -178,6 +185,8 @@ private:
   /** The stiffness of weak springs, which hold a free body where no patch does. */
   double spring_ = 0.;
   double tau_ = 1.;
+  /** Whether the last change moved the right side, by an end that is not zero. */
+  bool moves_sides_ = false;
   /** The data and the unknowns for τ = 0 and 1. */
   std::array<Vector, 2> F_, b_, y_;
 };

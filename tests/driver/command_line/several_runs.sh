@@ -63,6 +63,46 @@ check "a quiet run prints nothing" [ ! -s stdout ]
 check "  and writes its results" [ -s quiet/answer.json ]
 refuse "--set: found the constant 'depht', allowed: E, nu, depth, half." block.prm --set Constants/depht=1
 refuse "allowed: one value" block.prm --set 'Constants/depth=1, nu=0.3'
+
+# A bearing: three rollers carry a ring that is loaded from above. Those at the sides begin to press last; until then they
+# roll anywhere, and patches that are to hold them came and went for ever.
+cat >bearing.prm <<'PRM'
+subsection Geometry
+  set Bodies    = inner outer r1 r2 r3
+  set Shape     = polygon
+  set Vertices  = inner: -17.3205080757,-10; arc 0,0 ccw; -6.84040286651,-18.7938524157; arc 0,0 ccw; 6.84040286651,-18.7938524157; arc 0,0 ccw; 17.3205080757,-10; arc 0,0 ccw; 0,20; arc 0,0 ccw | outer: -36.705181399,-9.8351237139; arc 0,0 ccw; 36.705181399,-9.8351237139; 28.9777747887,-7.76457135308; arc 0,0 cw; 10.2606042998,-28.1907786236; arc 0,0 cw; -10.2606042998,-28.1907786236; arc 0,0 cw; -28.9777747887,-7.76457135308 | r1: 5,-25; arc 0,-25 ccw; -5,-25; arc 0,-25 ccw | r2: 19.8999124578,-15.9371730295; arc 16.0696902422,-19.151111078 ccw; 12.2394680266,-22.3650491264; arc 16.0696902422,-19.151111078 ccw | r3: -12.2394680266,-22.3650491264; arc -16.0696902422,-19.151111078 ccw; -19.8999124578,-15.9371730295; arc -16.0696902422,-19.151111078 ccw
+  set Holes     = inner: circle 0,0,12
+  set Mesh size = 12
+end
+subsection Material
+  set Young's modulus = 210000
+end
+subsection Boundary
+  set Contact = inner.side1 with r1.side0 | inner.side2 with r2.side0 | inner.side0 with r3.side0 | outer.side3 with r1.side1 | outer.side2 with r2.side1 | outer.side4 with r3.side1
+  set Clamped = outer.side0
+  set Plates  = inner.hole0: 0,-1
+end
+subsection Load
+  set Plate force = inner.hole0: 1000
+end
+subsection Discretization
+  set Coarsest level = 2
+  set Finest level   = 2
+end
+subsection Solver
+  set Tolerated error = 1e-3
+end
+PRM
+run 2 bearing.prm block.prm --output rolling
+check "the equations of five bodies are solved" grep -q '^NOT resolved, equations certified' stdout
+check "  by the active set" grep -q '"contact_solver_replaced": false' rolling/bearing/certificate.json
+# carried SIDE: the vertical force on a side of the ring.
+carried() { sed -n "s/^    on $1 *([^,]*, \([^)]*\)).*/\1/p" stdout; }
+check "  all rollers carry, together what presses the ring down" \
+  awk -v a="$(carried inner.side0)" -v b="$(carried inner.side1)" -v c="$(carried inner.side2)" \
+  'BEGIN { sum = a + b + c; exit !(a > 1 && b > 1 && c > 1 && sum > 999.9 && sum < 1000.1) }'
+check "  the message names the scene" grep -q '^signorini: bearing.prm: The error of level 2' stderr
+
 run 1 block.prm missing.prm stiff.prm --output both
 check "  the others are run" [ -s both/stiff/convergence.csv ]
 check "  and it is said" grep -q '^missing.prm: wrong input, exit code 1' stdout
