@@ -3,6 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
+#include <signorini/discretization/mesh/arc_mapping.h>
 #include <signorini/discretization/mesh/mesh.h>
 
 #include <deal.II/base/geometry_info.h>
@@ -16,12 +17,37 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <utility>
 
 namespace Signorini {
 namespace {
+/** Makes every cell with an arc the transfinite interpolation of its own edges, of which all others
+ * are straight. Before their vertices moved, cells were parts of coarse cells, which they may
+ * leave.
+ * @throws InputError where an arc folds its cell. */
+void follow_arcs(const Geometry<2> &geometry, Triangulation<2> &triangulation) {
+  types::manifold_id next = 0;
+  for (const types::manifold_id id : triangulation.get_manifold_ids())
+    next = id == numbers::flat_manifold_id ? next : std::max(next, id + 1);
+  for (const auto &cell : triangulation.active_cell_iterators()) {
+    const ArcCentres centres = arc_centres(geometry.sides, cell);
+    for (const unsigned int f : cell->face_indices())
+      if (!centres[f])
+        cell->face(f)->set_manifold_id(numbers::flat_manifold_id);
+    cell->set_manifold_id(has_arcs(centres) ? next : numbers::flat_manifold_id);
+    if (!has_arcs(centres))
+      continue;
+    const ArcCell map({{cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}},
+                      {{centres[2], centres[1], centres[3], centres[0]}});
+    if (!map.is_valid(0.))
+      throw input_error(geometry.where_distortion, ": found ", geometry.distortion,
+                        ", with which the cell at (", cell->center(),
+                        ") is folded by its side on a circle, allowed: a smaller share.");
+    triangulation.set_manifold(next++, map);
+  }
+}
+
 /** Moves the interior vertices; the mapping of every cell must stay one to one. */
 template <int dim>
 void distort(const Geometry<dim> &geometry, Triangulation<dim> &triangulation) {
@@ -39,26 +65,9 @@ void distort(const Geometry<dim> &geometry, Triangulation<dim> &triangulation) {
                           ", with which the cell at (", cell->center(),
                           ") is not convex, allowed: a smaller share.");
   }
-}
-
-/** Refines a mesh by @p work. Cells at curved sides are maps of coarse cells as they were before
- * their vertices moved: points may leave them. @throws InputError where they do. */
-template <int dim>
-void refine(const Geometry<dim> &geometry, const std::function<void()> &work) {
-  const auto explain = [&]() {
-    if (!geometry.curved || geometry.distortion == 0.)
-      throw;
-    throw input_error(geometry.where_distortion, ": found ", geometry.distortion,
-                      ", with which cells at a curved side leave the coarse cells that follow it, "
-                      "allowed: a smaller share.");
-  };
-  try {
-    work();
-  } catch (const ComputationError &) {
-    explain();
-  } catch (const ExceptionBase &) {
-    explain();
-  }
+  if constexpr (dim == 2)
+    if (geometry.curved)
+      follow_arcs(geometry, triangulation);
 }
 
 /** A map of the given degree, followed by x -> (x - lower)/size. */
@@ -225,12 +234,10 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level
     triangulation_->refine_global(first);
   if (geometry.distortion > 0.)
     distort(geometry, *triangulation_);
-  refine(geometry, [&]() {
-    triangulation_->refine_global(level - this->level());
-    if (geometry.number_after_refinement)
-      geometry.number_after_refinement(*triangulation_);
-    make_mappings(2);
-  });
+  triangulation_->refine_global(level - this->level());
+  if (geometry.number_after_refinement)
+    geometry.number_after_refinement(*triangulation_);
+  make_mappings(2);
 }
 
 template <int dim>

@@ -383,14 +383,41 @@ Sweep read_sweep(const std::string &argument) {
     sweep.values = split_list(argument.substr(equals + 1), '|');
   if (sweep.values.size() == 1)
     sweep.values = split_list(sweep.values[0], ',');
+  const auto is_wrong = [](const std::string &value) {
+    return value.empty() || value.find(" step ") != std::string::npos;
+  };
   if (parameter.empty() || sweep.values.empty() ||
-      std::count(sweep.values.begin(), sweep.values.end(), "") > 0)
+      std::any_of(sweep.values.begin(), sweep.values.end(), is_wrong))
     throw input_error("--sweep: found ", quote(argument),
                       ", but 'Subsection/Parameter=value, value, ...' is expected.");
   return sweep;
 }
 
+namespace {
+/** Refuses sweeps of which one would replace the values of another. */
+void refuse_double_sweeps(const std::vector<Sweep> &sweeps) {
+  const std::string all = "Constants/Values", section = "Constants/";
+  // A constant may be named without its subsection.
+  const auto name = [&](const Sweep &sweep) {
+    const std::string &parameter = sweep.parameter;
+    return parameter.rfind(section, 0) == 0 ? parameter.substr(section.size()) : parameter;
+  };
+  const auto is_constant = [&](const Sweep &sweep) {
+    return name(sweep).find('/') == std::string::npos;
+  };
+  for (std::size_t i = 0; i < sweeps.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (name(sweeps[i]) == name(sweeps[j]) ||
+          (is_constant(sweeps[i]) && sweeps[j].parameter == all) ||
+          (is_constant(sweeps[j]) && sweeps[i].parameter == all))
+        throw input_error("--sweep: found ", quote(sweeps[j].parameter), " and ",
+                          quote(sweeps[i].parameter),
+                          ", allowed: one sweep of a parameter, with all of its values.");
+}
+} // namespace
+
 std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps) {
+  refuse_double_sweeps(sweeps);
   std::size_t n = 1;
   for (const Sweep &sweep : sweeps) {
     n *= sweep.values.size();

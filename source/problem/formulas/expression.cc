@@ -9,10 +9,14 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
+#include <regex>
 #include <stdexcept>
 #include <string>
 
@@ -54,6 +58,18 @@ std::string find_misuse(const std::string &text) {
     i += compares && next == '=' ? 1 : 0;
   }
   return trim(text).empty() ? "it is empty" : "";
+}
+
+/** Returns how an operator of other languages is written; empty if the formula has none. */
+std::string translation_for(const std::string &text, const Constants &constants) {
+  static const std::map<std::string, std::string> operators = {
+    {"or", "||"}, {"and", "&&"}, {"not", "== 0"}, {"**", "^"}};
+  static const std::regex any("\\b(or|and|not)\\b|\\*\\*", std::regex::icase);
+  std::smatch found;
+  if (!std::regex_search(text, found, any) || constants.count(found.str()) > 0)
+    return "";
+  return quote(found.str()) + " is written '" +
+         operators.at(boost::algorithm::to_lower_copy(found.str())) + "'";
 }
 
 /** Returns muParser's message without its full stop, with at most a part of a long token. */
@@ -125,8 +141,9 @@ Expression<dim>::Expression(const std::string &text, const Constants &constants,
     check_syntax<dim>(text_, constants);
     formula_ = std::make_shared<const FormulaTree<dim>>(text_, constants);
   } catch (const mu::ParserError &error) {
+    const std::string translation = translation_for(text_, constants);
     throw input_error(where_, ": the expression ", quote(text_),
-                      " cannot be parsed: ", reason_of(error),
+                      " cannot be parsed: ", translation.empty() ? reason_of(error) : translation,
                       "; allowed: a formula in x, y, the constants and pi.");
   } catch (const std::invalid_argument &) {
     throw input_error(where_, ": the expression ", quote(text_), " cannot be read",
@@ -159,7 +176,7 @@ Constants read_constants(const std::string &text, const std::string &where) {
   for (const std::string &part : parts) {
     const auto equals = part.find('=');
     const std::string name = trim(part.substr(0, equals));
-    if (equals == std::string::npos || !is_name(name))
+    if (equals == std::string::npos || !is_name(name) || part.find(';') != std::string::npos)
       throw input_error(where, ": found ", quote(part),
                         ", allowed: name=number, separated by commas.");
     if (is_taken(name) || constants.count(name) > 0)

@@ -136,20 +136,28 @@ Geometry<2> make_body(const std::vector<Side<2>> &sides, const CoarseMesh &mesh)
 // Outlines: polygons with their corners on the sides, which are checked and filled.
 
 namespace {
-/** Returns the polygons between the sides as a mesh without cells, with chords of at most @p step
- * (radians) on arcs and @p mesh_size (length) everywhere, if that is positive. Beyond
- * @p max_chords of them it ends. */
-CoarseMesh make_chords(const std::vector<Side<2>> &sides, const double step, const double mesh_size,
-                       const std::size_t max_chords) {
+/** How sides become chords. */
+struct Chording {
+  /** The largest angle of a chord of an arc (radians), and the smallest number of them. */
+  double step, least;
+  /** The largest length of a chord; 0: any. */
+  double mesh_size = 0.;
+};
+
+/** Returns the polygons between the sides as a mesh without cells. Beyond max_coarse_cells chords
+ * it ends. */
+CoarseMesh make_chords(const std::vector<Side<2>> &sides, const Chording &wanted) {
   CoarseMesh chords;
   unsigned int first = 0;
   for (unsigned int i = 0; i < sides.size(); ++i) {
     for (unsigned int k = 0; k < sides[i].n_pieces(); ++k) {
       const Curve &piece = sides[i].piece(k);
-      const double by_angle = piece.radius() > 0. ? piece.length() / piece.radius() / step : 1.;
-      const double by_size = mesh_size > 0. ? piece.length() / mesh_size : 1.;
+      const bool is_arc = piece.radius() > 0.;
+      const double by_angle =
+        is_arc ? std::max(wanted.least, piece.length() / piece.radius() / wanted.step) : 1.;
+      const double by_size = wanted.mesh_size > 0. ? piece.length() / wanted.mesh_size : 1.;
       const double n = std::ceil(std::max({1., by_angle, by_size}) * (1. - 1e-10));
-      for (double j = 0.; j < n && chords.vertices.size() <= max_chords; ++j) {
+      for (double j = 0.; j < n && chords.vertices.size() <= max_coarse_cells; ++j) {
         const auto number = static_cast<unsigned int>(chords.vertices.size());
         chords.vertices.push_back(piece.point(j / n * piece.length()));
         chords.edges.push_back({number, number + 1, i, &piece});
@@ -182,9 +190,19 @@ bool meet(const Chord &p, const Chord &q, const double tolerance) {
   return boost::geometry::distance(p.ends, q.ends) < tolerance;
 }
 
-/** Refuses chords that cross or touch. */
-void refuse_crossings(const std::vector<Side<2>> &sides, const std::vector<Chord> &chords,
-                      const double tolerance, const std::string &where) {
+/** The chords of a mesh without cells. */
+std::vector<Chord> chords_of(const CoarseMesh &polygons, const std::vector<Side<2>> &sides) {
+  std::vector<Chord> chords;
+  for (const CoarseMesh::Edge &edge : polygons.edges)
+    chords.push_back({{polygons.vertices[edge.start], polygons.vertices[edge.end]},
+                      edge.side,
+                      sides[edge.side].is_closed() ? edge.side : 0});
+  return chords;
+}
+
+/** Returns the numbers of two chords that cross or touch; none if all polygons are simple. */
+std::optional<std::pair<std::size_t, std::size_t>> find_crossing(const std::vector<Chord> &chords,
+                                                                 const double tolerance) {
   namespace index = boost::geometry::index;
   std::vector<std::pair<Segment, std::size_t>> ends;
   for (const Chord &chord : chords)
@@ -194,32 +212,46 @@ void refuse_crossings(const std::vector<Side<2>> &sides, const std::vector<Chord
     BoundingBox<2> near(std::vector<Point<2>>{p.first, p.second});
     near.extend(tolerance);
     for (const auto &[q, j] : tree | index::adaptors::queried(index::intersects(near)))
-      if (i < j && meet(chords[i], chords[j], tolerance)) {
-        const auto [first, second] =
-          std::minmax(sides[chords[i].side].name(), sides[chords[j].side].name());
-        throw input_error(where, ": the sides ", first, " and ", second, " cross or touch near (",
-                          q.first + 0.5 * (q.second - q.first),
-                          "), allowed: sides that meet at their ends only.");
-      }
+      if (i < j && meet(chords[i], chords[j], tolerance))
+        return std::make_pair(i, j);
   }
+  return {};
+}
+
+/** The share of the body's size below which two points are one. */
+constexpr double same_point = 1e-9;
+
+/** Returns chords that stand for the sides: they turn by 2 degrees, and by less where longer ones
+ * cross. @throws InputError if sides cross or touch elsewhere than at common ends. */
+std::vector<Chord> simple_chords(const std::vector<Side<2>> &sides, const double size,
+                                 const std::string &where) {
+  std::vector<Chord> chords;
+  std::pair<std::size_t, std::size_t> crossing;
+  for (const double n_per_2_degrees : {1., 8., 64.}) {
+    const CoarseMesh polygons =
+      make_chords(sides, {numbers::PI / 90. / n_per_2_degrees, n_per_2_degrees});
+    if (n_per_2_degrees > 1. && polygons.vertices.size() > max_coarse_cells)
+      break;
+    chords = chords_of(polygons, sides);
+    const auto found = find_crossing(chords, same_point * size);
+    if (!found)
+      return chords;
+    crossing = *found;
+  }
+  const Chord &p = chords[crossing.first], &q = chords[crossing.second];
+  const auto [first, second] = std::minmax(sides[p.side].name(), sides[q.side].name());
+  throw input_error(where, ": the sides ", first, " and ", second, " cross or touch near (",
+                    q.ends.first + 0.5 * (q.ends.second - q.ends.first),
+                    "), allowed: sides that meet at their ends only.");
 }
 
 /** Refuses sides that cross or touch elsewhere than at common ends, and holes that are not inside
- * of the body, each by itself. Chords that turn by 2 degrees stand for the sides.
- * @return the area of the body. */
+ * of the body, each by itself. @return the area of the body. */
 double check_outline(const std::vector<Side<2>> &sides, const double size,
                      const std::string &where) {
-  constexpr double same_point = 1e-9;
-  const CoarseMesh polygons = make_chords(sides, numbers::PI / 90., 0., max_coarse_cells);
-  std::vector<Chord> chords;
   std::map<unsigned int, boost::geometry::model::ring<Point<2>, false, false>> loops;
-  for (const CoarseMesh::Edge &edge : polygons.edges) {
-    const Point<2> &start = polygons.vertices[edge.start];
-    const unsigned int loop = sides[edge.side].is_closed() ? edge.side : 0;
-    chords.push_back({{start, polygons.vertices[edge.end]}, edge.side, loop});
-    loops[loop].push_back(start);
-  }
-  refuse_crossings(sides, chords, same_point * size, where);
+  for (const Chord &chord : simple_chords(sides, size, where))
+    loops[chord.loop].push_back(chord.ends.first);
   for (const auto &[hole, unused] : loops)
     for (const auto &[loop, ring] : loops)
       if (hole > 0 && loop != hole &&
@@ -240,17 +272,20 @@ double check_outline(const std::vector<Side<2>> &sides, const double size,
                     "close to each other.");
 }
 
-/** Returns the mesh of make_outlined_body(), with chords of at most @p step (radians) on arcs; none
- * if chords cross or a cell comes out folded. */
-std::optional<CoarseMesh> mesh_outline(const std::vector<Side<2>> &sides, const double mesh_size,
-                                       const double step, const std::string &where) {
+/** Returns the mesh of make_outlined_body() with these chords; none if they cross or a cell comes
+ * out folded. */
+std::optional<CoarseMesh> mesh_outline(const std::vector<Side<2>> &sides, const Chording &wanted,
+                                       const double size, const std::string &where) {
   constexpr double min_ratio = 0.1;
-  const CoarseMesh chords = make_chords(sides, step, mesh_size, max_coarse_cells);
+  const CoarseMesh chords = make_chords(sides, wanted);
   // A mesh of n vertices has fewer than 2 n triangles.
   Triangles triangles;
   triangles.too_many = chords.vertices.size() > max_coarse_cells;
-  if (!triangles.too_many)
-    triangles = triangulate(chords.vertices, chords.edges, mesh_size, max_coarse_cells / 6);
+  if (!triangles.too_many) {
+    if (find_crossing(chords_of(chords, sides), same_point * size))
+      return {};
+    triangles = triangulate(chords.vertices, chords.edges, wanted.mesh_size, max_coarse_cells / 6);
+  }
   if (triangles.too_many)
     refuse_many_cells(where);
   CoarseMesh mesh = {triangles.points, triangles.triangles, {}};
@@ -275,15 +310,18 @@ std::optional<CoarseMesh> mesh_outline(const std::vector<Side<2>> &sides, const 
 
 Geometry<2> make_outlined_body(const std::vector<Side<2>> &sides, const double mesh_size,
                                const std::string &where) {
-  const double area = check_outline(sides, bounded_by(sides).diameter(), where);
+  const double size = bounded_by(sides).diameter(), area = check_outline(sides, size, where);
   // No triangle is larger than an equilateral one, and each becomes three cells.
   if (3. * area > max_coarse_cells * 0.25 * std::sqrt(3.) * mesh_size * mesh_size && mesh_size > 0.)
     refuse_many_cells(where);
-  // With shorter chords the cells next to arcs are less bent.
-  double step = 0.25 * numbers::PI;
-  for (unsigned int attempt = 0; attempt < 10; ++attempt, step *= 0.7)
-    if (const auto mesh = mesh_outline(sides, mesh_size, step, where))
-      return make_body(sides, *mesh);
+  // With shorter chords the cells next to arcs are less bent. Arcs of few degrees, which no angle
+  // divides, need several chords where another side is close to them.
+  for (double least = 1.; least < 10.; least *= 2.) {
+    double step = 0.25 * numbers::PI;
+    for (unsigned int attempt = 0; attempt < 10; ++attempt, step *= 0.7)
+      if (const auto mesh = mesh_outline(sides, {step, least, mesh_size}, size, where))
+        return make_body(sides, *mesh);
+  }
   throw input_error(where,
                     ": no mesh was found for this shape, allowed: arcs that do not come very "
                     "close to other sides or meet them at very small angles.");

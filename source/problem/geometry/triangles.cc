@@ -73,6 +73,9 @@ Triangles triangulate(const std::vector<Point<2>> &points,
   } catch (const Delaunay::Intersection_of_constraints_exception &) {
     return {};
   }
+  // Points on a line have no triangles between them.
+  if (delaunay.dimension() < 2)
+    return {};
   // sin²(20.7 degrees): Ruppert's method ends for angles up to that.
   Mesher mesher(delaunay, Criteria(0.125, mesh_size));
   mark_body(delaunay);

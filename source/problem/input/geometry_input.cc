@@ -90,28 +90,27 @@ void refuse_option(const Given<Option> &given, const Option option, const std::s
 } // namespace
 
 void refuse_2d_entries(const Parameters &parameters) {
-  refuse_foreign_entries(false,
-                         {&parameters.geometry.arcs,
-                          &parameters.geometry.thickness,
-                          &parameters.material.plane_state,
-                          &parameters.material.orthotropic_moduli,
-                          &parameters.material.orientation,
-                          &parameters.material.moduli_across,
-                          &parameters.boundary.plates,
-                          &parameters.load.plate_force,
-                          &parameters.load.plate_cross_force,
-                          &parameters.load.plate_moment,
-                          &parameters.load.plate_travel,
-                          &parameters.contact.foundation,
-                          &parameters.contact.foundation_position,
-                          &parameters.load_cases.cases,
-                          &parameters.load_cases.fields,
-                          &parameters.load_cases.sequence,
-                          &parameters.discretization.kinks_at_x,
-                          &parameters.discretization.kinks_at_y,
-                          &parameters.discretization.patches,
-                          &parameters.output.lemmas},
-                         "Dimension = 2", "Dimension = 3");
+  const struct {
+    std::vector<const Entry *> entries;
+    const char *in_space;
+  } table[] = {
+    {{&parameters.material.orthotropic_moduli, &parameters.material.orientation,
+      &parameters.material.moduli_across},
+     "Law = general with Hooke tensor"},
+    {{&parameters.boundary.plates, &parameters.load.plate_force, &parameters.load.plate_cross_force,
+      &parameters.load.plate_moment, &parameters.load.plate_travel},
+     "Boundary/Displacement or Traction"},
+    {{&parameters.contact.foundation, &parameters.contact.foundation_position}, "Contact/Gap"},
+    {{&parameters.load_cases.cases, &parameters.load_cases.fields, &parameters.load_cases.sequence},
+     "--sweep"},
+    {{&parameters.discretization.patches}, "Patch ratio"},
+    {{&parameters.geometry.arcs, &parameters.geometry.thickness, &parameters.material.plane_state,
+      &parameters.discretization.kinks_at_x, &parameters.discretization.kinks_at_y,
+      &parameters.output.lemmas},
+     "nothing in its place"}};
+  for (const auto &[entries, in_space] : table)
+    refuse_foreign_entries(false, entries, "Dimension = 2",
+                           std::string("Dimension = 3, allowed with it: ") + in_space);
   refuse_option(parameters.material.law, MaterialLaw::orthotropic, "isotropic, general");
   refuse_option(parameters.discretization.strategy, Strategy::hp, to_text(Strategy::nested));
   refuse_option(parameters.discretization.element, Element::q1_b_bar,

@@ -259,7 +259,8 @@ void read_cases(const std::string &entry, const Given<std::string> &given, const
     double from = 0., to = 0.;
     const bool is_range = words.size() == 3 && words[1] == "to";
     require(words.size() == 1 || is_range, part,
-            "one number, or two with 'to' between them, and a comma before the next factor");
+            "one number, or two with 'to' between them and 'in 100 cases' at the end, and a comma "
+            "before the next factor");
     require(!is_range || n > 1, part, "a range with the number of its cases, 'in 100 cases'");
     require(read_number(given, words.front(), from), words.front(), "a number");
     require(read_number(given, words.back(), to), words.back(), "a number");

@@ -13,8 +13,8 @@
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -134,7 +134,6 @@ PolygonLoop round_corners(const PolygonLoop &loop, const std::string &where) {
  */
 std::vector<Side<2>> sides_of(const PolygonLoop &given, const bool is_outer,
                               const std::string &where) {
-  refuse_equal_vertices(given, where);
   const PolygonLoop loop = round_corners(given, where);
   const std::size_t n = loop.size();
   double area = 0.;
@@ -162,13 +161,55 @@ void check_number(const std::size_t n, const std::string &where) {
     throw input_error(where, ": found ", n, " vertices, allowed: at most ", max_vertices, ".");
 }
 
-/** Reads "arc cx,cy ccw". */
-PolygonArc read_arc(const std::string &text, const Entry &entry) {
+/** Returns the arc of this radius between two vertices that turns by at most 180 degrees. */
+PolygonArc arc_of_radius(const double radius, const bool counter_clockwise, const PolygonVertex &a,
+                         const PolygonVertex &b, const Entry &entry) {
+  constexpr double rounding = 1e-6;
+  const Tensor<1, 2> half = 0.5 * (b.x - a.x);
+  if (!(radius >= (1. - rounding) * half.norm()))
+    throw error_at(entry, "found the radius ", radius, " for the arc from ", a.name, " to ", b.name,
+                   ", allowed: at least half of their distance, ", half.norm(), ".");
+  const double depth = std::sqrt(std::max(0., radius * radius - half.norm_square()));
+  return {a.x + half + (counter_clockwise ? -depth : depth) / half.norm() * cross_product_2d(half),
+          counter_clockwise};
+}
+
+/** Returns the arc from one vertex through a point to the next vertex. */
+PolygonArc arc_through_point(const Point<2> &x, const PolygonVertex &a, const PolygonVertex &b,
+                             const Entry &entry) {
+  constexpr double least_sine = 1e-6;
+  const Tensor<1, 2> u = x - a.x, v = b.x - a.x;
+  const double product = cross_product(u, v);
+  if (!(std::abs(product) > least_sine * u.norm() * v.norm() && x.distance(b.x) > 0.))
+    throw error_at(entry, "found the point (", x, ") for the arc from ", a.name, " to ", b.name,
+                   ", allowed: a point beside the line through both.");
+  return {a.x + (u.norm_square() * cross_product_2d(v) - v.norm_square() * cross_product_2d(u)) /
+                  (2. * product),
+          product > 0.};
+}
+
+/** Reads "arc cx,cy ccw", "arc radius r ccw" or "arc through x,y" between two vertices. */
+PolygonArc read_arc(const std::string &text, const PolygonVertex &a, const PolygonVertex &b,
+                    const Entry &entry) {
   const auto [parts, form] = Phrase(text, "arc|cw|ccw");
-  if ((form != "arc cw" && form != "arc ccw") || !parts[2].text.empty())
+  const std::string middle = parts.size() > 1 ? parts[1].text : "";
+  const bool counter_clockwise = form == "arc ccw";
+  const bool is_directed = (counter_clockwise || form == "arc cw") && parts[2].text.empty();
+  // Constants may have the names of these words.
+  const auto behind = [&](const std::string &word) {
+    return middle.compare(0, word.size(), word) == 0 ? trim(middle.substr(word.size())) : "";
+  };
+  const std::string radius_text = behind("radius "), point = behind("through ");
+  double radius = 0.;
+  if (form == "arc" && !point.empty())
+    return arc_through_point(read_point<2>(point, entry), a, b, entry);
+  if (!is_directed ||
+      (!radius_text.empty() && !(read_number(entry, radius_text, radius) && radius > 0.)))
     throw error_at(entry, "found ", quote(text),
-                   ", allowed: 'arc cx,cy ccw' (counter-clockwise) or 'arc cx,cy cw'.");
-  return {read_point<2>(parts[1].text, entry), form == "arc ccw"};
+                   ", allowed: 'arc cx,cy ccw' (counter-clockwise) or 'arc cx,cy cw' about a "
+                   "centre, 'arc radius r ccw' (or cw), or 'arc through x,y'.");
+  return radius_text.empty() ? PolygonArc{read_point<2>(middle, entry), counter_clockwise}
+                             : arc_of_radius(radius, counter_clockwise, a, b, entry);
 }
 
 /** Reads "x,y" or "x,y fillet r". */
@@ -188,34 +229,41 @@ PolygonVertex read_vertex(const std::string &text, const std::size_t number, con
 
 PolygonLoop read_loop(const std::string &text, const Entry &entry) {
   PolygonLoop loop;
+  /** The texts of the arcs behind vertices. */
+  std::map<std::size_t, std::string> arcs;
   const std::vector<std::string> parts = split_list(text, ';');
   check_number(parts.size(), entry.where());
   for (const std::string &part : parts)
     if (part.compare(0, 3, "arc") == 0) {
-      if (loop.empty() || loop.back().arc)
+      if (loop.empty() || !arcs.emplace(loop.size() - 1, part).second)
         throw error_at(entry, "found ", quote(part),
                        " without a vertex before it, "
                        "allowed: one arc between two vertices, or after the last.");
-      loop.back().arc = read_arc(part, entry);
     } else
       loop.push_back(read_vertex(part, loop.size(), entry));
   // The list may end with its first vertex again.
-  if (loop.size() > 3 && !loop.back().arc && loop.back().fillet == 0. &&
+  if (loop.size() > 3 && arcs.count(loop.size() - 1) == 0 && loop.back().fillet == 0. &&
       loop.back().x == loop.front().x)
     loop.pop_back();
   const std::size_t n = loop.size();
-  if (n < 2 || (n == 2 && !loop[0].arc && !loop[1].arc))
+  if (n < 2 || (n == 2 && arcs.empty()))
     throw error_at(entry, "found ", n, (n == 1 ? " vertex" : " vertices"),
                    ", allowed: three or more, x0,y0; x1,y1; ...");
+  refuse_equal_vertices(loop, entry.where());
+  for (const auto &[i, arc] : arcs)
+    loop[i].arc = read_arc(arc, loop[i], loop[(i + 1) % n], entry);
   return loop;
 }
 
 /** Reads "circle cx,cy,r"; the circle runs clockwise. */
 Curve read_circle(const std::string &text, const Entry &entry) {
-  const Point<3> circle = read_point<3>(text.substr(6), entry);
-  if (!(circle[2] > 0.))
+  std::vector<double> numbers;
+  const bool is_circle =
+    read_numbers(entry, text.substr(6), numbers) && numbers.size() == 3 && numbers[2] > 0.;
+  if (!is_circle)
     throw error_at(entry, "found ", quote(text),
-                   ", allowed: 'circle cx,cy,r' with a positive radius r.");
+                   ", allowed: 'circle cx,cy,r' with a positive radius r, and '|' between holes.");
+  const Point<3> circle = read_point<3>(text.substr(6), entry);
   return Curve::arc({circle[0], circle[1]}, circle[2], PI, -PI, Body::outside);
 }
 
@@ -228,7 +276,8 @@ void add_holes(const Given<std::string> &given, std::vector<Side<2>> &sides) {
       sides.emplace_back(name, read_circle(holes[k], given));
       continue;
     }
-    if (!holes[k].empty() && std::isalpha(static_cast<unsigned char>(holes[k][0])) != 0)
+    // A list of vertices begins with a number, which may be a constant.
+    if (holes[k].find(';') == std::string::npos)
       throw error_at(given, "found ", quote(holes[k]),
                      ", allowed: 'circle cx,cy,r' or vertices 'x0,y0; x1,y1; ...'.");
     const std::vector<Side<2>> pieces = sides_of(read_loop(holes[k], given), false, given.where());

@@ -38,7 +38,7 @@ bool begins_with_a_name(const std::string &text) {
   const std::string name = trim(text.substr(0, colon));
   return colon != std::string::npos && !name.empty() &&
          std::all_of(name.begin(), name.end(), [](const unsigned char c) {
-           return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+           return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.' || c == ' ';
          });
 }
 

@@ -27,8 +27,9 @@ using Nodes = std::vector<const FileMesh::Node *>;
 /** The share of the length by which nodes may lie off their segment. */
 constexpr double segment_tolerance = 1e-8;
 
-/** The share of the radius by which nodes may lie off their arc. */
-constexpr double arc_tolerance = 1e-6;
+/** The share of the radius by which nodes may lie off their arc; of one that Geometry/Arcs names,
+ * to which files with few digits belong. */
+constexpr double arc_tolerance = 1e-6, declared_arc_tolerance = 1e-4;
 
 /** The share of an edge's length: an edge whose middle lies closer to its chord is straight. */
 constexpr double min_rise = 1e-6;
@@ -146,7 +147,7 @@ std::vector<Piece> divide_chain(const FileMesh &mesh, const Chain &chain, const 
     const auto fits = [&](const unsigned int node) {
       const Point<2> &x = mesh.nodes[node].x;
       return curve.point(curve.arc_length(x)).distance(x) <=
-             (is_arc ? arc_tolerance * curve.radius()
+             (is_arc ? (is_declared ? declared_arc_tolerance : arc_tolerance) * curve.radius()
                      : segment_tolerance * curve.start().distance(x));
     };
     last = is_declared ? first : first + 1;
@@ -159,14 +160,19 @@ std::vector<Piece> divide_chain(const FileMesh &mesh, const Chain &chain, const 
   return pieces;
 }
 
-/** Moves the vertices inside of a piece onto it, by less than 1e-6 of the length or radius. */
-void move_onto(const Piece &piece, const Chain &chain, FileMesh &mesh) {
+/** Moves the vertices inside of a piece onto it. @return the largest motion (length). */
+double move_onto(const Piece &piece, const Chain &chain, FileMesh &mesh) {
   const bool is_closed = piece.curve.is_closed();
+  double largest = 0.;
   for (std::size_t i = piece.first; i < piece.last; ++i) {
     Point<2> &x = mesh.nodes[chain[i].start].x;
-    if (i > piece.first || is_closed)
-      x = piece.curve.point(piece.curve.arc_length(x));
+    if (i == piece.first && !is_closed)
+      continue;
+    const Point<2> on_curve = piece.curve.point(piece.curve.arc_length(x));
+    largest = std::max(largest, x.distance(on_curve));
+    x = on_curve;
   }
+  return largest;
 }
 
 /** Returns whether each side is declared an arc, by its own name or by that of all its chains. */
@@ -274,16 +280,19 @@ Geometry<2> make_geometry(FileMesh mesh, const std::vector<std::string> &arcs,
   const std::vector<bool> is_arc = find_arcs(chains, names, arcs, where);
   std::vector<Side<2>> sides;
   std::vector<std::vector<Piece>> pieces;
+  double largest_motion = 0.;
   CoarseMesh coarse;
   for (unsigned int i = 0; i < chains.size(); ++i) {
     pieces.push_back(divide_chain(mesh, chains[i], is_arc[i]));
     if (is_arc[i] && (pieces[i].size() > 1 || pieces[i][0].curve.is_flat()))
       throw input_error(where, ": the side ", quote(names[i]),
-                        " is not one arc, allowed: nodes on one circle, to ", arc_tolerance,
-                        " of its radius.");
+                        " is not one arc, allowed: nodes on one circle, to ",
+                        declared_arc_tolerance, " of its radius.");
     std::vector<Curve> curves;
     for (const Piece &piece : pieces[i]) {
-      move_onto(piece, chains[i], mesh);
+      const double motion = move_onto(piece, chains[i], mesh);
+      if (is_arc[i])
+        largest_motion = std::max(largest_motion, motion);
       curves.push_back(piece.curve);
       for (std::size_t e = piece.first; e < piece.last; ++e)
         coarse.edges.push_back({chains[i][e].start, chains[i][e].end, i, &piece.curve});
@@ -308,9 +317,13 @@ Geometry<2> make_geometry(FileMesh mesh, const std::vector<std::string> &arcs,
       " is turned inside out by its edge on a circle, allowed: a finer mesh there.");
   Geometry<2> geometry = make_body(sides, coarse);
   add_regions(mesh, geometry);
+  std::vector<std::string> notes;
   if (n_triangles > 0)
-    geometry.note = "each triangle of the mesh is split into three quadrilaterals (" +
-                    std::to_string(n_triangles) + " triangles)";
+    notes.push_back("each triangle of the mesh is split into three quadrilaterals (" +
+                    std::to_string(n_triangles) + " triangles)");
+  if (largest_motion > segment_tolerance * geometry.diameter())
+    notes.push_back("nodes on arcs are moved onto them, by at most " + number_text(largest_motion));
+  geometry.note = join(notes, "; ");
   return geometry;
 }
 } // namespace Signorini

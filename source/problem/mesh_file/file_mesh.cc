@@ -267,8 +267,10 @@ std::string FileMesh::name_of(const Element &element, const unsigned int dim) co
   if (found == group_names.end())
     return std::to_string(element.group);
   const std::string &group = found->second;
-  const bool is_word = !group.empty() && std::all_of(group.begin(), group.end(), [](const char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.';
+  // The names of regions stand before a ':', those of sides between blanks.
+  const bool is_word = !group.empty() && std::all_of(group.begin(), group.end(), [&](const char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' ||
+           (c == ' ' && dim == 2);
   });
   if (!is_word)
     throw input_error(

@@ -25,18 +25,36 @@ namespace Signorini {
 namespace {
 constexpr rlim_t max_seconds = 30, max_memory = 4ULL << 30, max_mesh_size = 500000000;
 
-/** How the files of each kind begin, behind blanks; empty: there is no sign. Gmsh runs other kinds
- * as scripts. */
-const std::map<std::string, std::string> shapes = {
-  {"geo", ""}, {"step", "ISO-10303-21"}, {"stp", "ISO-10303-21"}, {"iges", ""}, {"igs", ""},
-  {"brep", ""}};
-const std::map<std::string, std::string> meshes = {{"msh", "$"},
-                                                   {"unv", "-1"},
-                                                   {"bdf", ""},
-                                                   {"nas", ""},
-                                                   {"mesh", "MeshVersionFormatted"},
-                                                   {"vtk", "# vtk DataFile"},
-                                                   {"med", "\x89HDF"}};
+/** How the files of each kind begin, behind blanks; a script has no sign. Gmsh runs other kinds as
+ * scripts. */
+using Signs = std::map<std::string, std::vector<std::string>>;
+const Signs shapes = {{"geo", {}},
+                      {"step", {"ISO-10303-21"}},
+                      {"stp", {"ISO-10303-21"}},
+                      {"iges", {}},
+                      {"igs", {}},
+                      {"brep", {"DBRep_DrawableShape", "CASCADE Topology"}}};
+const std::vector<std::string> nastran = {"$", "SOL", "CEND", "BEGIN BULK", "GRID"};
+const Signs meshes = {{"msh", {"$"}},
+                      {"unv", {"-1"}},
+                      {"bdf", nastran},
+                      {"nas", nastran},
+                      {"mesh", {"MeshVersionFormatted"}},
+                      {"vtk", {"# vtk DataFile"}},
+                      {"med", {"\x89HDF"}}};
+
+/** Returns whether a text begins like files with this ending. */
+bool begins_like(const std::string &ending, const std::string &text) {
+  // Lines of IGES files have the letter of their section in column 73.
+  constexpr std::size_t column = 72;
+  if (ending == "iges" || ending == "igs")
+    return text.find_first_of("\r\n") > column && text.compare(column, 1, "S") == 0;
+  const std::vector<std::string> &signs = (shapes.count(ending) > 0 ? shapes : meshes).at(ending);
+  const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  return std::any_of(signs.begin(), signs.end(), [&](const std::string &sign) {
+    return text.compare(start, sign.size(), sign) == 0;
+  });
+}
 
 /** A folder that a process of its own removes with all that it contains, also where this process
  * is ended. */
@@ -85,6 +103,30 @@ struct TemporaryFolder {
   int life = -1;
 };
 
+/** Returns a script with blanks in place of its comments. Where it is not certain that a comment is
+ * none of a text between quotation marks, it stays, and so do all that follow. */
+std::string without_comments(std::string text) {
+  char quote = 0;
+  const bool is_plain = text.find('\0') == std::string::npos;
+  for (std::size_t i = 0; is_plain && i < text.size(); ++i) {
+    const char c = text[i];
+    const bool is_quote = c == '"' || c == '\'';
+    if (quote != 0 && c != quote && (is_quote || c == '\\' || c == '\n'))
+      break;
+    if (is_quote)
+      quote = quote == 0 ? c : 0;
+    const char next = i + 1 < text.size() ? text[i + 1] : ' ';
+    if (quote != 0 || c != '/' || (next != '/' && next != '*'))
+      continue;
+    const std::size_t end = next == '/' ? std::min(text.find_first_of("\r\n", i), text.size())
+                                        : std::min(text.find("*/", i + 2), text.size() - 2) + 2;
+    std::replace_if(
+      text.begin() + i, text.begin() + end, [](const char any) { return any != '\n'; }, ' ');
+    i = end - 1;
+  }
+  return text;
+}
+
 /** A script is a program: refuses words by which it runs others, or reads and writes files. */
 void check_script(const std::string &text, const std::string &where) {
   static const std::set<std::string> refused = {"SystemCall",
@@ -116,7 +158,7 @@ void check_script(const std::string &text, const std::string &where) {
                                                 "Structured"};
   std::size_t line = 1;
   std::string word;
-  for (const char c : text + "\n") {
+  for (const char c : without_comments(text) + "\n") {
     if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
       word += c;
       continue;
@@ -134,11 +176,13 @@ void check_script(const std::string &text, const std::string &where) {
 /** Becomes Gmsh, with limits that it inherits. Only calls that are safe behind fork(). */
 [[noreturn]] void become_gmsh(const char *folder, char *const *arguments,
                               char *const *environment) {
-  const auto limit = [](const auto resource, const rlim_t most) {
-    const rlimit both = {most, most};
+  const auto limit = [](const auto resource, const rlim_t most, const rlim_t later = 0) {
+    const rlimit both = {most, most + later};
     setrlimit(resource, &both);
   };
-  limit(RLIMIT_CPU, max_seconds);
+  // Behind the soft limit comes SIGXCPU, behind the other one SIGKILL, which may have other
+  // reasons.
+  limit(RLIMIT_CPU, max_seconds, 1);
   limit(RLIMIT_AS, max_memory);
   limit(RLIMIT_FSIZE, max_mesh_size);
   limit(RLIMIT_CORE, 0);
@@ -177,8 +221,10 @@ int run_gmsh(const std::string &folder, std::vector<std::string> arguments) {
 /** Returns what became of Gmsh, with its first complaint. */
 std::string describe_failure(const int status, const std::filesystem::path &log) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGXCPU || signal == SIGKILL || signal == SIGALRM)
+  if (signal == SIGXCPU || signal == SIGALRM)
     return "Gmsh did not end within " + std::to_string(max_seconds) + " seconds";
+  if (signal == SIGKILL)
+    return "Gmsh was killed, by a user or for want of memory";
   std::ifstream lines(log);
   for (std::string line; std::getline(lines, line);)
     if (line.rfind("Error", 0) == 0) {
@@ -201,9 +247,7 @@ std::string convert_with_gmsh(const std::string &content, const std::string &end
     throw input_error(where,
                       "found no $MeshFormat at its beginning, allowed: a mesh file of Gmsh.");
   const bool is_shape = shapes.count(ending) > 0;
-  const std::string &sign = (is_shape ? shapes : meshes).at(ending);
-  const std::size_t start = std::min(content.find_first_not_of(" \t\r\n"), content.size());
-  if (sign.empty() || content.compare(start, sign.size(), sign) != 0)
+  if (!begins_like(ending, content))
     check_script(content, where);
   const TemporaryFolder folder(where);
   const std::string input = "part." + ending;
@@ -230,7 +274,7 @@ std::string convert_with_gmsh(const std::string &content, const std::string &end
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
     throw input_error(where, "files of this kind are read by Gmsh, and no program gmsh is found, "
                              "allowed: to install it (Debian: apt install gmsh), or a mesh file of "
-                             "text of Gmsh, version 2.2 or 4.1.");
+                             "text of Gmsh, version 2 or 4.1.");
   // After an error Gmsh writes an empty mesh, without elements.
   const std::string result = (folder.path / "result.msh").string();
   std::error_code error;
@@ -240,6 +284,8 @@ std::string convert_with_gmsh(const std::string &content, const std::string &end
   if (text.find("$Elements") == std::string::npos)
     throw input_error(where, describe_failure(status, folder.path / "log"),
                       ", allowed: a file from which Gmsh makes a mesh (gmsh -2).");
-  return text;
+  const std::string end_of_format = "$EndMeshFormat\n", mark = conversion_section;
+  return text.insert(text.find(end_of_format) + end_of_format.size(),
+                     mark + "\n$End" + mark.substr(1) + "\n");
 }
 } // namespace Signorini

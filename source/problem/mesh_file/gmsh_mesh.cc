@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The format MSH of Gmsh, versions 2.2 and 4.1, section by section.
+// The format MSH of Gmsh, versions 2.0 to 2.2 and 4.1, section by section.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
@@ -67,7 +67,7 @@ public:
 
   /** Returns the next words between quotation marks. */
   std::string quoted(const char *what) {
-    if (is_at_end() || text_[position_] != '"')
+    if (!is_before_quoted())
       refuse(word(what), what);
     const std::size_t end = text_.find_first_of("\"\n", position_ + 1);
     if (end == std::string::npos || text_[end] == '\n')
@@ -75,6 +75,11 @@ public:
     const std::string found = text_.substr(position_ + 1, end - position_ - 1);
     position_ = end + 1;
     return found;
+  }
+
+  /** Returns whether a quotation mark follows. */
+  bool is_before_quoted() {
+    return !is_at_end() && text_[position_] == '"';
   }
 
   /** Reads the next word, which must be this one. */
@@ -90,12 +95,17 @@ public:
     }
   }
 
+  /** Returns the line of the last word; 0 where the user has not seen the text. */
   std::size_t line() const {
-    return line_;
+    return has_lines_ ? line_ : 0;
+  }
+  /** From here on messages name no lines. */
+  void forget_lines() {
+    has_lines_ = false;
   }
   /** Throws an error at the line of the last word. */
   [[noreturn]] void refuse(const std::string &message) const {
-    throw input_error(name_, ":", line_, ": ", message);
+    throw input_error(place_in_file(name_, line()), message);
   }
   [[noreturn]] void refuse(const std::string_view found, const std::string &allowed) const {
     refuse("found " + quote(std::string(found)) + ", allowed: " + allowed + ".");
@@ -115,6 +125,7 @@ private:
   std::string name_;
   std::size_t position_ = 0;
   std::size_t line_ = 1;
+  bool has_lines_ = true;
 };
 
 namespace {
@@ -123,6 +134,27 @@ namespace {
 const std::map<unsigned int, std::pair<unsigned int, unsigned int>> element_types = {
   {15, {1, 1}}, {1, {2, 2}}, {8, {3, 2}},  {2, {3, 3}},
   {9, {6, 3}},  {3, {4, 4}}, {16, {8, 4}}, {10, {9, 4}}};
+
+/** What other elements are, by Gmsh's number of their type. */
+const std::map<unsigned int, std::string> other_elements = {{4, "a tetrahedron"},
+                                                            {5, "a hexahedron"},
+                                                            {6, "a prism"},
+                                                            {7, "a pyramid"},
+                                                            {11, "a tetrahedron"},
+                                                            {12, "a hexahedron"},
+                                                            {13, "a prism"},
+                                                            {14, "a pyramid"},
+                                                            {17, "a hexahedron"},
+                                                            {18, "a prism"},
+                                                            {19, "a pyramid"},
+                                                            {21, "a triangle of order 3"},
+                                                            {26, "a line of order 3"},
+                                                            {36, "a quadrilateral of order 3"}};
+
+/** Returns whether the nodes and elements of a version of the format are those of 2.2. */
+bool is_version_2(const std::string_view version) {
+  return version == "2" || version == "2.0" || version == "2.1" || version == "2.2";
+}
 
 /** Reads the sections of one file. */
 class GmshReader {
@@ -147,6 +179,8 @@ public:
         read_nodes();
       else if (section == "$Elements")
         read_elements();
+      else if (section == conversion_section)
+        scanner_.forget_lines();
       else {
         scanner_.skip_behind(end);
         continue;
@@ -156,6 +190,16 @@ public:
     if (mesh_.cells.empty())
       throw input_error(mesh_.name,
                         ": found no cells, allowed: a mesh of quadrilaterals or triangles.");
+    for (const auto &[group, name] : names_without_dimension_) {
+      const auto give_name = [&, group = group, name = name](const auto &elements,
+                                                             const unsigned int dim) {
+        for (const FileMesh::Element &element : elements)
+          if (element.group == group)
+            mesh_.group_names.emplace(std::make_pair(dim, group), name);
+      };
+      give_name(mesh_.lines, 1);
+      give_name(mesh_.cells, 2);
+    }
     return std::move(mesh_);
   }
 
@@ -169,20 +213,32 @@ private:
   void read_format() {
     scanner_.expect("$MeshFormat");
     const std::string version(scanner_.word("the version of the format"));
-    is_old_ = version == "2.2";
+    is_old_ = is_version_2(version);
     if (!is_old_ && version != "4.1")
-      scanner_.refuse(version, "the version 2.2 or 4.1 of the format (gmsh -format msh41)");
+      scanner_.refuse(version, "the version 2.0 to 2.2 or 4.1 of the format (gmsh -format msh41)");
     if (scanner_.word("0 for a file of text") != "0")
       scanner_.refuse("found a binary mesh file, allowed: a file of text (gmsh without -bin).");
     skip<unsigned int>(1, "the size of a number");
     scanner_.expect("$EndMeshFormat");
   }
 
+  /** Reads names with the dimension of their elements, which version 2.0 does not have and Gmsh
+   * then calls -1. */
   void read_names() {
     for (std::size_t i = scanner_.count("the number of physical names"); i > 0; --i) {
-      const auto dim = scanner_.number<unsigned int>("the dimension of a physical group");
+      const int first = scanner_.number<int>("a number before a physical name");
+      if (scanner_.is_before_quoted()) {
+        names_without_dimension_[first] = scanner_.quoted("a name between quotation marks");
+        continue;
+      }
+      if (first < -1 || first > 3)
+        scanner_.refuse(std::to_string(first), "the dimension of a physical group (0, 1, 2, 3)");
       const int group = scanner_.number<int>("the number of a physical group");
-      mesh_.group_names[{dim, group}] = scanner_.quoted("a name between quotation marks");
+      const std::string name = scanner_.quoted("a name between quotation marks");
+      if (first < 0)
+        names_without_dimension_[group] = name;
+      else
+        mesh_.group_names[{static_cast<unsigned int>(first), group}] = name;
     }
   }
 
@@ -278,10 +334,17 @@ private:
   void read_element(const unsigned int type, FileMesh::Element element) {
     element.line = scanner_.line();
     const auto found = element_types.find(type);
-    if (found == element_types.end())
-      scanner_.refuse("element " + std::to_string(element.tag) + " has the type " +
-                      std::to_string(type) +
-                      ", allowed: quadrilaterals, triangles and lines of first or second order.");
+    if (found == element_types.end()) {
+      const auto name = other_elements.find(type);
+      const bool is_known = name != other_elements.end();
+      scanner_.refuse("element " + std::to_string(element.tag) + " is " +
+                      (is_known ? name->second : "of the type " + std::to_string(type)) +
+                      ", allowed: quadrilaterals, triangles and lines of first or second order" +
+                      (is_known && type < 21
+                         ? "; bodies in space are boxes (Dimension = 3, Shape = "
+                           "box), not files."
+                         : "."));
+    }
     const auto [n_nodes, n_corners] = found->second;
     element.n_corners = n_corners;
     element.is_quadratic = n_nodes > n_corners;
@@ -300,8 +363,10 @@ private:
 
   GmshScanner scanner_;
   FileMesh mesh_;
-  /** Whether the version is 2.2. */
+  /** Whether the version is 2.0 to 2.2. */
   bool is_old_ = false;
+  /** Names by the number of a group, of whatever dimension. */
+  std::map<int, std::string> names_without_dimension_;
   /** The physical groups of entities, by dimension and number. */
   std::map<std::pair<unsigned int, int>, int> groups_;
   std::unordered_map<std::size_t, unsigned int> index_of_tag_;
@@ -312,7 +377,7 @@ bool is_gmsh_text(const std::string &text) {
   std::istringstream beginning(text.substr(0, 100));
   std::string section, version, type;
   beginning >> section >> version >> type;
-  return section == "$MeshFormat" && (version == "2.2" || version == "4.1") && type == "0";
+  return section == "$MeshFormat" && (is_version_2(version) || version == "4.1") && type == "0";
 }
 
 FileMesh read_gmsh(const std::string &text, const std::string &name) {

@@ -311,8 +311,9 @@ void Declarations::declare_geometry(GeometryParameters &geometry) {
     "Geometry/Vertices", geometry.vertices,
     "Polygon: x0,y0; x1,y1; ... (length). 'x,y fillet r' rounds the corner with a side of its own, "
     "fillet<number of the vertex>; between two vertices, 'arc cx,cy ccw' (or cw) makes an arc "
-    "about "
-    "(cx,cy) of the edge. A convex polygon without arcs has one coarse cell if it has four "
+    "about (cx,cy) of the edge, 'arc radius r ccw' (or cw) one of at most 180 degrees, and 'arc "
+    "through x,y' one through a third point. A convex polygon without arcs has one coarse cell if "
+    "it has four "
     "vertices, otherwise one per vertex; all others are filled with triangles, which are split "
     "into quadrilaterals.");
   add("Geometry/Holes", geometry.holes,
@@ -331,13 +332,15 @@ void Declarations::declare_geometry(GeometryParameters &geometry) {
   add(
     "Geometry/File", geometry.file,
     "Coarse mesh or shape that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...); all but text of "
-    ".msh, version 2.2 or 4.1, goes through the program gmsh. Looked for in the folder of the "
+    ".msh, version 2 or 4.1, goes through the program gmsh. Looked for in the folder of the "
     "parameter file, then in the working folder. Sides are the physical names of curves, or their "
     "numbers where no curve has a name; other edges are the side rest.");
   add(
     "Geometry/Arcs", geometry.arcs,
     "Mesh file: sides that are circular arcs, so that refinement follows the circle through their "
-    "nodes: names separated by blanks. Edges with a node in the middle need no entry.");
+    "nodes, which may lie beside it by 1e-4 of the radius and are moved onto it: names separated "
+    "by "
+    "blanks. Edges with a node in the middle need no entry.");
   add("Geometry/Distortion", geometry.distortion,
       "Interior vertices of the coarsest level are moved at random by this share of h.", 0., 0.45);
   add("Geometry/Thickness", geometry.thickness,

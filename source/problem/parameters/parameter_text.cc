@@ -213,13 +213,24 @@ std::size_t edit_distance(const std::string &a, const std::string &b) {
   return row[b.size()];
 }
 
-/** Returns the distance of two paths, in which capital letters do not count; another subsection, or
- * none, counts as one character. */
-std::size_t distance_of_paths(std::string a, std::string b) {
-  boost::to_lower(a);
-  boost::to_lower(b);
-  const auto name = [](const std::string &path) { return path.substr(path.rfind('/') + 1); };
-  return std::min(edit_distance(a, b), edit_distance(name(a), name(b)) + 1);
+std::string section_of(const std::string &path) {
+  return path.substr(0, path.rfind('/') == std::string::npos ? 0 : path.rfind('/'));
+}
+
+std::string name_in_section(const std::string &path) {
+  return path.substr(path.rfind('/') + 1);
+}
+
+/** Returns the distance of a path from a known one, in which capital letters do not count; another
+ * subsection, or none, counts as one character, and the first words of the name are all of it. */
+std::size_t distance_of_paths(std::string known, std::string path) {
+  boost::to_lower(known);
+  boost::to_lower(path);
+  const std::string name = name_in_section(known), found = name_in_section(path);
+  const std::size_t other_section = section_of(known) == section_of(path) ? 0 : 1;
+  if (!found.empty() && name.rfind(found + " ", 0) == 0)
+    return other_section;
+  return std::min(edit_distance(known, path), edit_distance(name, found) + 1);
 }
 
 /** Returns whether two values mean the same, however blanks and digits are written. */
@@ -281,13 +292,24 @@ const Declarations::Declared &Declarations::find(const Assignment &assignment) {
     for (const auto &constant : *nearest->second.entry->constants)
       constants.push_back(constant.first);
     const std::string hint = hint_for(path, constants);
-    const bool is_far = 2 * distance_of_paths(nearest->first, path) > path.size();
+    const std::size_t distance = distance_of_paths(nearest->first, path);
+    const bool is_far = distance > 1 && 3 * distance > name_in_section(path).size();
     if (assignment.place == override_place && path.find('/') == std::string::npos &&
         (!hint.empty() || (is_far && !constants.empty())))
       throw input_error(assignment.place, ": found ", quote(path), hint, ", allowed: a constant (",
                         join(constants), ") or Subsection/Parameter.");
-    throw input_error(assignment.place, ": ", shorten(path), ": unknown parameter; did you mean '",
-                      nearest->first, "'? (--print-parameters lists all)");
+    if (!is_far)
+      throw input_error(assignment.place, ": ", shorten(path),
+                        ": unknown parameter; did you mean '", nearest->first,
+                        "'? (--print-parameters lists all)");
+    std::vector<std::string> names;
+    for (const auto &declared : declared_)
+      if (section_of(declared.first) == section_of(path))
+        names.push_back(name_in_section(declared.first));
+    const bool has_section = !section_of(path).empty() && !names.empty();
+    throw input_error(assignment.place, ": ", shorten(path), ": unknown parameter",
+                      has_section ? ", allowed in " + section_of(path) + ": " + join(names) + "."
+                                  : " (--print-parameters lists all)");
   }
   Entry &entry = *known->second.entry;
   entry.place = assignment.place;

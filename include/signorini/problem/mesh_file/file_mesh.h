@@ -13,10 +13,16 @@
 #include <vector>
 
 namespace Signorini {
+/** Returns "name:line: ", or "name: " without a line. */
+inline std::string place_in_file(const std::string &name, const std::size_t line) {
+  return name + (line > 0 ? ":" + std::to_string(line) : "") + ": ";
+}
+
 /** The content of a mesh file of Gmsh for a 2-D body. */
 struct FileMesh {
   struct Node {
-    /** The number of the node in the file, and the line of the file, for messages. */
+    /** The number of the node in the file, and the line of the file, for messages; 0 in a file that
+     * Gmsh made. */
     std::size_t tag, line;
     Point<2> x;
     double z;
@@ -57,9 +63,8 @@ struct FileMesh {
    * ends. check_and_sort() finds them. */
   std::vector<std::vector<Edge>> loops;
 
-  /** Returns "name:line: ". */
   std::string place(const std::size_t line) const {
-    return name + ":" + std::to_string(line) + ": ";
+    return place_in_file(name, line);
   }
   /** Returns the physical name of an element of this dimension. A group without a name is called by
    * its number, and where no element of the dimension is in a group, all are called by their curve
@@ -67,12 +72,16 @@ struct FileMesh {
   std::string name_of(const Element &element, unsigned int dim) const;
 };
 
+/** The name of an empty section behind $MeshFormat that marks the text of a mesh as Gmsh's
+ * translation of a file, whose lines are others. */
+constexpr const char *conversion_section = "$Converted";
+
 /** Returns whether a text begins like those that read_gmsh() reads. */
 bool is_gmsh_text(const std::string &text);
 
 /**
- * Reads a text in Gmsh's format MSH, version 2.2 or 4.1 (Gmsh reference manual, section "MSH file
- * format"). Sections that do not concern the mesh are skipped, and so are points.
+ * Reads a text in Gmsh's format MSH, version 2.0 to 2.2 or 4.1 (Gmsh reference manual, section "MSH
+ * file format"). Sections that do not concern the mesh are skipped, and so are points.
  * @param name the name of the file in messages: "part.msh".
  * @throws InputError with the line for everything else: other versions and binary files, other
  * elements, texts that should be numbers.
