@@ -66,6 +66,7 @@ int run(CommandLine command_line, MPI_Comm communicator) {
   std::vector<RunSummary> summaries;
   for (std::size_t i = 0; i < command_line.parameter_files.size(); ++i) {
     summaries.push_back(run_file(command_line, i, communicator, screen));
+    summaries.back().results.reset();
     code = std::max(code, summaries.back().exit_code);
   }
   if (summaries.size() > 1)

@@ -2,6 +2,7 @@
 // Several bodies: one mesh with a component for each of them.
 
 #include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/geometry/inside.h>
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
@@ -10,26 +11,52 @@
 #include <limits>
 
 namespace Signorini {
-namespace {
-/** Returns whether a point lies in a body: on the inner side of the nearest point of its boundary.
- */
-bool contains(const Geometry<2> &body, const Point<2> &x) {
-  double nearest = std::numeric_limits<double>::max(), depth = 0.;
-  const double rounding = 1e-12 * body.diameter();
-  for (const Side<2> &side : body.sides) {
-    const double s = std::clamp(side.arc_length(x), 0., side.length());
-    const Tensor<1, 2> arm = x - side.point(s);
-    const double across = arm * side.normal(s);
-    // At a corner the side that sees the point from the front tells.
-    if (arm.norm() < nearest - rounding ||
-        (arm.norm() < nearest + rounding && std::abs(across) > std::abs(depth))) {
-      nearest = std::min(nearest, arm.norm());
-      depth = across;
+double signed_distance(const std::vector<Side<2>> &sides, const std::size_t first,
+                       const std::size_t last, const Point<2> &x) {
+  double nearest = std::numeric_limits<double>::max(), depth = 0., size = 0.;
+  for (std::size_t i = first; i < last; ++i)
+    size = std::max(size, sides[i].length());
+  const double rounding = 1e-12 * size;
+  for (std::size_t i = first; i < last; ++i) {
+    const double length = sides[i].length(), s = std::clamp(sides[i].arc_length(x), 0., length);
+    const Tensor<1, 2> arm = x - sides[i].point(s);
+    for (const double towards : {s - length, s + length}) {
+      const double across = arm * sides[i].normal(s, towards);
+      // At a corner the side that sees the point from the front tells.
+      if (arm.norm() < nearest - rounding ||
+          (arm.norm() < nearest + rounding && std::abs(across) > std::abs(depth))) {
+        nearest = std::min(nearest, arm.norm());
+        depth = across;
+      }
     }
   }
-  return depth <= 0.;
+  return depth <= 0. ? -nearest : nearest;
 }
 
+double distance_from_body(const Geometry<2> &geometry, const Point<2> &x) {
+  double least = std::numeric_limits<double>::max();
+  for (std::size_t k = 0; k < geometry.n_bodies(); ++k) {
+    const bool is_last = k + 1 >= geometry.bodies.size();
+    least = std::min(
+      least,
+      signed_distance(geometry.sides, geometry.bodies.empty() ? 0 : geometry.bodies[k].first_side,
+                      is_last ? geometry.sides.size() : geometry.bodies[k + 1].first_side, x));
+  }
+  return least;
+}
+
+double distance_from_body(const Geometry<3> &geometry, const Point<3> &x) {
+  double deepest = -std::numeric_limits<double>::max();
+  Tensor<1, 3> outside;
+  for (unsigned int d = 0; d < 3; ++d) {
+    const double beyond = std::max(geometry.lower[d] - x[d], x[d] - geometry.upper[d]);
+    deepest = std::max(deepest, beyond);
+    outside[d] = std::max(0., beyond);
+  }
+  return deepest > 0. ? outside.norm() : deepest;
+}
+
+namespace {
 /** Returns the number of the body in which a point lies; the box of most bodies tells. */
 unsigned int body_at(const std::vector<Geometry<2>> &bodies, const Point<2> &x) {
   std::vector<unsigned int> candidates;
@@ -38,10 +65,12 @@ unsigned int body_at(const std::vector<Geometry<2>> &bodies, const Point<2> &x) 
       candidates.push_back(k);
   if (candidates.empty())
     return 0;
-  const auto found = candidates.size() == 1
-                       ? candidates.begin()
-                       : std::find_if(candidates.begin(), candidates.end(),
-                                      [&](const unsigned int k) { return contains(bodies[k], x); });
+  const auto found =
+    candidates.size() == 1
+      ? candidates.begin()
+      : std::find_if(candidates.begin(), candidates.end(), [&](const unsigned int k) {
+          return signed_distance(bodies[k].sides, 0, bodies[k].sides.size(), x) <= 0.;
+        });
   return found == candidates.end() ? candidates.front() : *found;
 }
 

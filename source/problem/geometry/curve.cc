@@ -396,24 +396,37 @@ DerivativeForm<1, 2, 2> ArcCell::push_forward_gradient(const Point<2> &chart_poi
 }
 
 Point<2> ArcCell::pull_back(const Point<2> &x) const {
-  constexpr unsigned int max_steps = 50;
+  constexpr unsigned int max_steps = 50, n = 16;
   const Point<2> &corner = edges_[0].start(), &opposite = edges_[1].end();
   const double size = corner.distance(opposite);
   const double rounding = 1e-15 * (size + x.norm());
-  Point<2> chart_point(0.5, 0.5);
-  double distance = HUGE_VAL;
-  for (unsigned int step = 0; step < max_steps; ++step) {
-    const Tensor<1, 2> residual = x - push_forward(chart_point);
-    // Newton's method continues until rounding ends it.
-    if (residual.norm() < rounding ||
-        (residual.norm() < 1e-12 * size && residual.norm() >= distance))
-      return chart_point;
-    distance = residual.norm();
-    const Tensor<2, 2> gradient(push_forward_gradient(chart_point));
-    chart_point += invert(gradient) * residual;
-    for (unsigned int d = 0; d < 2; ++d)
-      chart_point[d] = std::clamp(chart_point[d], -0.5, 1.5);
-  }
+  const auto search_from = [&](Point<2> chart_point) -> std::optional<Point<2>> {
+    double distance = HUGE_VAL;
+    for (unsigned int step = 0; step < max_steps; ++step) {
+      const Tensor<1, 2> residual = x - push_forward(chart_point);
+      // Newton's method continues until rounding ends it.
+      if (residual.norm() < rounding ||
+          (residual.norm() < 1e-12 * size && residual.norm() >= distance))
+        return chart_point;
+      distance = residual.norm();
+      const Tensor<2, 2> gradient(push_forward_gradient(chart_point));
+      chart_point += invert(gradient) * residual;
+      for (unsigned int d = 0; d < 2; ++d)
+        chart_point[d] = std::clamp(chart_point[d], -0.5, 1.5);
+    }
+    return {};
+  };
+  if (const auto found = search_from(Point<2>(0.5, 0.5)))
+    return *found;
+  // In thin cells that are bent it has to begin near the point.
+  Point<2> nearest;
+  for (unsigned int i = 0; i <= n; ++i)
+    for (unsigned int j = 0; j <= n; ++j)
+      if (const Point<2> start(double(i) / n, double(j) / n);
+          push_forward(start).distance(x) < push_forward(nearest).distance(x))
+        nearest = start;
+  if (const auto found = search_from(nearest))
+    return *found;
   throw ComputationError(
     concatenate("Geometry: the point (", x, ") is not found in the coarse cell from (", corner,
                 ") to (", opposite,

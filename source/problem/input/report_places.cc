@@ -3,9 +3,8 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/geometry/inside.h>
 #include <signorini/problem/parameters/entry_error.h>
-
-#include <deal.II/base/bounding_box.h>
 
 #include <algorithm>
 
@@ -41,7 +40,11 @@ template <int dim>
 std::vector<ReportPlace<dim>> read_report_places(const Given<std::string> &given,
                                                  const Geometry<dim> &geometry) {
   std::vector<ReportPlace<dim>> places;
-  const BoundingBox<dim> box({geometry.lower, geometry.upper});
+  const double rounding = 1e-10 * geometry.diameter();
+  const auto refuse = [&](const std::string &text, const std::string &allowed) {
+    throw error_at(given, "found ", quote(text),
+                   ", which is outside of the body, allowed: ", allowed, " of the body.");
+  };
   for (const std::string &text : split_list(given.value, '|')) {
     const Phrase phrase(text, "radius|to");
     const std::string &first = phrase.parts[0].text;
@@ -56,15 +59,17 @@ std::vector<ReportPlace<dim>> read_report_places(const Given<std::string> &given
       if (!read_number(given, phrase.parts[1].text, place.radius) || !(place.radius > 0.))
         throw error_at(given, "found the radius ", quote(phrase.parts[1].text),
                        ", allowed: a positive number.");
+      if (distance_from_body(geometry, place.centre) > place.radius + rounding)
+        refuse(text, "circles with points");
     } else if (phrase.form == "..." && first.find(',') != std::string::npos)
       place.points = {read_point<dim>(first, given)};
     else
       place = named_place(text, geometry, given);
     if (!place.points.empty() &&
-        std::none_of(place.points.begin(), place.points.end(),
-                     [&](const Point<dim> &x) { return box.point_inside(x, 1e-10); }))
-      throw error_at(given, "found ", quote(text),
-                     ", which is outside of the body, allowed: points of the body.");
+        std::none_of(place.points.begin(), place.points.end(), [&](const Point<dim> &x) {
+          return distance_from_body(geometry, x) <= rounding;
+        }))
+      refuse(text, "points");
     place.name = text;
     place.where = given.where();
     places.push_back(place);

@@ -8,6 +8,7 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "tests.h"
 
@@ -139,8 +140,32 @@ void test_distortion(Checks &checks) {
                             "the distortion of the mesh: found 0.45, with which the cell at (",
                             [&] { Mesh<2>(distorted(square, 0.45), 5, 5, MPI_COMM_WORLD); });
 }
+
+/** Cells at circles follow them where interior vertices have moved: areas are those of the bodies,
+ * to the order h^4 of parabolas on nested meshes, to rounding with degree ten on graded ones. */
+void distorted_round_bodies(Checks &checks) {
+  const auto splits_left = [](const auto &cell, const unsigned int n_splits) {
+    return cell->center()[0] < -0.5 && n_splits < 2;
+  };
+  for (const auto &[name, body, exact] : std::vector<std::tuple<std::string, Geometry<2>, double>>{
+         {"half disc", make_half_disc(1.), 0.5 * M_PI},
+         {"disc", make_disc(1.), M_PI},
+         {"ring", make_ring(0.5, 1.), 0.75 * M_PI}})
+    for (const unsigned int level : {0, 1, 2}) {
+      checks.about(name + ", vertices of level " + std::to_string(level) + " moved");
+      const Geometry<2> moved = distorted(body, 0.3);
+      const Mesh<2> nested(moved, level, 3, MPI_COMM_WORLD),
+        graded(moved, level, {}, splits_left, 10);
+      checks.near("nested: area",
+                  dealii::GridTools::volume(nested.triangulation(), nested.mapping()), exact,
+                  2e-5 * exact);
+      checks.near("graded: area",
+                  dealii::GridTools::volume(graded.triangulation(), graded.mapping()), exact,
+                  1e-9 * exact);
+    }
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {test_counts, test_distortion});
+  return run_tests(argc, argv, {test_counts, test_distortion, distorted_round_bodies});
 }

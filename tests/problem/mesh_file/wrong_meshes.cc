@@ -58,8 +58,11 @@ void check_table(Checks &checks, const std::string &text, const std::vector<Wron
 
 const std::vector<WrongMesh> wrong_texts = {
   {{{"$MeshFormat", "solid"}}, "a.msh:1: found 'solid', allowed: $MeshFormat."},
-  {{{"2.2 0", "2.1 0"}},
-   "a.msh:2: found '2.1', allowed: the version 2.2 or 4.1 of the format (gmsh -format msh41)."},
+  {{{"2.2 0", "4.0 0"}},
+   "a.msh:2: found '4.0', allowed: the version 2.0 to 2.2 or 4.1 of the format (gmsh -format "
+   "msh41)."},
+  {{{"1 2 \"top\"", "4 2 \"top\""}},
+   "a.msh:7: found '4', allowed: the dimension of a physical group (0, 1, 2, 3)."},
   {{{"2.2 0", "2.2 1"}},
    "a.msh:2: found a binary mesh file, allowed: a file of text (gmsh without -bin)."},
   {{{"$EndElements", ""}}, "a.msh: the file ends where $EndElements should be."},
@@ -97,8 +100,17 @@ const std::vector<WrongMesh> wrong_texts = {
    "a.msh: found the physical name 'the bottom', allowed: names of letters, digits, '_', '-' and "
    "'.', because the parameter file separates names by blanks."},
   {{{"4 3 2 0 1 2 3 6 5", "4 4 2 0 1 2 3 6 5"}},
-   "a.msh:23: element 4 has the type 4, allowed: quadrilaterals, triangles and lines of first or "
+   "a.msh:23: element 4 is a tetrahedron, allowed: quadrilaterals, triangles and lines of first or "
+   "second order; bodies in space are boxes (Dimension = 3, Shape = box), not files."},
+  {{{"4 3 2 0 1 2 3 6 5", "4 99 2 0 1 2 3 6 5"}},
+   "a.msh:23: element 4 is of the type 99, allowed: quadrilaterals, triangles and lines of first "
+   "or "
    "second order."},
+  {{{"$EndMeshFormat", "$EndMeshFormat\n$Converted\n$EndConverted"}, {"2 1 0 0", "2 1 zero 0"}},
+   "a.msh: found 'zero', allowed: a coordinate of a node (a number)."},
+  {{{"$EndMeshFormat", "$EndMeshFormat\n$Converted\n$EndConverted"}, {"5 1 1 0", "5 0.2 0.2 0"}},
+   "a.msh: the element 3 is not convex at node 5, allowed: convex elements, all "
+   "angles below 180 degrees."},
   {{{"5 1 1 0", "5 1 1 0.5"}},
    "a.msh:15: node 5 has z = 0.5, node 1 z = 0, allowed: a plane body in x and y, with the same z "
    "everywhere."},
@@ -171,13 +183,13 @@ void test_arcs(Checks &checks) {
       {{},
        "bottom",
        "a.prm:3: Geometry/Arcs: the side 'bottom' is not one arc, allowed: nodes on one circle, to "
-       "1e-06 of its radius."},
+       "0.0001 of its radius."},
       {{{"6\n1 0", "8\n7 3 0.51 0\n8 3 2 0\n1 0"},
         {"2 1 0 0", "2 1 -0.2 0"},
         {"4\n1 1", "7\n5 1 2 1 1 2 3\n6 1 2 1 1 3 7\n7 3 2 1 1 3 7 8 6\n1 1"}},
        "bottom",
        "a.prm:3: Geometry/Arcs: the side 'bottom' is not one arc, allowed: nodes on one circle, to "
-       "1e-06 of its radius."}})
+       "0.0001 of its radius."}})
     checks.refuses(wrong.message, [&] { read(change(version_2, wrong.changes), {wrong.arc}); });
 }
 
@@ -204,6 +216,44 @@ void test_good_meshes(Checks &checks) {
               mixed.regions == std::vector<std::string>({"1"}) &&
                 read(change(version_2, {{"4 3 2 0 1 2", "4 3 2 9 1 2"}})).regions ==
                   std::vector<std::string>({"9", "rest"}));
+}
+
+/** Names without dimensions, as in version 2.0 and, with -1, in what Gmsh makes of it. */
+void test_old_names(Checks &checks) {
+  for (const std::string &dimension : {"", "-1 "}) {
+    const Geometry<2> square = read(
+      change(version_2,
+             {{"2.2 0", "2 0"},
+              {"2\n1 1 \"bottom\"\n1 2 \"top\"", "3\n" + dimension + "1 \"bottom\"\n" + dimension +
+                                                   "2 \"top\"\n" + dimension + "9 \"soft part\""},
+              {"4 3 2 0 1 2", "4 3 2 9 1 2"}}));
+    checks.that("version 2.0: names of sides and regions, with '" + dimension + "'",
+                square.side_names() ==
+                    std::vector<std::string>({"bottom", "rest.1", "rest.2", "top"}) &&
+                  square.regions == std::vector<std::string>({"rest", "soft part"}));
+  }
+}
+
+/** Nodes of a quarter of the unit circle with five decimals: a side by Arcs, whose nodes move. */
+void test_digits(Checks &checks) {
+  const std::string fan =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n1 1 \"arc\"\n"
+    "$EndPhysicalNames\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0.92388 0.38268 0\n"
+    "4 0.70711 0.70711 0\n5 0.38268 0.92388 0\n6 0 1 0\n$EndNodes\n$Elements\n8\n"
+    "1 1 2 1 1 2 3\n2 1 2 1 1 3 4\n3 1 2 1 1 4 5\n4 1 2 1 1 5 6\n"
+    "5 2 2 0 1 1 2 3\n6 2 2 0 1 1 3 4\n7 2 2 0 1 1 4 5\n8 2 2 0 1 1 5 6\n"
+    "$EndElements\n";
+  const Geometry<2> quarter = read(fan, {"arc"});
+  checks.near("five decimals: the radius", quarter.sides[quarter.find_side("arc")].radius(), 1.,
+              2e-5);
+  checks.that("  and how far nodes moved",
+              quarter.note.find("nodes on arcs are moved onto them, by at most ") !=
+                std::string::npos);
+  checks.refuses("a.prm:3: Geometry/Arcs: the side 'arc' is not one arc, allowed: nodes on one "
+                 "circle, to 0.0001 of its radius.",
+                 [&] {
+                   read(change(fan, {{"0.92388 0.38268", "0.924 0.3828"}}), {"arc"});
+                 });
 }
 
 /** Surfaces of the file that are bodies, or regions of bodies. */
@@ -235,5 +285,6 @@ void test_parts(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests({test_good_meshes, test_wrong_meshes, test_arcs, test_parts});
+  return run_tests(
+    {test_good_meshes, test_wrong_meshes, test_arcs, test_old_names, test_digits, test_parts});
 }

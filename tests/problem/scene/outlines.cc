@@ -64,6 +64,12 @@ void check_body(Checks &checks, const std::string &name, const Geometry<2> &geom
   }());
 }
 
+/** The area between a chord of the length 2 and the shorter arc of a circle. */
+double segment_area(const double radius) {
+  const double half = std::asin(1. / radius);
+  return radius * radius * (half - 0.5 * std::sin(2. * half));
+}
+
 void test_straight(Checks &checks) {
   const std::string l = "0,0; 2,0; 2,1; 1,1; 1,2; 0,2";
   const Geometry<2> geometry = polygon(l);
@@ -88,6 +94,22 @@ void test_curved(Checks &checks) {
              {{"fillet0", 0.1 * PI}, {"side0", 0.79}, {"fillet1", 0.005 * PI}});
   for (const char *half_disc : {"-1,0; arc 0,0 ccw; 1,0", "1,0; arc 0,0 cw; -1,0"})
     check_body(checks, half_disc, polygon(half_disc), 0.5 * PI, {{"side0", PI}, {"side1", 2.}});
+  const double a = 2. * std::atan(0.25), segment = segment_area(std::sqrt(17.));
+  for (const char *flat : {"-1,0; arc 0,4 ccw; 1,0", "-1,0; arc radius 4.123105625617661 ccw; 1,0",
+                           "1,0; arc through 0,-0.12310562561766053; -1,0"})
+    check_body(checks, flat, polygon(flat), segment,
+               {{"side0", std::sqrt(17.) * a}, {"side1", 2.}});
+  check_body(checks, "lens", polygon("-1,0; arc 0,4 ccw; 1,0; arc 0,-4 ccw"), 2. * segment,
+             {{"side0", std::sqrt(17.) * a}, {"side1", std::sqrt(17.) * a}});
+  check_body(checks, "lens as a hole",
+             polygon("-2,-1; 2,-1; 2,1; -2,1", "-1,0; arc 0,4 ccw; 1,0; arc 0,-4 ccw"),
+             8. - 2. * segment, {{"hole0", 2. * std::sqrt(17.) * a}});
+  check_body(checks, "moon of two degrees",
+             polygon("-1,0; arc radius 57 ccw; 1,0; arc radius 60 cw"),
+             segment_area(57.) - segment_area(60.), {});
+  // The longer arc, through a third point, of a vertical chord.
+  check_body(checks, "arc of 270 degrees", polygon("0,-1; arc through 2.414213562373095,0; 0,1"),
+             1.5 * PI + 1., {{"side0", 1.5 * PI * std::sqrt(2.)}, {"side1", 2.}});
   check_body(checks, "moon", polygon("0,-1; arc 0,0 ccw; 0,1; arc -1,0 cw"), 1.,
              {{"side0", PI}, {"side1", std::sqrt(0.5) * PI}});
 }

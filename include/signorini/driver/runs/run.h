@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/problem/parameters/parameters.h>
+#include <signorini/results/output/files.h>
 #include <signorini/results/verdict/level_record.h>
 
 #include <mpi.h>
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -57,7 +60,12 @@ struct RunSummary {
   std::string verdict;
   /** The finest level that was solved. */
   std::optional<LevelRecord> finest;
+  /** The directory with results; other runs are kept out of it as long as this lives. */
+  std::shared_ptr<const ResultsDirectory> results;
 };
+
+/** Returns the parameters of a run. @throws InputError */
+Parameters parameters_of(const RunInput &input);
 
 /**
  * Reads a parameter file on the first rank, for all ranks. Collective. @throws InputError, also
@@ -92,13 +100,14 @@ struct SweepPoint {
 };
 
 /** Returns all combinations; the last sweep varies fastest. @throws InputError if there are too
- * many, or two of them have the same name. */
+ * many, or two of them have the same name, or a parameter has two sweeps. */
 std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps);
 
 /**
  * Runs a scene for all combinations of values, each in a directory of its own below that of the
  * input, and prints one table over them, which is also written to sweep.csv. All values are parsed
- * before the first run. Collective.
+ * before the first run, and other runs are kept out of all directories until the last one ends.
+ * Collective.
  * @return the largest exit code, with its verdict.
  */
 RunSummary run_sweep(const RunInput &input, const std::vector<Sweep> &sweeps, MPI_Comm communicator,
