@@ -142,14 +142,42 @@ private:
   PlaneRule made_;
 };
 
-/** Returns the Jacobian determinant of the bilinear map of a cell at a reference point. */
-double jacobian(const Triangulation<2>::cell_iterator &cell, const Point<2> &xi) {
-  const Tensor<1, 2> ds = (1. - xi[1]) * (cell->vertex(1) - cell->vertex(0)) +
-                          xi[1] * (cell->vertex(3) - cell->vertex(2));
-  const Tensor<1, 2> dt = (1. - xi[0]) * (cell->vertex(2) - cell->vertex(0)) +
-                          xi[0] * (cell->vertex(3) - cell->vertex(1));
-  return ds[0] * dt[1] - ds[1] * dt[0];
+double area_of(const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
+  return a[0] * b[1] - a[1] * b[0];
 }
+
+/** The bilinear map of the unit square to a quadrilateral with corners in the order of a polygon.
+ */
+struct BilinearMap {
+  Polygon x;
+
+  Point<2> operator()(const Point<2> &xi) const {
+    return x[0] + xi[0] * (x[1] - x[0]) + xi[1] * (x[3] - x[0]) +
+           xi[0] * xi[1] * ((x[2] - x[3]) - (x[1] - x[0]));
+  }
+  std::array<Tensor<1, 2>, 2> derivatives(const Point<2> &xi) const {
+    return {{(1. - xi[1]) * (x[1] - x[0]) + xi[1] * (x[2] - x[3]),
+             (1. - xi[0]) * (x[3] - x[0]) + xi[0] * (x[2] - x[1])}};
+  }
+  double jacobian(const Point<2> &xi) const {
+    const auto [ds, dt] = derivatives(xi);
+    return area_of(ds, dt);
+  }
+  /** Returns the point with the image @p y, by Newton's method. */
+  Point<2> inverse(const Point<2> &y) const {
+    Point<2> xi(0.5, 0.5);
+    for (unsigned int step = 0; step < 20; ++step) {
+      const auto [ds, dt] = derivatives(xi);
+      const Tensor<1, 2> rest = y - (*this)(xi);
+      const Tensor<1, 2> change(
+        {area_of(rest, dt) / area_of(ds, dt), area_of(ds, rest) / area_of(ds, dt)});
+      xi += change;
+      if (change.norm() < 1e-15)
+        break;
+    }
+    return xi;
+  }
+};
 
 /** Returns the possible ends of contact zones that are near the cell, measured by its diameter.
  * Returns none where there are many, as in a comb of lines: contact ends at few of them, and a rule
@@ -163,6 +191,47 @@ std::vector<Point<dim>> ends_near(const Kinks<dim> &kinks,
     if (cell->center().distance(end) < 2.5 * cell->diameter())
       near.push_back(end);
   return near.size() > most ? std::vector<Point<dim>>() : near;
+}
+
+/** Returns the vertices of a cell, and the middles of its edges, which may be curved. */
+template <int dim>
+std::vector<Point<dim>> outline_of(const typename Triangulation<dim>::cell_iterator &cell) {
+  std::vector<Point<dim>> points;
+  for (const unsigned int v : cell->vertex_indices())
+    points.push_back(cell->vertex(v));
+  if constexpr (dim == 2)
+    for (const auto &face : cell->face_iterators())
+      points.push_back(face->center(/*respect_manifold=*/true));
+  return points;
+}
+
+template <int dim>
+bool divides(const KinkLine<dim> &line, const std::vector<Point<dim>> &outline) {
+  double lowest = 0., highest = 0.;
+  for (const Point<dim> &x : outline) {
+    lowest = std::min(lowest, line.signed_distance(x));
+    highest = std::max(highest, line.signed_distance(x));
+  }
+  const double margin = Kinks<dim>::tolerance * (highest - lowest);
+  return lowest < -margin && highest > margin;
+}
+
+BoundingBox<2> box_around(const std::vector<Point<2>> &points) {
+  BoundingBox<2> box({points[0], points[0]});
+  for (const Point<2> &x : points)
+    box.merge_with(BoundingBox<2>({x, x}));
+  return box;
+}
+
+/** Returns whether a line or a box of the data divides what has the outline. */
+template <int dim>
+bool meets(const Kinks<dim> &kinks, const std::vector<Point<dim>> &outline) {
+  if (std::any_of(kinks.lines().begin(), kinks.lines().end(),
+                  [&](const KinkLine<dim> &line) { return divides(line, outline); }))
+    return true;
+  if constexpr (dim == 2)
+    return kinks.boxes().divides(box_around(outline));
+  return false;
 }
 
 /** Appends the parts of a polygon in the boxes below a node. @param halvings in each direction. */
@@ -187,30 +256,20 @@ void divide(const Polygon &polygon, const BoxTree &boxes, const unsigned int nod
 
 template <int dim>
 bool crosses(const KinkLine<dim> &line, const typename Triangulation<dim>::cell_iterator &cell) {
-  std::array<double, GeometryInfo<dim>::vertices_per_cell> distances;
-  for (const unsigned int v : cell->vertex_indices())
-    distances[v] = line.signed_distance(cell->vertex(v));
-  const auto [lowest, highest] = std::minmax_element(distances.begin(), distances.end());
-  const double margin = Kinks<dim>::tolerance * (*highest - *lowest);
-  return *lowest<-margin && * highest> margin;
+  return divides(line, outline_of<dim>(cell));
 }
 
 template <int dim>
 bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell_iterator &cell) {
-  if (std::any_of(kinks.lines().begin(), kinks.lines().end(),
-                  [&cell](const KinkLine<dim> &line) { return crosses<dim>(line, cell); }))
-    return true;
-  if constexpr (dim == 2)
-    if (kinks.boxes().divides(cell->bounding_box()))
-      return true;
-  return !ends_near(kinks, cell).empty();
+  return meets(kinks, outline_of<dim>(cell)) || !ends_near(kinks, cell).empty();
 }
 
 bool varies_fast(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell) {
+  const std::vector<Point<2>> outline = outline_of<2>(cell);
   if (std::any_of(kinks.lines().begin(), kinks.lines().end(),
-                  [&cell](const KinkLine<2> &line) { return crosses<2>(line, cell); }))
+                  [&](const KinkLine<2> &line) { return divides(line, outline); }))
     return true;
-  if (!kinks.boxes().divides(cell->bounding_box()))
+  if (!kinks.boxes().divides(box_around(outline)))
     return false;
   // Larger boxes leave four parts at most.
   const auto parts =
@@ -246,15 +305,121 @@ PlaneRule cut_rule(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator 
   return rule.made();
 }
 
-Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
-                             const unsigned int n_points) {
-  auto [points, weights] = cut_rule(kinks, cell, n_points);
-  const MappingQ1<2> mapping;
-  for (std::size_t q = 0; q < points.size(); ++q) {
-    points[q] = mapping.transform_real_to_unit_cell(cell, points[q]);
-    weights[q] /= jacobian(cell, points[q]);
+namespace {
+/** The rule of cut_quadrature(). A square of the reference cell whose image is too curved for what
+ * is cut in it is halved in both directions; most edges of cells are straight. */
+class CellCuts {
+public:
+  CellCuts(const Kinks<2> &kinks, const Mapping<2> &mapping,
+           const Triangulation<2>::cell_iterator &cell, const unsigned int n_points)
+    : kinks_(kinks)
+    , mapping_(mapping)
+    , cell_(cell)
+    , n_points_(n_points)
+    , origin_(mapping.transform_unit_to_real_cell(cell, Point<2>()))
+    , scale_(cell->vertex(0).distance(cell->vertex(1)) /
+             origin_.distance(mapping.transform_unit_to_real_cell(cell, Point<2>(1., 0.))))
+    , ends_(ends_near(kinks, cell)) {
+    add(Point<2>(), 1., 0);
   }
-  return Quadrature<2>(points, weights);
+  Quadrature<2> rule() const {
+    return Quadrature<2>(points_, weights_);
+  }
+
+private:
+  /** Returns the place of a reference point in the body; maps may have another unit of length. */
+  Point<2> image(const Point<2> &xi) const {
+    return cell_->vertex(0) + scale_ * (mapping_.transform_unit_to_real_cell(cell_, xi) - origin_);
+  }
+  /** Adds the square with the given lower left corner and width. */
+  void add(const Point<2> &corner, const double width, const unsigned int halvings) {
+    constexpr unsigned int most_halvings = 8;
+    const auto at = [&](const double s, const double t) {
+      return corner + width * Tensor<1, 2>({s, t});
+    };
+    const BilinearMap map = {
+      {image(at(0., 0.)), image(at(1., 0.)), image(at(1., 1.)), image(at(0., 1.))}};
+    double bend = 0.;
+    for (const Point<2> &xi : {Point<2>(0.5, 0.), Point<2>(1., 0.5), Point<2>(0.5, 1.),
+                               Point<2>(0., 0.5), Point<2>(0.5, 0.5)})
+      bend = std::max(bend, map(xi).distance(image(at(xi[0], xi[1]))));
+    if (halvings < most_halvings && is_too_curved(map, bend)) {
+      for (unsigned int i = 0; i < 4; ++i)
+        add(at(0.5 * (i % 2), 0.5 * (i / 2)), 0.5 * width, halvings + 1);
+      return;
+    }
+    PolygonRule rule(n_points_, is_rectangle(map.x), ends_);
+    for (const PolygonPart &part : cut_polygon(kinks_, map.x))
+      rule.add_polygon(part.corners, part.halvings);
+    for (std::size_t q = 0; q < rule.made().points.size(); ++q) {
+      const Point<2> xi = map.inverse(rule.made().points[q]);
+      points_.push_back(at(xi[0], xi[1]));
+      weights_.push_back(rule.made().weights[q] / map.jacobian(xi) * width * width);
+    }
+  }
+  /** Returns whether what is cut in a quadrilateral, or near it, is not large compared with the
+   * distance of its image from it. */
+  bool is_too_curved(const BilinearMap &map, const double bend) const {
+    constexpr double allowed = 0.1;
+    const double size = map.x[0].distance(map.x[2]);
+    if (bend < 1e-12 * size)
+      return false;
+    Polygon wider = map.x;
+    const Point<2> centre = map(Point<2>(0.5, 0.5));
+    for (Point<2> &x : wider)
+      x += 4. * bend / size * (x - centre);
+    if (!meets(kinks_, wider))
+      return false;
+    const auto parts = cut_polygon(kinks_, wider);
+    return std::any_of(parts.begin(), parts.end(), [&](const PolygonPart &part) {
+      double area = 0.;
+      for (std::size_t i = 1; i + 1 < part.corners.size(); ++i)
+        area += 0.5 * std::abs(area_of(part.corners[i] - part.corners[0],
+                                       part.corners[i + 1] - part.corners[0]));
+      return bend > allowed * std::sqrt(area);
+    });
+  }
+
+  const Kinks<2> &kinks_;
+  const Mapping<2> &mapping_;
+  const Triangulation<2>::cell_iterator cell_;
+  const unsigned int n_points_;
+  const Point<2> origin_;
+  const double scale_;
+  const std::vector<Point<2>> ends_;
+  std::vector<Point<2>> points_;
+  std::vector<double> weights_;
+};
+} // namespace
+
+Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
+                             const unsigned int n_points, const Mapping<2> &mapping) {
+  return CellCuts(kinks, mapping, cell, n_points).rule();
+}
+
+std::vector<double> cut_edge(const Kinks<2> &kinks, const Side<2> &side, const Point<2> &a,
+                             const Point<2> &b) {
+  const Tensor<1, 2> edge = b - a;
+  const Point<2> chord = a + 0.5 * edge;
+  const double s = side.is_flat() ? 0. : side.arc_length(chord);
+  const Point<2> middle = side.is_flat() ? chord : side.point(s);
+  // The edge is a parabola through the middle of the arc; its coordinate along the chord is linear.
+  const double angle = 2. * std::atan(2. * middle.distance(chord) / edge.norm());
+  if (angle < 1e-10)
+    return kinks.cut(a, b);
+  const double half = 0.5 * edge.norm() * angle / std::sin(angle),
+               sign = (side.point(s + 0.5 * half) - middle) * edge < 0. ? -1. : 1.;
+  std::vector<double> cuts;
+  for (const double on_arc : kinks.cut(side, s - half, s + half)) {
+    const double k = std::tan(sign * angle * (on_arc - s) / half), sine = std::sin(angle);
+    const double eta =
+      2. * k / (sine + std::sqrt(sine * sine + 4. * k * k * (1. - std::cos(angle))));
+    cuts.push_back(std::clamp(0.5 + 0.5 * eta, 0., 1.));
+  }
+  std::sort(cuts.begin(), cuts.end());
+  cuts.front() = 0.;
+  cuts.back() = 1.;
+  return cuts;
 }
 
 Quadrature<1> split_quadrature(const Quadrature<1> &rule, const std::vector<double> &cuts) {

@@ -119,10 +119,10 @@ public:
       add_force(cell_values_.reinit(cell), *scene_.body_force, "the body force", vector, resultant);
     for (const unsigned int f : cell->face_indices())
       if (cell->face(f)->at_boundary()) {
-        const BoundaryCondition<dim> &condition = scene_.boundary[cell->face(f)->boundary_id()];
-        if (condition.role == Role::traction)
-          add_force(face_values_.reinit(cell, f), *condition.data, "the traction", vector,
-                    resultant);
+        const auto side = cell->face(f)->boundary_id();
+        if (scene_.boundary[side].role == Role::traction)
+          add_force(face_values_.reinit(cell, f, scene_.geometry.sides[side]),
+                    *scene_.boundary[side].data, "the traction", vector, resultant);
       }
   }
 

@@ -66,7 +66,7 @@ void Tractions::project_given(const BoundData &data) {
       // On arcs cells lift the traction itself.
       if (!edge.line.is_flat())
         continue;
-      const FEFaceValues<2> &rule = values.reinit(cell, f);
+      const FEFaceValues<2> &rule = values.reinit(cell, f, data.scene.geometry.sides[edge.side]);
       for (const unsigned int q : rule.quadrature_point_indices()) {
         data.scene.boundary[edge.side].data->vector_value(rule.quadrature_point(q), t);
         const Tensor<1, 2> &n = rule.normal_vector(q);

@@ -5,6 +5,7 @@
 #include <signorini/problem/geometry/geometry.h>
 
 #include <deal.II/base/quadrature.h>
+#include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/tria.h>
 
 #include <vector>
@@ -52,11 +53,18 @@ PlaneRule cut_rule(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator 
  * Returns a rule on the reference cell that integrates on the pieces into which lines and boxes
  * cut a cell: Gauss' rule on rectangles, Duffy's on the triangles of other pieces, each with
  * @p n_points points per direction. Near a possible end of contact all pieces are triangles, which
- * shrink towards it. A curved cell is cut like the quadrilateral of its vertices: the rule is as
- * accurate there for smooth functions, and nearly so for others.
+ * shrink towards it. A curved cell is cut like the quadrilateral of its vertices; where this moves
+ * points by more than a tenth of the size of a piece, its quarters are, and so on.
+ * @param mapping the map of the cell, in any unit of length.
  */
 Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
-                             unsigned int n_points);
+                             unsigned int n_points,
+                             const Mapping<2> &mapping = StaticMappingQ1<2>::mapping);
+
+/** Returns the parameters t in [0,1], sorted, at which lines and breaks cut the edge of a cell from
+ * @p a to @p b on a side: 0, the cuts, 1. On an arc the edge is a parabola. */
+std::vector<double> cut_edge(const Kinks<2> &kinks, const Side<2> &side, const Point<2> &a,
+                             const Point<2> &b);
 
 /** Returns the rule from the first to the last of the sorted @p cuts that applies @p rule, a rule
  * on [0,1], between consecutive ones. */

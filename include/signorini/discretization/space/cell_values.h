@@ -90,6 +90,10 @@ protected:
     return *cut_;
   }
 
+  const Mapping<dim> &mapping() const {
+    return mappings_[0];
+  }
+
   const Kinks<dim> &kinks_;
 
 private:
@@ -128,7 +132,7 @@ public:
     // In 3-D planes do not cut cells yet.
     const auto cut_rule = [&](const unsigned int n) -> Quadrature<dim> {
       if constexpr (dim == 2)
-        return cut_quadrature(this->kinks_, cell, n);
+        return cut_quadrature(this->kinks_, cell, n, this->mapping());
       return QGauss<dim>(n);
     };
     const bool is_cut = dim == 2 && needs_cuts<dim>(this->kinks_, cell);
@@ -144,12 +148,14 @@ public:
   using CellIterator = typename Triangulation<dim>::active_cell_iterator;
   using ValuesByElement<dim, dim - 1>::ValuesByElement;
 
-  const FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no) {
+  /** Computes the values on a face. @param side on which it lies. */
+  const FEFaceValues<dim> &reinit(const CellIterator &cell, const unsigned int face_no,
+                                  const Side<dim> &side) {
     const auto face = cell->face(face_no);
     // In 3-D planes do not cut faces yet.
     std::vector<double> cuts;
     if constexpr (dim == 2)
-      cuts = this->kinks_.cut(face->vertex(0), face->vertex(1));
+      cuts = cut_edge(this->kinks_, side, face->vertex(0), face->vertex(1));
     const auto cut_rule = [&](const unsigned int n) -> Quadrature<dim - 1> {
       if constexpr (dim == 2)
         return split_quadrature(QGauss<1>(n), cuts);
