@@ -141,6 +141,11 @@ def bound_unresolved():
     return rows_of_test("error_control", "bound/unresolved", "bound_unresolved.csv")[1:]
 
 
+@table("scene", "level", "pressing", "error_over_u", "estimated_relative", "estimate_over_error")
+def estimate_few_patches():
+    return rows_of_test("error_control", "estimate/few_patches", "estimate_few_patches.csv")[1:]
+
+
 @table("scene", "steps", "unknowns", "estimate", "true_error")
 def graded_errors():
     for name, scene in (("A1 (smooth contact)", "a1"), ("B1 (root at the end)", "b1"), ("B3 (Hertz)", "b3"),

@@ -55,7 +55,7 @@ public:
        relative_error(record).value_or(1.) < enough_for_pairs);
     const bool may_lock = parameters.discretization.element == Element::q1;
     if (result.is_last && may_lock)
-      record.locking_number = locking_number(discretization.mesh, *context_.scene.material);
+      record.locking_number = locking_number(discretization.mesh, context_.scene);
     if (!result.is_last)
       keep_for_next(result);
     ++next_level_;

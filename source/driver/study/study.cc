@@ -177,7 +177,8 @@ private:
 template <int dim>
 Judge judge_of(const Parameters &parameters, const Scene<dim> &scene) {
   return Judge({parameters.solver.tolerance, parameters.solver.tolerated_error,
-                target_error(parameters.discretization), dim == 2 && !scene.has_pairs(), dim == 2});
+                target_error(parameters.discretization), dim == 2 && !scene.has_pairs(), dim == 2,
+                parameters.discretization.target_error > 0.});
 }
 
 template <int dim>

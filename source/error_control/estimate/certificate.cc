@@ -365,11 +365,16 @@ double max_bulk_to_shear(const Mesh<dim> &mesh, const Material<dim> &material) {
 } // namespace
 
 template <int dim>
-double locking_number(const Mesh<dim> &mesh, const Material<dim> &material) {
+double locking_number(const Mesh<dim> &mesh, const Scene<dim> &scene) {
   constexpr double nearly_incompressible = 10.;
-  const double ratio = max_bulk_to_shear(mesh, material);
-  return ratio > nearly_incompressible ? ratio * std::pow(mesh.longest_edge() / mesh.size(), 2)
-                                       : 0.;
+  const double ratio = max_bulk_to_shear(mesh, *scene.material);
+  if (!(ratio > nearly_incompressible))
+    return 0.;
+  bool presses_on_arc = false;
+  if constexpr (dim == 2)
+    for (const unsigned int side : scene.contact_sides())
+      presses_on_arc = presses_on_arc || !scene.geometry.sides[side].is_flat();
+  return ratio * std::pow(mesh.longest_edge() / mesh.size(), presses_on_arc ? 1 : 2);
 }
 
 INSTANTIATE_FUNCTION(locking_number);

@@ -19,7 +19,10 @@ Trend trend_of(const std::vector<std::optional<double>> &values) {
   const double size = std::abs(last[0]), change = last[0] - last[1];
   if (size > 0.)
     trend.change = change / size;
-  const bool falls = known.size() > 2 && std::abs(change) <= slowest * std::abs(last[1] - last[2]);
+  const double before = known.size() > 2 ? std::abs(last[1] - last[2]) : 0.;
+  const double allowed_before =
+    known.size() > 3 ? std::abs(last[2] - last[3]) : 2. * moderate * size;
+  const bool falls = std::abs(change) <= slowest * before && before <= allowed_before;
   const bool settled =
     std::abs(change) <= small * size || (falls && std::abs(change) <= moderate * size);
   trend.kind = settled ? Trend::Kind::settled : Trend::Kind::not_settled;

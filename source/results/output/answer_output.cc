@@ -7,6 +7,7 @@
 #include <boost/algorithm/string/replace.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <iomanip>
@@ -180,8 +181,10 @@ public:
     else if (depth < 0.)
       add("Smallest opening", text);
     else
-      add("Penetration",
-          "at most " + text + (level_.sizes.is_graded() ? "" : " (between the means)"));
+      add("Penetration", "at most " + text +
+                           (!presses_at(*level_.answer.penetration) ? " (where nothing presses)"
+                            : level_.sizes.is_graded()              ? ""
+                                                                    : " (between the means)"));
   }
 
   void add_energy(const Json &energy) {
@@ -205,6 +208,17 @@ public:
   }
 
 private:
+  /** Returns whether something presses near a point of Γ_c; in 3-D, anywhere. */
+  bool presses_at(const Penetration &penetration) const {
+    const Answer &answer = level_.answer;
+    const auto contains = [&](const ContactZone &zone) {
+      const double s = penetration.place.arc_length - zone.start.place.arc_length;
+      return zone.start.place.side == penetration.place.side && s >= -zone.start.uncertainty &&
+             s <= zone.length + zone.end.uncertainty;
+    };
+    return answer.dimension == 3 ? answer.peak_pressure.has_value()
+                                 : std::any_of(answer.zones.begin(), answer.zones.end(), contains);
+  }
   static std::string text_of_limits(const FrictionSummary &friction) {
     const double largest = friction.largest_share;
     return "T takes " + digits(100. * rounded(friction.carried_share, 1.)) +

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include "answer_json.h"
@@ -136,9 +137,19 @@ bool share_mesh(const Maximum &a, const Maximum &b) {
          point_of(a).distance(point_of(b)) < a.mesh.size;
 }
 
-/** Returns the maximum of the finest level with its trend over the levels. */
+/** Returns whether every contact zone is longer than three times the uncertainty of its ends. One
+ * of a patch or two has not shown its pressures and stresses yet. */
+bool resolves_zones(const Answer &answer) {
+  return std::all_of(answer.zones.begin(), answer.zones.end(), [](const ContactZone &zone) {
+    return zone.length >= 3. * std::max(zone.start.uncertainty, zone.end.uncertainty);
+  });
+}
+
+/** Returns the maximum of the finest level with its trend over the levels. Where the finest level
+ * is not @p is_resolved, a maximum is not settled. */
 template <typename Maximum>
-Json with_trend(const std::vector<std::optional<Maximum>> &maxima, const bool is_unlimited) {
+Json with_trend(const std::vector<std::optional<Maximum>> &maxima, const bool is_unlimited,
+                const bool is_resolved = true) {
   std::vector<std::optional<double>> values;
   values.reserve(maxima.size());
   for (const std::optional<Maximum> &maximum : maxima)
@@ -149,6 +160,8 @@ Json with_trend(const std::vector<std::optional<Maximum>> &maxima, const bool is
     trend.kind = Trend::Kind::unlimited;
   else if (n > 1 && maxima[n - 2] && share_mesh(*maxima[n - 1], *maxima[n - 2]))
     trend.kind = Trend::Kind::not_refined;
+  else if (!is_resolved && trend.kind == Trend::Kind::settled)
+    trend.kind = Trend::Kind::not_settled;
   Json json = *maxima.back();
   json["change"] = trend.change;
   json["trend"] = word_for(trend.kind);
@@ -168,9 +181,10 @@ Json maximum_of(const std::vector<LevelRecord> &levels, const Get &of) {
   const auto finest = of(levels.back().answer);
   if (!finest)
     return nullptr;
-  Json json = with_trend(largest, finest->grows_at.has_value());
+  const bool is_resolved = resolves_zones(levels.back().answer);
+  Json json = with_trend(largest, finest->grows_at.has_value(), is_resolved);
   json["grows_at"] = finest->grows_at;
-  json["away"] = finest->away ? with_trend(away, false) : nullptr;
+  json["away"] = finest->away ? with_trend(away, false, is_resolved) : nullptr;
   return json;
 }
 

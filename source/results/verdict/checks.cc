@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace Signorini {
@@ -151,7 +152,7 @@ std::string remedy_for(const LevelRecord &level) {
            "there have no solution.";
   constexpr const char *usual = "refine, or take cells that are as wide as high (long cells are "
                                 "too stiff in bending).";
-  if (!bound_of(level)) {
+  if (!level.bound || !level.bound->relative) {
     const ErrorEstimate estimate = level.estimate.value_or(ErrorEstimate());
     const double algebra = estimate.algebra.value_or(0.), contact = estimate.contact.value_or(0.);
     const double largest =
@@ -159,8 +160,7 @@ std::string remedy_for(const LevelRecord &level) {
     if (largest == 0. || largest > std::max(algebra, contact))
       return usual;
     return largest == algebra ? "the contact solver stops too early: take a smaller Tolerance."
-                              : "the body penetrates where no patch presses: refine, or take a "
-                                "smaller Patch ratio.";
+                              : "contact is not resolved: refine, or take a smaller Patch ratio.";
   }
   const ErrorBound &bound = *level.bound;
   switch (bound.dominant_part()) {
@@ -183,11 +183,13 @@ std::string check_finest_level(const std::vector<LevelRecord> &levels, const Jud
 }
 
 /** Checks that the bound of the error on the finest level, or without one its estimate, is known
- * and tolerated. */
+ * and tolerated, and a bound that is conditional, too. */
 std::string check_error(const std::vector<LevelRecord> &levels, const Judge &judge) {
   const LevelRecord &finest = levels.back();
   const std::optional<double> error = relative_error(finest);
-  if (error && *error <= judge.demands.tolerated_error)
+  const double allowed = judge.demands.tolerated_error,
+               conditional = conditional_bound_of(finest).value_or(0.);
+  if (error && *error <= allowed && conditional <= allowed)
     return "";
   std::ostringstream text;
   text << "The error of " << finest.sizes.word() << " " << finest.sizes.level;
@@ -196,13 +198,14 @@ std::string check_error(const std::vector<LevelRecord> &levels, const Judge &jud
   else if (bound_of(finest))
     text << " may be as large as " << 100. * *error << " % (energy norm, "
          << (is_guaranteed(finest) ? "guaranteed" : "estimated")
-         << " bound; Tolerated error: " << 100. * judge.demands.tolerated_error << " %)";
+         << " bound; Tolerated error: " << 100. * allowed << " %)";
   else
     text << " is about " << 100. * *error
-         << " % (energy norm, estimated; Tolerated error: " << 100. * judge.demands.tolerated_error
-         << " %)";
+         << " % (energy norm, estimated; Tolerated error: " << 100. * allowed << " %)";
   if (const std::string reason = why_no_bound(finest); !reason.empty())
     text << ", and there is no bound: " << reason;
+  if (conditional > allowed)
+    text << ", which is more than is tolerated";
   text << "; " << remedy_for(finest);
   return text.str();
 }
@@ -231,10 +234,18 @@ std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &ju
   return text.str();
 }
 
+/** Returns whether a target that the user has not set is missed by an error that is guaranteed and
+ * tolerated. */
+bool misses_default_target(const LevelRecord &level, const Demands &demands) {
+  return !demands.target_is_given && is_guaranteed(level) &&
+         *bound_of(level) >= demands.target_error && *bound_of(level) <= demands.tolerated_error;
+}
+
 /** Checks that the finest level reaches the target error, if there is one. */
 std::string check_target(const std::vector<LevelRecord> &levels, const Judge &judge) {
   const LevelRecord &finest = levels.back();
-  if (judge.demands.target_error == 0. || judge.reaches_target(finest))
+  if (judge.demands.target_error == 0. || judge.reaches_target(finest) ||
+      misses_default_target(finest, judge.demands))
     return "";
   std::ostringstream text;
   text << "The target error is not reached on " << finest.sizes.word() << " " << finest.sizes.level
@@ -333,7 +344,7 @@ std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &j
   std::ostringstream text;
   text << "The body is nearly incompressible, and bilinear elements lock on a mesh as coarse as "
           "level "
-       << finest.sizes.level << ": K/mu (h/l)^2 = " << number << ", allowed: at most "
+       << finest.sizes.level << ": the locking number is " << number << ", allowed: at most "
        << max_locking_number << "; "
        << (judge.demands.has_b_bar ? "set Discretization/Element = Q1 B-bar, or refine."
                                    : "refine.");
@@ -406,6 +417,12 @@ StudyVerdict Judge::verdict(const std::vector<LevelRecord> &levels) const {
                           : is_guaranteed(levels.back())    ? Outcome::certified
                           : levels.back().sizes.is_graded() ? Outcome::accuracy_estimated
                                                             : Outcome::equations_certified;
-  return {outcome, doubt, describe_accuracy(levels), max_residual_bound(levels)};
+  std::ostringstream accuracy;
+  accuracy << describe_accuracy(levels);
+  if (misses_default_target(levels.back(), demands))
+    accuracy << "; the usual aim of graded meshes, " << 100. * demands.target_error
+             << " %, is missed by a factor of " << std::setprecision(2)
+             << *bound_of(levels.back()) / demands.target_error;
+  return {outcome, doubt, accuracy.str(), max_residual_bound(levels)};
 }
 } // namespace Signorini

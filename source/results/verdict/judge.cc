@@ -65,10 +65,15 @@ std::optional<double> bound_of(const LevelRecord &level) {
   return level.bound && !level.bound->is_conditional ? level.bound->relative : std::nullopt;
 }
 
+std::optional<double> conditional_bound_of(const LevelRecord &level) {
+  return level.bound && level.bound->is_conditional ? level.bound->relative : std::nullopt;
+}
+
 std::string why_no_bound(const LevelRecord &level) {
-  if (!level.bound || !level.bound->is_conditional || !level.bound->relative)
+  const std::optional<double> conditional = conditional_bound_of(level);
+  if (!conditional)
     return level.bound ? level.bound->missing : "";
-  return "with Coulomb's law it is conditional, at most " + percent(*level.bound->relative) +
+  return "with Coulomb's law it is conditional, at most " + percent(*conditional) +
          " if friction carried at most f times the computed pressure";
 }
 
@@ -142,7 +147,8 @@ const char *word_for(const Outcome outcome) {
 
 bool Judge::reaches_target(const LevelRecord &level) const {
   const std::optional<double> error = relative_error(level);
-  return error && *error < demands.target_error;
+  return error && *error < demands.target_error &&
+         conditional_bound_of(level).value_or(0.) <= demands.tolerated_error;
 }
 
 double Judge::residual_bound(const LevelRecord &level) const {

@@ -138,9 +138,10 @@ void locking(Checks &checks) {
   const Scene<3> scene = make_box_scene(zero, nothing, {1., 2., 1.});
   const Mesh<3> mesh(scene.geometry, 0, 2, MPI_COMM_WORLD);
   const Expression<3> E("7", {}, "E"), nu("0.49", {}, "nu");
-  const auto material = make_isotropic<3>(E, nu, PlaneState::strain);
+  Scene<3> soft = scene;
+  soft.material = make_isotropic<3>(E, nu, PlaneState::strain);
   checks.near("locking numbers of nu = 0.3 and 0.49",
-              {locking_number(mesh, *scene.material), locking_number(mesh, *material)},
+              {locking_number(mesh, scene), locking_number(mesh, soft)},
               {0., 2. * 1.49 / (3. * 0.02) / 16.}, 1e-10);
 }
 } // namespace

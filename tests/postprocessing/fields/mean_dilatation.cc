@@ -39,7 +39,7 @@ void means(Checks &checks) {
 void locking(Checks &checks) {
   const auto number = [](const std::string &material) {
     const OneLevel level(block + "subsection Material\n" + material + "end\n", 3);
-    return locking_number(level.discretization.mesh, *level.scene.material);
+    return locking_number(level.discretization.mesh, level.scene);
   };
   // General law: K = (100 + 2 * 98 + 100)/4 = 99, mu = 1 in all directions. Units do not matter,
   // and plane stress does not lock.

@@ -136,7 +136,7 @@ void studies(Checks &checks) {
   // A bound of 19 % does not exclude locking, one of 2 % does.
   levels[2].locking_number = 0.5;
   study.is(coarse, {"The body is nearly incompressible",
-                    "level 4: K/mu (h/l)^2 = 0.5, allowed: at most 0.25;"});
+                    "level 4: the locking number is 0.5, allowed: at most 0.25;"});
   levels[2].bound = bound_of(0.19);
   study.is(coarse, {"The body is nearly incompressible"});
   levels[2].bound->relative = 0.02;
@@ -173,6 +173,11 @@ void errors(Checks &checks) {
   study.is(coarse, {"The target error is not reached"});
   checks.that("reaches_target", !Judge(study.demands).reaches_target(level) &&
                                   Judge({1e-10, 0.2, 0.06}).reaches_target(level));
+  // A target that nobody has asked for does not refuse what is guaranteed and tolerated.
+  study.demands.target_is_given = false;
+  study.is(certified, {"the usual aim of graded meshes, 4 %, is missed by a factor of 1.2"});
+  level.bound->relative = 0.21;
+  study.is(coarse);
 }
 
 /** Whatever number judges: above Tolerated error nothing is resolved, nor on graded meshes above
@@ -191,9 +196,17 @@ void estimates(Checks &checks) {
   study.is(coarse, {"take a smaller Tolerance"});
   level.estimate->contact = 0.3;
   level.estimate->algebra = 0.;
-  study.is(coarse, {"penetrates where no patch presses"});
+  study.is(coarse, {"contact is not resolved"});
   level.estimate->relative = 0.019;
   study.is(solved);
+  // A bound on a condition does not certify, but refuses.
+  level.bound = bound_of(0.021);
+  level.bound->is_conditional = true;
+  study.is(coarse, {"at most 2.1 % if friction carried", "which is more than is tolerated"});
+  checks.that("nor does it reach a target", !Judge({1e-10, 0.02, 0.02}).reaches_target(level));
+  level.bound->relative = 0.019;
+  study.is(solved);
+  level.bound.reset();
   level.sizes.strategy = Strategy::hp;
   study.is(Outcome::accuracy_estimated);
   study.demands.target_error = 1e-3;

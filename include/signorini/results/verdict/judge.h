@@ -31,7 +31,9 @@ double rounding(const LevelRecord &level);
 /** Returns the bound of the relative error of u_h in the energy norm, where there is one; on curved
  * sides it is an estimated bound. */
 std::optional<double> bound_of(const LevelRecord &level);
-/** Returns the reason why there is none, a clause; empty where it was not wanted. */
+/** Returns the bound that is conditional, with Coulomb's law, relative in the energy norm. */
+std::optional<double> conditional_bound_of(const LevelRecord &level);
+/** Returns the reason why there is no bound, a clause; empty where it was not wanted. */
 std::string why_no_bound(const LevelRecord &level);
 
 /** Returns whether there is a bound that is guaranteed. */
@@ -96,6 +98,9 @@ struct Demands {
   bool can_be_graded = false;
   /** Whether there is Element = Q1 B-bar. */
   bool has_b_bar = true;
+  /** Whether the user has set the target. Where one that the user has not set is missed, a
+   * guaranteed bound that is tolerated still certifies. */
+  bool target_is_given = true;
 };
 
 /** Decides whether single levels and a study can be trusted. */
@@ -105,7 +110,8 @@ struct Judge {
 
   const Demands demands;
 
-  /** Returns whether refinement may stop at this level because it reaches the target error. */
+  /** Returns whether refinement may stop at this level because it reaches the target error, and a
+   * bound that is conditional is tolerated. */
   bool reaches_target(const LevelRecord &level) const;
   /** Returns the bound on the certificate's residuals: a hundred times the tolerance, but at most
    * one per cent, or a hundred times the rounding. */
