@@ -55,6 +55,7 @@ def draw_here(directory, *options):
 def check_pictures(directory, code, out, errors, words):
     check(f"{directory}: drawn", code == 0 and not errors)
     facts = json.loads(out)
+    check("  only titles name the run", not any(words.count(word) > 1 for word in ("stress up to", "whole side")))
     for name in facts["files"]:
         if name.endswith(".png"):
             pixels = np.round(255 * imread(os.path.join(directory, name))[..., :3]).astype(int)
@@ -105,6 +106,47 @@ inner = [edge for edge in plot.outlines(np.array([*fine, *coarse])).tolist() if 
 check("cells that are divided in different ways leave no edge between them",
       not any(0.25 < (a[0] + b[0]) / 2 < 0.75 for a, b in inner))
 
+# A ring of 24 sectors, each of 32² cells, as deal.II numbers them: a picture has cells as small as it can show, and both circles.
+children = np.zeros((1, 2), dtype=int)
+for _ in range(5):
+    children = (2 * children[:, None] + [[0, 0], [1, 0], [0, 1], [1, 1]]).reshape(-1, 2)
+grid = (children[:, None] + [[0, 0], [1, 0], [1, 1], [0, 1]]) / 32
+angle, radius = (np.arange(24)[:, None, None] + grid[..., 0]) * np.pi / 12, np.tile(1. + grid[..., 1], (24, 1, 1))
+ring = np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=-1).reshape(-1, 2)
+quads = np.arange(len(ring)).reshape(-1, 4)
+some = plot.thinned(ring, quads, 0.2)
+check("cells are joined up to a size", len(quads) / 16 <= len(some) < len(quads) / 3 and np.ptp(ring[some], axis=1).max() <= 0.2)
+check("  and cover the same body", abs(abs(plot.signed_areas(ring[some])).sum() / (3 * np.pi) - 1) < 1e-3)
+edges = plot.outlines(ring[some])
+radii = np.linalg.norm(edges, axis=2)
+check("  of two circles", np.allclose(np.minimum(abs(radii - 1), abs(radii - 2)), 0., atol=1e-9) and
+      abs(np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1).sum() / (6 * np.pi) - 1) < 1e-3)
+view = np.array([[1.2, 1.2], [1.3, 1.3]])
+seen = plot.overlaps(ring, quads, view)
+check("  a zoom has the cells of the mesh", len(plot.thinned(ring, quads, 1e-3, seen)) == seen.sum() < len(quads) / 50)
+
+# Pieces of a side that faces another one from s = 0.6 on, of which the middles are given, and pieces with a gap between them.
+ends = 0.6 + np.cumsum([0., .02, .03, .01, .04, .02, .015])
+check("the ends of pieces", np.allclose(plot.edges_of_pieces((ends[1:] + ends[:-1]) / 2), ends, atol=0.006))
+check("  of a whole side", np.allclose(plot.edges_of_pieces((ends[1:] + ends[:-1]) / 2 - 0.6), ends - 0.6))
+check("  with a gap", (np.diff(plot.edges_of_pieces(np.array([.1, .3, 2., 2.1, 2.3]))) > 0.).all())
+
+# A closed side of the length 80 with a zone across its start, and one that touches all around.
+s = np.arange(0.5, 80.)
+column = {"side": np.full(80, "rim"), "s": s, "x": np.cos(s * np.pi / 40), "y": np.sin(s * np.pi / 40), "u_n": np.full(80, 1e-3)}
+line = plot.Line({**column, "p_H": -1. * ((s < 5) | (s > 70))}, "rim", 1.)
+check("a zone across the start is one", line.zones == [(-10., 5.)] and line.range()[1] - line.range()[0] == 80. and line.range()[0] > -50.)
+axes = plot.pyplot.figure().add_subplot()
+line.label(axes, line.range())
+check("  and arc lengths start at zero", all(0. <= float(text.get_text()) < 80. for text in axes.get_xticklabels()))
+check("all around: from zero", plot.Line({**column, "p_H": np.full(80, -1.)}, "rim", 1.).zones == [(0., 80.)])
+line = plot.Line({**column, "p_H": -1. / np.sqrt(1.0001 - np.minimum(s / 79.5, 1.)**2), "p_recovered": np.full(80, np.nan), "p_exact":
+                  np.full(80, np.nan), "g": np.full(80, 1e-3) + 1e-8 * np.sin(s)}, "rim", 100.)
+line.draw(axes, line.range(), False)
+check("a pressure without limit ends above the scale, which says so", 2. < axes.get_ylim()[1] < 10. and "up to 100" in axes.texts[0].get_text())
+line.draw(axes, line.range(), True)
+check("openings of rounding fill no panel", axes.get_ylim()[1] > 90 * 1e-8)
+
 # The normals of a graded arc, and what they meet of a plane and of a disc that they pass by.
 angles = np.cumsum(np.concatenate([[-1.5], np.tile([0.02, 0.02, 0.05, 0.1, 0.05], 6)]))
 circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
@@ -132,8 +174,15 @@ lines = open("b1/convergence.md", encoding="utf-8").read().splitlines()
 check("  a table of three levels in Markdown", len(lines) == 5 and len({line.count("|") for line in lines}) == 1)
 check("  and in LaTeX", open("b1/convergence.tex", encoding="utf-8").read().count("&") == 4 * (lines[0].count("|") - 2))
 whole = plot.draw
-plot.draw = lambda results: plot.draw_deformed(results, results.of_level("solution", "vtu"))
+plot.draw = plot.draw_deformed
+with open("other", "w", encoding="utf-8") as file:
+    file.write("untouched")
+for name in ("deformed.svg", ".deformed.svg.part", ".deformed.png.part"):
+    if os.path.lexists("b1/" + name):
+        os.unlink("b1/" + name)
+    os.symlink("../other", "b1/" + name)
 facts = draw("b1", "--factor", "1e9", "--format", "svg", "png")
+check("  links are not written through", open("other", encoding="utf-8").read() == "untouched" and not os.path.islink("b1/deformed.svg"))
 plot.draw = whole
 check("  a factor that would fold cells is not used", facts["factor"] < 1e9)
 with open("b1/deformed.svg", encoding="utf-8") as file:
@@ -163,8 +212,23 @@ with open("k1/answer.json", encoding="utf-8") as file:
     zones = [[zone["start"]["arc_length"], zone["end"]["arc_length"]] for zone in json.load(file)["friction"]["stick_zones"]]
 check("  the zones of stick", np.allclose(facts["stick"]["bottom"], zones))
 check("  and the limits of friction", "limits of friction" in words["pressure"])
-done = subprocess.run([sys.executable, script, "nowhere"], capture_output=True, text=True, check=False)
-check("no results: one sentence", done.returncode == 1 and done.stderr.count("\n") == 1)
+code, _, errors = draw_here("nowhere")
+check("no folder: one sentence", code == 1 and errors.count("\n") == 1 and "there is no folder 'nowhere'" in errors)
+code, _, errors = draw_here(".")
+check("no results: one sentence", code == 1 and errors.count("\n") == 1 and "has no results" in errors)
+for option in ("--width=-5mm", "--width=0in", "--width=5", "--factor=nan", "--factor=-1", "--units=a,b,c,d"):
+    code, _, errors = draw_here("b1", option)
+    check(f"{option}: refused in a sentence", code == 1 and ": found '" in errors and "allowed: " in errors and "Traceback" not in errors)
+os.mkdir("sweep")
+with open("sweep/sweep.csv", "w", encoding="utf-8") as file:
+    file.write("push,E,level,dofs,contact_force,peak_pressure,energy,estimate,bound,seconds,reaction_top_x,fillet,verdict\n" + "".join(
+        f"{push},{E},3,10,{push * E},1,1,1,1,1,0,{push},certified\n" for push in (1, 4, 2) for E in (1, 3)))
+code, out, _ = draw_here("sweep", "--facts", "--format", "svg")
+check("a sweep: numbers over the parameter with most values", code == 0 and json.loads(out) == {
+    "along": "push", "curves": ["E = 1", "E = 3"], "numbers": ["contact_force", "peak_pressure", "fillet"], "files": ["sweep.svg"]})
+done = subprocess.run([sys.executable, "-S", "-E", script, "--help"], capture_output=True, text=True, check=False)
+check("--help needs no package", done.returncode == 0 and "--width" in done.stdout)
+plot.Results.save = lambda results, figure, name: plot.pyplot.close(figure)  # what is read counts here
 for name in ["certificate.json", "convergence.csv"] + sorted(name for name in os.listdir("narrow") if name.endswith(".vtu")):
     with open(os.path.join("narrow", name), "rb") as file:
         whole = file.read()
