@@ -393,9 +393,9 @@ LineEffect FormulaTree<dim>::effect_of(const KinkLine<dim> &line, const FormulaB
   for (const BoxRun<dim> *const side : {&*first, &*second})
     if (!(side->bounds().width() <= tolerance || side->is_smooth()))
       return LineEffect::unclear;
-  const bool agree = std::all_of(points.begin(), points.end(), [&](const Point<dim> &x) {
-    return std::abs(second->value_at(x) - first->value_at(x)) <= tolerance;
-  });
+  bool agree = true;
+  for (const Point<dim> &x : points)
+    agree = agree && std::abs(second->value_at(x) - first->value_at(x)) <= tolerance;
   return agree ? LineEffect::none : LineEffect::some;
 }
 
