@@ -78,9 +78,9 @@ FormulaBox<2> box_around(const Point<2> &a, const Point<2> &b, const Tensor<1, 2
  * @param n_looks the number of looks that are left; if they do not suffice, the data changes. */
 bool changes_between(const Datum &datum, const KinkLine<2> &line, const Point<2> &a,
                      const Point<2> &b, const double size, unsigned int &n_looks) {
-  constexpr double shortest = 1e-7;
+  constexpr double shortest = 1e-8;
   constexpr unsigned int n = 8;
-  const Tensor<1, 2> step = beside_line * size * line.normal;
+  const Tensor<1, 2> step = std::min(beside_line * size, a.distance(b)) * line.normal;
   std::vector<Point<2>> points;
   for (unsigned int i = 0; i < n; ++i)
     for (const double sign : {-0.5, 0.5})

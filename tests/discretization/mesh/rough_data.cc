@@ -68,15 +68,40 @@ void test_integrals(Checks &checks) {
     {"cos(200*pi*x)^2", 0.5, 1e-8},
     {"cos(40*pi*x) < 0 ? 1 : 0", 0.5, 1e-5},
     {"max(0, x + y - 1.3)", std::pow(0.7, 3) / 6., 1e-13},
-    {"sqrt(abs(x - 0.317))", (std::pow(a, 1.5) + std::pow(1. - a, 1.5)) / 1.5, 1e-6}};
+    {"sqrt(abs(x - 0.317))", (std::pow(a, 1.5) + std::pow(1. - a, 1.5)) / 1.5, 1e-6},
+    // Jumps on short lines, and details below the boxes that all data gets.
+    {"abs(x - 0.5) < 0.004 && abs(y - 0.5) < 0.004 ? -500 : 0", -0.032, 1e-13},
+    {"abs(x + y - 0.7) < 0.002 && abs(x - y + 0.1) < 0.003 ? 3000 : 0", 0.036, 1e-12},
+    {"1 - (abs(y - 0.3) > 1e-6 || x < 0.25 || x > 0.250001 ? 1 : 1 - 1e12)", 2., 1e-3},
+    {"max(abs(x - 0.61)/1e-4, abs(y - 0.43)/2e-4) < 1 ? 1e6 : 0", 0.08, 1e-12},
+    {"1e4*max(0, 1 - ((x - 0.5)/0.004)^2)^2*max(0, 1 - ((y - 0.3)/0.004)^2)^2", 0.16 * 256. / 225.,
+     1e-12},
+    {"(x - 0.4)^2 + (y - 0.6)^2 < 1e-10 ? 1e10 : 0", pi, 1e-3},
+    {"1e10*exp(-((x - 0.317)^2 + (y - 0.2)^2)*1e10)", pi, 1e-6}};
   for (const auto &[formula, expected, tolerance] : families)
     checks.near("integral of " + formula, integral(scene_with(formula)), expected, tolerance);
 }
 
-/** The scan begins with sixteenths of the body: a jump between two of them is not lost. */
+/** The scan begins with sixteenths of the body and with quarters of sides: a jump between two of
+ * them is not lost. */
 void test_jump_between_boxes(Checks &checks) {
-  checks.that("a jump between boxes has a line",
-              scene_with("y < 0.5 ? -1 : 0").kinks.lines().size() == 1);
+  for (const char *formula : {"y < 0.5 ? -1 : 0", "(y - 0.2)^2 < 0.09 ? -1 : 0"})
+    checks.that("a jump between boxes has a line: " + std::string(formula),
+                scene_with(formula).kinks.lines().size() == 1);
+  checks.near("a jump between quarters of a side cuts it",
+              scene_with("0", "x < 0.5 ? 1 : 0").kinks.cut(Point(0.4, 0.), Point(0.6, 0.)),
+              {0., 0.5, 1.}, 1e-13);
+}
+
+/** Lines on which conditions change and data does not are no lines. */
+void test_lines_without_effect(Checks &checks) {
+  for (const auto &[formula, n] : std::vector<std::pair<std::string, std::size_t>>{
+         {"abs(x - 0.61) < 0.01 ? 1 : 0", 2},
+         {"abs(x + y - 0.9) < 0.05 ? 1 : 0", 2},
+         {"cos(3*atan2(y - 0.4, x - 1.1))", 0},
+         {"1 + abs(x - 0.4)^2", 0},
+         {"abs(x - 0.5) < 0.004 && abs(y - 0.5) < 0.004 ? -500 : 0", 4}})
+    checks.near("lines of " + formula, scene_with(formula).kinks.lines().size(), double(n), 0.);
 }
 
 /** Plain rules stay plain where they are right. */
@@ -113,6 +138,9 @@ void test_sides(Checks &checks) {
   const double pi = dealii::numbers::PI;
   const std::vector<Family> families = {
     {"abs(x - 0.3203125) < 0.00234375 ? 4.26667 : 0.001", 0.0046875 * 4.26567 + 0.001, 1e-13},
+    // Nowhere else in the body.
+    {"y < 1e-6 && abs(x - 0.3203) < 0.002 ? 5 : 0.001", 0.004 * 4.999 + 0.001, 1e-13},
+    {"x*y < 1e-9 && abs(x - 0.3203) < 1e-6 ? 5e5 : 0.001", 1.001, 1e-8},
     {"x^2 < 0.1 ? 1 : 0", std::sqrt(0.1), 1e-10},
     {"exp(-((x - 0.317)/3e-4)^2)", 3e-4 * std::sqrt(pi), 1e-8},
     {"0.1 + (abs(x - 0.6) < 1e-7 ? 1e5 : 0)", 0.12, 1e-8},
@@ -125,5 +153,6 @@ void test_sides(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests({test_integrals, test_jump_between_boxes, test_smooth, test_sides});
+  return run_tests(
+    {test_integrals, test_jump_between_boxes, test_lines_without_effect, test_smooth, test_sides});
 }
