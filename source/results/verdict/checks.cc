@@ -237,7 +237,7 @@ std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &ju
 /** Returns whether a target that the user has not set is missed by an error that is guaranteed and
  * tolerated. */
 bool misses_default_target(const LevelRecord &level, const Demands &demands) {
-  return !demands.target_is_given && is_guaranteed(level) &&
+  return demands.target_error > 0. && !demands.target_is_given && is_guaranteed(level) &&
          *bound_of(level) >= demands.target_error && *bound_of(level) <= demands.tolerated_error;
 }
 

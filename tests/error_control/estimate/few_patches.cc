@@ -63,7 +63,7 @@ std::vector<Given> all_scenes() {
                       "Geometry/Bodies = c b\nGeometry/Shape = c: half disc | b: rectangle\n"
                       "Geometry/Radius = c: 1\nGeometry/Centre = c: 0, 1\n"
                       "Geometry/Lower left = b: -1, -1\nGeometry/Upper right = b: 1, 0\n"
-                      "Geometry/Cells = b: 4, 2\nMaterial/Young's modulus = b: " +
+                      "Geometry/Cells = b: 4, 2\nMaterial/Young's modulus = c: 1 | b: " +
                         text(E) +
                         "\nBoundary/Contact = c.arc with b.top\nBoundary/Clamped = b.bottom\n"
                         "Boundary/Displacement = c.flat: 0; -" +
