@@ -95,8 +95,8 @@ void test_foot(Checks &checks) {
       checks.that("no force along the plane",
                   (std::abs(force[0]) <= 1e-12 * force[1]) == (direction == "foundation"));
       checks.between("the force is ∫ p", force[1] / last(result, "contact_force_n"),
-                     direction == "foundation" ? 1. - 1e-12 : 0.8,
-                     direction == "foundation" ? 1. + 1e-12 : 0.99);
+                     direction == "foundation" ? 1. - 1e-4 : 0.8,
+                     direction == "foundation" ? 1. + 1e-4 : 0.99);
       brackets.push_back({{last(result, "energy_lower"), last(result, "energy_upper")}});
       for (const auto &[lower, upper] : brackets)
         checks.that("brackets have numbers in common",
@@ -112,9 +112,8 @@ void test_turned(Checks &checks) {
   const auto press = [](const std::string &angle, const std::string &friction) {
     return solve("Constants/Values = a=" + angle +
                    ", c=cos(a), s=sin(a), C=cos(a+0.2), S=sin(a+0.2)\nGeometry/Shape = polygon\n"
-                   "Geometry/Vertices = -c,-s; arc 0,0 ccw; c,s; 0.3*c,0.3*s\n"
-                   "Boundary/Displacement = side1: -0.02*s+0.01*c; -0.02*c-0.01*s | "
-                   "side2: 0.02*s+0.01*c; -0.02*c+0.01*s\n"
+                   "Geometry/Vertices = -c,-s; arc 0,0 ccw; c,s\n"
+                   "Boundary/Displacement = side1: 0.02*s+0.01*c; -0.02*c+0.01*s\n"
                    "Boundary/Contact = side0\n"
                    "Contact/Foundation = plane S,-C normal -S,C\n" +
                    friction,
