@@ -88,7 +88,7 @@ void test_foot(Checks &checks) {
   for (const std::string direction : {"foundation", "body"}) {
     checks.about("foot, direction of the " + direction);
     std::vector<std::array<double, 2>> brackets;
-    for (std::vector<std::string> overrides : {levels(2, 3), graded("1e-2"), graded("3e-3")}) {
+    for (std::vector<std::string> overrides : {levels(2, 2), levels(3, 3), graded("1e-2")}) {
       overrides.push_back("Contact/Direction=" + direction);
       const StudyResult<2> result = solve(foot, overrides);
       const auto force = result.levels.back().answer.contact_force.resultant.force;
@@ -117,7 +117,7 @@ void test_turned(Checks &checks) {
                    "Boundary/Contact = side0\n"
                    "Contact/Foundation = plane S,-C normal -S,C\n" +
                    friction,
-                 levels(2, 3, {"Output/VTU=none"}));
+                 levels(2, 2, {"Output/VTU=none"}));
   };
   for (const std::string friction :
        {"", "Contact/Friction = tresca\nContact/Friction bound = 0.01\n",
@@ -136,7 +136,8 @@ void test_turned(Checks &checks) {
     if (friction.empty())
       checks.near("no force along the plane", along, 0., 1e-12);
     else
-      checks.between("friction", along, 0.01, 0.2 + 1e-9);
+      checks.between("friction", along, 0.01,
+                     friction.find("coulomb") == std::string::npos ? 1. : 0.2 + 1e-9);
   }
 }
 
