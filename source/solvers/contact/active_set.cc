@@ -214,7 +214,7 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
   bool has_path = false;
   std::optional<BoundConstrainedQP> held;
   // Newton's method takes some 10 systems; far from a solution it may not come back for thousands.
-  constexpr unsigned int max_wandering = 50;
+  constexpr unsigned int max_wandering = 20;
   // Where P and W vanish together, rounding changes the set each time, although P is the solution.
   const auto residual_of = [&qp](const Iterate &of) {
     Vector projected = of.P;
