@@ -140,8 +140,8 @@ void Declarations::declare_data(Parameters &parameters) {
       "radius r; circle x,y radius r inside (the body lies in a round hole); parabola x,y normal "
       "nx,ny curvature k (with k < 0 it bends away from the body). Numbers may be formulas of the "
       "constants. Normals point towards the body and may have any length. 'bottom: circle ...' is "
-      "for one contact side, others are for all. The gap is the distance along the direction of "
-      "contact, at most ten diameters of the body.");
+      "for one contact side, others are for all that touch no other body. The gap is the distance "
+      "along the direction of contact, at most ten diameters of the body.");
   add("Contact/Foundation position", parameters.contact.foundation_position,
       "dx, dy by which the whole foundation is moved (length).");
   add("Contact/Direction", parameters.contact.direction,
@@ -189,10 +189,12 @@ void Declarations::declare_discretization(DiscretizationParameters &discretizati
       "patches of length H. hp: meshes are "
       "graded to ends of contact and other singularities, and the degree rises away from them; "
       "Finest level, Element, Patch ratio and Patches have no meaning then. One process.");
-  add("Discretization/Coarsest level", discretization.coarsest_level,
-      "Refinements of the coarse mesh on the first level. Where none is given, hp begins with "
-      "the first that has at least 24 cells.",
-      0U, 14U);
+  add(
+    "Discretization/Coarsest level", discretization.coarsest_level,
+    "Refinements of the coarse mesh on the first level. Where none is given, hp begins with "
+    "the first that has at least 24 cells, and pairs of bodies choose both levels by the number of "
+    "cells.",
+    0U, 14U);
   add("Discretization/Finest level", discretization.finest_level,
       "Refinements of the coarse mesh on the last level.", 0U, 14U);
   add("Discretization/Element", discretization.element,
@@ -231,7 +233,8 @@ void Declarations::declare_solver(SolverParameters &solver) {
       "problem. multigrid forms none: every V-cycle is followed by a small problem on the contact "
       "sides (one process, nested meshes, Linear solver "
       "= multigrid or automatic). automatic is multigrid on levels with 1e5 unknowns and more (in "
-      "3-D 5e3), where nothing forbids it, else active set.");
+      "3-D 5e3, on irregular meshes such as split triangles 2e6), where nothing forbids it, else "
+      "active set.");
   add("Solver/Relaxation", solver.relaxation, "Relaxation parameter omega of projected SOR.",
       std::numeric_limits<double>::min(), 2. - 1e-15, "a number between 0 and 2 (both excluded)");
   add("Solver/Tolerance", solver.tolerance, "On the relative KKT residual of the dual problem.",

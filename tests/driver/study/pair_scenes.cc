@@ -103,6 +103,77 @@ void test_plates_and_cases(Checks &checks) {
               1e-10);
 }
 
+/** A block on a wider base, one named first or the other: contact is where both are. */
+void test_overlap(Checks &checks) {
+  const std::string text =
+    "Geometry/Bodies = base block\nGeometry/Lower left = base: -2, -1 | block: -0.5, 0\n"
+    "Geometry/Upper right = base: 2, 0 | block: 0.5, 1\nGeometry/Cells = base: 8, 2 | block: 4, 4\n"
+    "Boundary/Clamped = base.bottom\nBoundary/Displacement = block.top: 0; -0.01\n";
+  for (const char *contact : {"base.top with block.bottom", "block.bottom with base.top"}) {
+    const OneLevel level(text + "Boundary/Contact = " + contact + "\n", 2);
+    const LevelSolution<2> solution = level.solve();
+    const ContactZone &zone = solution.record.answer.zones.at(0);
+    checks.near("zone of the overlap",
+                {zone.start.place.point[0], zone.end.place.point[0], zone.length,
+                 solution.record.contact.length},
+                {-0.5, 0.5, 1., 1.}, 1e-12);
+  }
+  // The start of the disc's side lies in the overlap.
+  const std::string disc =
+    "Geometry/Bodies = disc wall\nGeometry/Shape = disc: disc | wall: rectangle\n"
+    "Geometry/Lower left = wall: -2, -0.75\nGeometry/Upper right = wall: -1, 0.75\n"
+    "Geometry/Cells = wall: 4, 6\nBoundary/Clamped = wall.left\n"
+    "Load/Body force = disc: -0.01; 0 | wall: 0; 0\n";
+  for (const char *contact : {"wall.right with disc.arc", "disc.arc with wall.right"}) {
+    const LevelSolution<2> solution =
+      OneLevel(disc + "Boundary/Contact = " + contact + "\n", 3).solve();
+    const SideForce &force = solution.record.answer.contact_force;
+    checks.near("a disc at a wall: force through its middle", std::abs(force.resultant.force[0]),
+                0.01 * PI, 1e-3 * PI);
+    checks.near("  moment", force.resultant.moment[0], 0., 1e-10);
+  }
+}
+
+/** Friction across a clearance: the tractions act at points that are a gap apart, and their couple
+ * is T times the gap. Each body is in balance. */
+void test_couple(Checks &checks) {
+  const std::string law[] = {"coulomb\nContact/Friction coefficient = 0.3\n",
+                             "tresca\nContact/Friction bound = 0.0002\n"};
+  for (const double clearance : {0.01, -0.005})
+    for (const std::string &friction : law) {
+      const std::string y = std::to_string(1. + clearance), top = std::to_string(2. + clearance);
+      const LevelSolution<2> solution =
+        OneLevel("Geometry/Bodies = low up\nGeometry/Lower left = low: 0, 0 | up: 0, " + y +
+                   "\nGeometry/Upper right = low: 1, 1 | up: 1, " + top +
+                   "\nBoundary/Contact = up.bottom with low.top\nBoundary/Clamped = low.bottom\n"
+                   "Boundary/Displacement = up.top: 0.005; -0.03\nContact/Friction = " +
+                   friction,
+                 2)
+          .solve();
+      const std::vector<SideForce> &forces = solution.record.answer.contact_by_side;
+      checks.near("balance of moments", solution.record.certificate.moment_balance, 0., 1e-12);
+      checks.near("couple", forces.at(0).resultant.moment[0] + forces.at(1).resultant.moment[0],
+                  -clearance * forces[0].resultant.force[0], 1e-14);
+      checks.that("  of a force", std::abs(forces[0].resultant.force[0]) > 1e-4);
+    }
+}
+
+/** Two leaves; what presses the longer one at its end moves it away from the shorter one, which
+ * follows. The energy of the lift is that of bending, and the bound names the end. */
+void test_leaves(Checks &checks) {
+  const LevelSolution<2> solution =
+    OneLevel("Geometry/Bodies = a b\nGeometry/Lower left = a: 0, 0 | b: 0, 5\n"
+             "Geometry/Upper right = a: 50, 5 | b: 100, 10\nGeometry/Cells = a: 10, 1 | b: 20, 1\n"
+             "Material/Young's modulus = 210000\nBoundary/Contact = a.top with b.bottom | b.top\n"
+             "Boundary/Clamped = a.left b.left\nContact/Gap = a.top: 0\n"
+             "Contact/Foundation = b.top: circle 97, 14.9 radius 5\n"
+             "Discretization/Target error = 0.5\n",
+             3)
+      .solve();
+  checks.that("leaves: the place", solution.record.bound->worst_face.rfind("b.top at (97", 0) == 0);
+  checks.between("leaves: the bound", solution.record.bound->relative.value_or(0.), 0.2, 3.);
+}
+
 const std::string revolved = "Material/Plane state = axisymmetric\nGeometry/Bodies = a b\n";
 
 /** Bodies of revolution: Lame's press fit between smooth planes, and Hertz' ball on a block. */
@@ -142,7 +213,7 @@ void test_revolution(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(
-    argc, argv,
-    {test_hertz, test_narrow_arc, test_rigid_pin, test_plates_and_cases, test_revolution});
+  return run_tests(argc, argv,
+                   {test_hertz, test_narrow_arc, test_rigid_pin, test_plates_and_cases,
+                    test_overlap, test_couple, test_leaves, test_revolution});
 }

@@ -53,6 +53,26 @@ int main(int argc, char *argv[]) {
                 decision.sentence ==
                   "nested, since " + entry.substr(0, entry.find(" =")) + " is given");
   }
+  // The levels of pairs: the first one on which they face each other on some faces, and few
+  // unknowns.
+  const auto levels = [&](const std::string &cells, const std::string &more = "") {
+    const Parameters given = parse_parameters(
+      parameter_file("Geometry/Bodies = a b\nGeometry/Lower left = a: 0, 0 | b: 0, 1\n"
+                     "Geometry/Upper right = a: 2, 1 | b: 1, 2\nGeometry/Cells = " +
+                     cells +
+                     "\nBoundary/Contact = a.top with b.bottom\nBoundary/Clamped = "
+                     "a.bottom b.top\n" +
+                     more),
+      "test");
+    return decide_strategy(given, make_scene<2>(given)).levels;
+  };
+  using Levels = std::array<unsigned int, 2>;
+  checks.that("a pair of few cells", levels("1, 1") == Levels{{2, 6}});
+  checks.that("a pair of many cells", levels("64, 32") == Levels{{0, 2}});
+  checks.that("a pair of very many cells", levels("600, 300") == Levels{{0, 1}});
+  checks.that("many cells, few on the pair", levels("2, 200") == Levels{{1, 4}});
+  checks.that("a pair with stated levels",
+              !levels("64, 32", "Discretization/Finest level = 3\n").has_value());
   const Parameters a1 = parse_parameters(parameter_file("Scene/Name = A1"), "test");
   checks.that("an exact solution", is(decide_strategy(a1, make_scene<2>(a1)), {nested}));
   const Parameters d3 = parse_parameters(parameter_file("Scene/Name = D3"), "test");

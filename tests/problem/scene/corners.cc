@@ -8,6 +8,8 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
+
 #include "tests.h"
 
 using namespace Signorini;
@@ -172,8 +174,68 @@ void test_agreement(Checks &checks) {
                                     .empty());
   }
 }
+
+/** Two blocks, one on the other: only what both sides prescribe at points across contradicts. */
+void test_pairs_of_bodies(Checks &checks) {
+  struct Row {
+    std::string name;
+    std::vector<std::string> settings;
+    bool contradicts;
+  };
+  const std::string both = "Boundary/Displacement=low.left: 0; 0.1 | up.left: 0; ";
+  const std::vector<Row> rows = {
+    {"both move together", {both + "0.1"}, false},
+    {"both move apart", {both + "0.2"}, false},
+    {"both move into each other", {both + "0.05"}, true},
+    {"  the gap lets them", {both + "0.05", "Contact/Gap=0.06"}, false},
+    {"interference, one is held", {"Boundary/Clamped=low.left up.top", "Contact/Gap=-0.01"}, false},
+    {"interference, both are held",
+     {"Boundary/Clamped=low.right up.right", "Contact/Gap=-0.01"},
+     true},
+    {"  the other one is named first",
+     {"Boundary/Clamped=low.right up.right", "Contact/Gap=-0.01",
+      "Boundary/Contact=up.bottom with low.top"},
+     true},
+    {"  rollers let them slide apart",
+     {"Boundary/Rollers=low.right up.right low.bottom up.top", "Contact/Gap=-0.01"},
+     false},
+    {"  held where nothing is across",
+     {"Boundary/Clamped=low.right up.right", "Contact/Gap=-0.01",
+      "Geometry/Upper right=low: 1, 1 | "
+      "up: 1.5, 2"},
+     false}};
+  for (const auto &[name, settings, contradicts] : rows) {
+    std::vector<std::string> all = {"Geometry/Bodies=low up",
+                                    "Geometry/Lower left=low: 0, 0 | up: 0, 1"};
+    const auto has = [&settings = settings](const std::string &entry) {
+      return std::any_of(settings.begin(), settings.end(),
+                         [&entry](const std::string &text) { return text.rfind(entry, 0) == 0; });
+    };
+    for (const char *usual :
+         {"Geometry/Upper right=low: 1, 1 | up: 1, 2", "Boundary/Contact=low.top with up.bottom"})
+      if (!has(std::string(usual).substr(0, std::string(usual).find('='))))
+        all.emplace_back(usual);
+    all.insert(all.end(), settings.begin(), settings.end());
+    const Scene<2> scene = make_described_scene<2>(parse_parameters("", "scenes.prm", all));
+    checks.that(name, find_contradiction(scene).empty() != contradicts);
+  }
+  // A foundation that names no side, and no gap: those of the pair follow from its sides.
+  const Scene<2> scene = make_described_scene<2>(parse_parameters(
+    "", "scenes.prm",
+    {"Geometry/Bodies=low up", "Geometry/Lower left=low: 0, 0 | up: 0, 1.25",
+     "Geometry/Upper right=low: 1, 1 | up: 1, 2", "Boundary/Displacement=up.top: 0; -0.01",
+     "Boundary/Contact=up.bottom with low.top | low.bottom",
+     "Contact/Foundation=plane 0,-0.5 normal 0,1"}));
+  const auto gap = [&scene](const char *side, const Point &x) {
+    return scene.boundary.at(scene.geometry.find_side(side)).data->value(x);
+  };
+  checks.near("gaps of a pair and of a foundation",
+              {gap("up.bottom", Point(0.3, 1.25)), gap("low.bottom", Point(0.3, 0.))}, {0.25, 0.5},
+              1e-15);
+}
 } // namespace
 
 int main() {
-  return run_tests({test_bodies, test_pairs_of_sides, test_scene, test_layers, test_agreement});
+  return run_tests({test_bodies, test_pairs_of_sides, test_scene, test_layers, test_agreement,
+                    test_pairs_of_bodies});
 }

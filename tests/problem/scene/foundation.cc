@@ -5,6 +5,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameters.h>
+#include <signorini/problem/scene/facing.h>
 #include <signorini/problem/scene/foundation.h>
 
 #include <deal.II/base/numbers.h>
@@ -254,8 +255,77 @@ void test_scenes(Checks &checks) {
   checks.that("no foundation", condition(two, "right").foundation == nullptr &&
                                  condition(mixed, "left").foundation == nullptr);
 }
+
+/** Returns whether the line along the normal of a curve meets another one at a point that faces it,
+ * among the chords of that: no formula of facing_parts(). */
+bool faces(const Curve &curve, const double s, const Curve &other, const double least) {
+  constexpr unsigned int n = 4000;
+  const Point x = curve.point(s);
+  const Vector n_x = curve.normal(s), t({-n_x[1], n_x[0]});
+  double before = 0.;
+  bool found = false;
+  for (unsigned int i = 0; i <= n; ++i) {
+    const double on = i * other.length() / n, side = (other.point(on) - x) * t;
+    found = found || (i > 0 && side * before <= 0. &&
+                      other.normal(on - 0.5 * other.length() / n) * n_x < -least);
+    before = side;
+  }
+  return found;
+}
+
+/** The parts that face each other, in closed form and at points of random segments and arcs. */
+void test_facing(Checks &checks) {
+  const Curve table(Point(-1., 0.), Point(2., 0.), Vector({0., 1.}));
+  for (const double length : {0.1, 1e-6}) {
+    const Curve seat(Point(0.5, 0.2), Point(0.5 + length, 0.2), Vector({0., -1.}));
+    const std::vector<FacingPart> parts = facing_parts(table, seat, 0.8);
+    checks.that("one short part", parts.size() == 1);
+    checks.near("  its ends and distance", {parts[0].from, parts[0].to, parts[0].distance},
+                {1.5, 1.5 + length, 0.2}, 1e-14);
+  }
+  checks.that("no back of a side",
+              facing_parts(table, Curve(Point(0.6, 0.2), Point(0.5, 0.2)), 0.).empty());
+  const Side<2> disc = make_disc(1.).sides[0];
+  const Curve wall(Point(-1.5, -1.5), Point(-1.5, 1.5), Vector({1., 0.}));
+  const FacingPart round = overlap_of(disc, wall), flat = overlap_of(wall, disc);
+  checks.near("around the start of a circle", {round.from, round.to, round.distance},
+              {1.75 * PI, 2.25 * PI, 0.5}, 1e-12);
+  checks.near("a disc: its near half", {flat.from, flat.to, flat.distance}, {0.5, 2.5, 0.5}, 1e-12);
+  checks.near("a shaft in a hole: all around", overlap_of(make_ring(1., 2.).sides[0], disc).to,
+              2. * PI, 1e-12);
+  RandomNumbers random(11);
+  const auto curve = [&random]() {
+    const Point a(2. * random(), 2. * random()), b(2. * random(), 2. * random());
+    const double first = PI * random();
+    return random() > 0. ? Curve(a, b)
+                         : Curve::arc(a, 1.1 + random(), first, first + 3. * random(),
+                                      random() > 0. ? Body::inside : Body::outside);
+  };
+  unsigned int n_wrong = 0, n_facing = 0;
+  for (unsigned int i = 0; i < 60; ++i) {
+    const Curve first = curve(), second = curve();
+    const double least = i % 2 == 0 ? 0. : 0.5;
+    const std::vector<FacingPart> parts = facing_parts(first, second, least);
+    for (unsigned int k = 0; k < 10; ++k) {
+      const double s = 0.5 * (1. + random()) * first.length();
+      double margin = first.length();
+      bool inside = false;
+      for (const FacingPart &part : parts) {
+        margin = std::min({margin, std::abs(s - part.from), std::abs(s - part.to)});
+        inside = inside || (s > part.from && s < part.to);
+      }
+      if (margin < 0.01 * first.length())
+        continue;
+      n_facing += inside;
+      n_wrong += inside != faces(first, s, second, least);
+    }
+  }
+  checks.that("random curves face each other", n_facing > 50);
+  checks.near("  where the chords say so", n_wrong, 0, 0);
+}
 } // namespace
 
 int main() {
-  return run_tests({test_lines, test_digits, test_directions, test_gaps, test_planes, test_scenes});
+  return run_tests({test_lines, test_digits, test_directions, test_gaps, test_planes, test_scenes,
+                    test_facing});
 }
