@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The sequence of meshes of a run that states none.
 
-#include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
-#include <signorini/discretization/mesh/contact_surface.h>
-#include <signorini/discretization/mesh/mesh.h>
 #include <signorini/driver/runs/strategy.h>
-#include <signorini/driver/sequence/sequence.h>
-
-#include <cmath>
+#include <signorini/driver/study/levels_of_pairs.h>
 
 namespace Signorini {
 namespace {
@@ -49,35 +44,6 @@ unsigned int first_level(const double n_coarse_cells) {
   for (double n_cells = n_coarse_cells; n_cells < n_enough; n_cells *= 4.)
     ++level;
   return level;
-}
-
-/** Returns whether a mesh has enough cells to begin with, and the sides of all pairs face each
- * other on more than two faces. */
-bool can_begin(const Scene<2> &scene, const unsigned int level) {
-  constexpr double n_enough = 256.;
-  if (scene.geometry.n_coarse_cells * std::pow(4., level) < n_enough)
-    return false;
-  try {
-    const Mesh<2> mesh(scene.geometry, level, level, MPI_COMM_SELF);
-    return !ContactSurface<2>(mesh, scene, Partition()).has_unstable_patch();
-  } catch (const InputError &) {
-    return false;
-  }
-}
-
-/** Returns the levels from the first one that can begin to the last one with less than half a
- * million unknowns: not above the usual ones, and two at least, since one has no estimate. */
-std::array<unsigned int, 2> levels_of_pairs(const Scene<2> &scene) {
-  constexpr double most = 5e5;
-  const DiscretizationParameters usual;
-  unsigned int first = 0;
-  while (first < usual.coarsest_level && !can_begin(scene, first))
-    ++first;
-  unsigned int last = first + 1;
-  while (last < usual.finest_level &&
-         2. * scene.geometry.n_coarse_cells * std::pow(4., last + 1.) < most)
-    ++last;
-  return {{first, last}};
 }
 } // namespace
 
