@@ -73,7 +73,7 @@ D = D.toarray()
 differences = {"P": (P, again.reshape(-1, 1)), "C": (C, D.T @ solve(D)), "F": (F, G - D.T @ solve(f))}
 if exists("q"):
     B, K, b, q = map(read, "BKbq")
-    differences["work of free motions"] = (B.T @ P + b, K @ q)
+    differences["work of free motions"] = (B.T @ P, K @ q - b)
 with open(f"{results}/certificate.json", encoding="utf-8") as file:
     certificate = json.load(file)
 allowed = dict.fromkeys(differences, certificate["residual_bound"])
