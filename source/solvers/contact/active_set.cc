@@ -225,6 +225,9 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
     std::min({options.maximum_iterations, 20 * qp.size() + 100, affordable_solves(qp)});
   for (bool settled = false; !settled && result.iterations < max_solves;) {
     ++result.iterations;
+    // Where a set comes back although the energy falls, it leaves bodies free.
+    if (result.cycled && moves && !held && !visited.insert(states).second)
+      held = on_springs(qp, x.z);
     Iterate wanted = solve_on_set(held ? *held : qp, states);
     const double residual = residual_of(wanted);
     if (!result.cycled) {
@@ -246,10 +249,9 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
         states = end ? *end : any_states(qp, random);
         result.cycled = false;
       } else if (result.cycled) {
-        if (moves) {
+        if (moves)
           x.P = qp.balances.P;
-          held = on_springs(qp, Vector(qp.balances.size()));
-        }
+        visited.clear();
         qp.K.project(x.P);
         states = states_of(qp.K, x.P);
       }
