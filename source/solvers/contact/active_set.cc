@@ -182,7 +182,7 @@ QPResult solve_with_discs(const BoundConstrainedQP &qp, const Vector &start,
 
 /** Returns the problem of bodies that weak springs hold at the motions z: it determines where a
  * body goes that no patch of a set holds. */
-BoundConstrainedQP on_springs(const BoundConstrainedQP &qp, const Vector &z) {
+BoundConstrainedQP held_by_springs(const BoundConstrainedQP &qp, const Vector &z) {
   BoundConstrainedQP held(qp);
   const double spring = weak_spring(qp);
   held.balances.K.diagadd(spring);
@@ -227,7 +227,7 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
     ++result.iterations;
     // Where a set comes back although the energy falls, it leaves bodies free.
     if (result.cycled && moves && !held && !visited.insert(states).second)
-      held = on_springs(qp, x.z);
+      held = held_by_springs(qp, x.z);
     Iterate wanted = solve_on_set(held ? *held : qp, states);
     const double residual = residual_of(wanted);
     if (!result.cycled) {
@@ -268,7 +268,7 @@ QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
           if (settled)
             x = wanted;
           else
-            held = on_springs(qp, x.z);
+            held = held_by_springs(qp, x.z);
         }
       }
     }
