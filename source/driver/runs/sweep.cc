@@ -219,7 +219,7 @@ void refuse_double_sweeps(const std::vector<Sweep> &sweeps) {
       if (name(sweeps[i]) == name(sweeps[j]) ||
           (is_constant(sweeps[i]) && sweeps[j].parameter == all) ||
           (is_constant(sweeps[j]) && sweeps[i].parameter == all))
-        throw input_error("--sweep: found ", quote(sweeps[j].parameter), " and ",
+        throw input_error("--sweep: found ", quote(sweeps[j].parameter), " and again ",
                           quote(sweeps[i].parameter),
                           ", allowed: one sweep of a parameter, with all of its values.");
 }

@@ -133,15 +133,15 @@ Expression<dim>::Expression(const std::string &text, const Constants &constants,
                             const std::string &where)
   : text_(trim(text))
   , where_(where) {
-  const std::string misuse = find_misuse(text_);
+  const std::string misuse = find_misuse(text_), translation = translation_for(text_, constants);
   if (!misuse.empty())
-    throw input_error(where_, ": the expression ", quote(text_), " cannot be used: ", misuse,
+    throw input_error(where_, ": the expression ", quote(text_),
+                      " cannot be used: ", translation.empty() ? misuse : translation,
                       "; allowed: a formula in x, y, the constants and pi.");
   try {
     check_syntax<dim>(text_, constants);
     formula_ = std::make_shared<const FormulaTree<dim>>(text_, constants);
   } catch (const mu::ParserError &error) {
-    const std::string translation = translation_for(text_, constants);
     throw input_error(where_, ": the expression ", quote(text_),
                       " cannot be parsed: ", translation.empty() ? reason_of(error) : translation,
                       "; allowed: a formula in x, y, the constants and pi.");

@@ -153,7 +153,7 @@ void distorted_round_bodies(Checks &checks) {
          {"ring", make_ring(0.5, 1.), 0.75 * M_PI}})
     for (const unsigned int level : {0, 1, 2}) {
       checks.about(name + ", vertices of level " + std::to_string(level) + " moved");
-      const Geometry<2> moved = distorted(body, 0.3);
+      const Geometry<2> moved = distorted(body, 0.2);
       const Mesh<2> nested(moved, level, 3, MPI_COMM_WORLD),
         graded(moved, level, {}, splits_left, 10);
       checks.near("nested: area",

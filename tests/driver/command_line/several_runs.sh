@@ -136,6 +136,18 @@ refuse "but 'Subsection/Parameter=value, value, ...' is expected" block.prm --sw
 refuse "two runs would write into the directory '0.1'" block.prm --sweep 'Constants/depth=0.1, 0.1'
 refuse "found 'abc', allowed: a number" block.prm --sweep 'Solver/Tolerance=1e-9, abc' --output refused
 check "  before the first run" [ ! -e refused ]
+refuse "found 'depth' and again 'Constants/depth', allowed: one sweep" block.prm --sweep depth=1,2 --sweep Constants/depth=3
+refuse "--sweep: Constants/Values: found 'depth=1;2', allowed: name=number" block.prm --sweep 'depth=1;2'
+
+# No other run writes into a finished directory of a sweep that goes on.
+"$program" block.prm --sweep 'Discretization/Finest level=2, 9' --output kept >/dev/null 2>&1 </dev/null &
+for i in $(seq 600); do
+  if [ -e kept/9 ]; then break; fi
+  sleep 0.05
+done
+refuse "into which another run is writing" block.prm --output kept/2
+kill $!
+wait $! 2>/dev/null
 
 echo "$failures failures"
 [ "$failures" -eq 0 ]

@@ -59,6 +59,8 @@ Save "triangles.msh";
 GEO
 make make_quadrilaterals.geo
 make make_triangles.geo
+# Words in comments run nothing.
+sed -i '1i // Structured, to Save and Print\n/* Merge; Include "two.geo" */' plain.geo
 
 # Two squares of different stiffness, on the same mesh as a rectangle with moduli that depend on x.
 cat >two.geo <<'GEO'
@@ -158,7 +160,7 @@ cp two.geo part.txt
 refuse "allowed: a file that Gmsh reads" part.txt
 echo 'SystemCall "touch done";' >call.geo
 refuse "found 'SystemCall' in line 1" call.geo
-printf '\nInclude "two.geo";' >include.geo
+printf '// "\na = "//"; Include "two.geo";' >include.geo
 refuse "found 'Include' in line 2" include.geo
 echo 'SystemCall "touch done";' >call.msh
 refuse "found no \$MeshFormat" call.msh
@@ -193,6 +195,15 @@ check "one line" one_line_of_complaint
 refused without "apt install gmsh"
 rm -r none/first && rmdir none
 check "  and leaves nothing behind" nothing_left
+
+# A program gmsh that is killed, which is no matter of time.
+mkdir killed
+printf '#!/bin/sh\nkill -KILL $$\n' >killed/gmsh
+chmod +x killed/gmsh
+scene killed step plain.geo
+start "$PWD/killed" none killed.prm
+check "a Gmsh that is killed: exit code 1" [ $? -eq 1 ]
+check "  that sentence" grep -qF "Gmsh was killed, by a user or for want of memory" stderr
 
 # A program gmsh that waits: the limit without half a minute of work.
 mkdir waiting

@@ -220,7 +220,7 @@ void test_good_meshes(Checks &checks) {
 
 /** Names without dimensions, as in version 2.0 and, with -1, in what Gmsh makes of it. */
 void test_old_names(Checks &checks) {
-  for (const std::string &dimension : {"", "-1 "}) {
+  for (const std::string dimension : {"", "-1 "}) {
     const Geometry<2> square = read(
       change(version_2,
              {{"2.2 0", "2 0"},
