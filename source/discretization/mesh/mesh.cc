@@ -30,13 +30,15 @@ void follow_arcs(const Geometry<2> &geometry, Triangulation<2> &triangulation) {
   types::manifold_id next = 0;
   for (const types::manifold_id id : triangulation.get_manifold_ids())
     next = id == numbers::flat_manifold_id ? next : std::max(next, id + 1);
-  for (const auto &cell : triangulation.active_cell_iterators()) {
+  // Maps are stored for cells of all levels, those of coarser ones are not used.
+  for (const auto &cell : triangulation.cell_iterators()) {
     const ArcCentres centres = arc_centres(geometry.sides, cell);
     for (const unsigned int f : cell->face_indices())
       if (!centres[f])
         cell->face(f)->set_manifold_id(numbers::flat_manifold_id);
-    cell->set_manifold_id(has_arcs(centres) ? next : numbers::flat_manifold_id);
-    if (!has_arcs(centres))
+    const bool is_map = cell->is_active() && has_arcs(centres);
+    cell->set_manifold_id(is_map ? next : numbers::flat_manifold_id);
+    if (!is_map)
       continue;
     const ArcCell map({{cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)}},
                       {{centres[2], centres[1], centres[3], centres[0]}});
