@@ -186,7 +186,8 @@ void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Sce
     gaps = read_list_for(contact_side_names(scene), given.gap.value, given.gap.where(),
                          scene.geometry.side_names());
   for (const auto &[side, text] : gaps)
-    scene.boundary[scene.geometry.find_side(side)].data = reader.function(text, 1, given.gap);
+    scene.boundary[scene.geometry.find_side(side)].data =
+      std::make_shared<GapFunction<dim>>(reader.components(text, 1, given.gap));
   if constexpr (dim == 2)
     close_pairs(parameters.boundary.contact.where(), scene);
 }

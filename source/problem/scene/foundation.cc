@@ -131,7 +131,8 @@ Foundation::Foundation(std::vector<Obstacle> things, const double max_gap)
 double Foundation::gap(const Point<2> &x, const Tensor<1, 2> &n) const {
   double gap = max_gap_;
   for (const Obstacle &obstacle : obstacles_)
-    gap = std::min(gap, obstacle.distance(x, n).value_or(max_gap_));
+    gap = std::min(gap, without_rounding(obstacle.distance(x, n).value_or(max_gap_),
+                                         x.distance(obstacle.anchor())));
   return gap;
 }
 
@@ -228,7 +229,9 @@ foundation_gap(const Side<2> &side, const std::shared_ptr<const Foundation> &fou
   return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
     const Point<1> s = side.coordinates(x);
     const Point<2> on_side = side.is_flat() ? x : side.point(s);
-    return foundation->gap(on_side - position, directions.at(s[0]).value_or(side.normal(s)));
+    return without_rounding(
+      foundation->gap(on_side - position, directions.at(s[0]).value_or(side.normal(s))),
+      foundation->max_gap() + on_side.norm() + position.norm());
   });
 }
 
@@ -236,7 +239,12 @@ std::shared_ptr<const Function<2>> gap_of_pair(const Side<2> &first, const Side<
                                                const std::shared_ptr<const Function<2>> &given) {
   return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
     const Tensor<1, 2> n = first.normal(first.coordinates(x));
-    return given->value(x) + second.distance_along(x, n).value_or(0.);
+    const double g = given->value(x), d = second.distance_along(x, n).value_or(0.);
+    double size = std::abs(g) + x.norm() + first.length() + second.length();
+    for (const Side<2> *const side : {&first, &second})
+      if (const std::optional<Point<2>> centre = side->centre_at(x))
+        size += x.distance(*centre);
+    return without_rounding(g + d, size);
   });
 }
 } // namespace Signorini

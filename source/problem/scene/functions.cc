@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Signorini {
 template <int dim>
@@ -44,6 +45,30 @@ void ExpressionFunction<dim>::check(const double value, const unsigned int compo
                                     const Point<dim> &x) const {
   if (is_data_)
     check_magnitude(value, component, x, values_[component].where());
+}
+
+template <int dim>
+double GapFunction<dim>::without_rounding(const double gap, const Point<dim> &x) const {
+  // Slopes are computed only where they may matter.
+  constexpr double small = 1e-9, rounding = 8. * std::numeric_limits<double>::epsilon();
+  const double size = x.norm();
+  return std::abs(gap) <= small * size &&
+             std::abs(gap) <= rounding * size * this->exact_gradient(x, 0).norm()
+           ? 0.
+           : gap;
+}
+
+template <int dim>
+double GapFunction<dim>::value(const Point<dim> &x, const unsigned int component) const {
+  return without_rounding(ExpressionFunction<dim>::value(x, component), x);
+}
+
+template <int dim>
+void GapFunction<dim>::value_list(const std::vector<Point<dim>> &points,
+                                  std::vector<double> &values, const unsigned int component) const {
+  ExpressionFunction<dim>::value_list(points, values, component);
+  for (std::size_t q = 0; q < points.size(); ++q)
+    values[q] = without_rounding(values[q], points[q]);
 }
 
 template <int dim>
@@ -135,6 +160,8 @@ bool is_constant(const Function<dim> &function) {
 
 template class ExpressionFunction<2>;
 template class ExpressionFunction<3>;
+template class GapFunction<2>;
+template class GapFunction<3>;
 INSTANTIATE_FUNCTION(is_constant);
 INSTANTIATE_FUNCTION(check_magnitude);
 } // namespace Signorini

@@ -10,6 +10,7 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -224,6 +225,36 @@ void test_planes(Checks &checks) {
               0., 1e-15);
 }
 
+/** A body that fits its foundation has no gap: not by rounding either, which would press it. */
+void test_exact_fit(Checks &checks) {
+  const auto fits = [&checks](const std::string &what, std::vector<std::string> settings,
+                              const std::string &side) {
+    const Scene<2> scene = make_scene<2>(parse_parameters("", "fit.prm", settings));
+    const unsigned int number = scene.geometry.find_side(side);
+    const Side<2> &on = scene.geometry.sides[number];
+    double largest = 0.;
+    for (unsigned int k = 0; k <= 200; ++k)
+      largest = std::max(
+        largest, std::abs(scene.boundary[number].data->value(on.point(on.length() * k / 200.))));
+    checks.near(what, largest, 0., 0.);
+  };
+  const std::vector<std::string> half_disc = {"Geometry/Shape=half disc", "Geometry/Radius=0.7",
+                                              "Geometry/Centre=0.3,0.1", "Boundary/Clamped=flat",
+                                              "Boundary/Contact=arc"};
+  const auto with = [](std::vector<std::string> settings, const std::string &more) {
+    settings.push_back(more);
+    return settings;
+  };
+  fits("a half disc in its circle",
+       with(half_disc, "Contact/Foundation=circle 0.3,0.1 radius 0.7 inside"), "arc");
+  fits("the same by a formula", with(half_disc, "Contact/Gap=0.7 - sqrt((x-0.3)^2 + (y-0.1)^2)"),
+       "arc");
+  fits("a rectangle on a plane that was moved",
+       {"Geometry/Lower left=0,0.3", "Boundary/Clamped=top", "Boundary/Contact=bottom",
+        "Contact/Foundation=plane 0,0.1 normal 0,1", "Contact/Foundation position=0,0.2"},
+       "bottom");
+}
+
 Scene<2> scene(std::vector<std::string> settings) {
   settings.insert(settings.end(), {"Boundary/Clamped=top", "Boundary/Contact=bottom, left"});
   return make_scene<2>(parse_parameters("", "foundation.prm", settings));
@@ -326,6 +357,6 @@ void test_facing(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests({test_lines, test_digits, test_directions, test_gaps, test_planes, test_scenes,
-                    test_facing});
+  return run_tests({test_lines, test_digits, test_directions, test_gaps, test_planes,
+                    test_exact_fit, test_scenes, test_facing});
 }

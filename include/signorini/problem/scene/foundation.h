@@ -8,12 +8,21 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
 
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <variant>
 #include <vector>
 
 namespace Signorini {
+/** Returns a gap, or zero where it is rounding of lengths of the given size: a body that fits its
+ * foundation has no gap, and no noise that presses it. */
+inline double without_rounding(const double gap, const double size) {
+  constexpr double rounding = 8. * std::numeric_limits<double>::epsilon();
+  return std::abs(gap) <= rounding * size ? 0. : gap;
+}
+
 /** A rigid obstacle in 2-D: the set of points that a body cannot enter. */
 class Obstacle {
 public:
@@ -152,8 +161,8 @@ private:
 
 /**
  * Returns the gap g(x) of (1) on a side (length): the distance along the direction of contact to
- * the foundation that was moved by @p position. Points beside a curved side count as those of the
- * side with the same arc length. Thread-safe.
+ * the foundation that was moved by @p position, without_rounding(). Points beside a curved side
+ * count as those of the side with the same arc length. Thread-safe.
  */
 std::shared_ptr<const Function<2>>
 foundation_gap(const Side<2> &side, const std::shared_ptr<const Foundation> &foundation,
@@ -161,7 +170,8 @@ foundation_gap(const Side<2> &side, const std::shared_ptr<const Foundation> &fou
 
 /**
  * Returns the gap of a pair of sides: @p given in addition to the distance along the outward normal
- * of the first side to the second one as drawn (length); @p given alone beside the second side.
+ * of the first side to the second one as drawn (length); @p given alone beside the second side. The
+ * sum is without_rounding().
  */
 std::shared_ptr<const Function<2>> gap_of_pair(const Side<2> &first, const Side<2> &second,
                                                const std::shared_ptr<const Function<2>> &given);

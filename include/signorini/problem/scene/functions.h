@@ -84,6 +84,21 @@ private:
   std::function<unsigned int(const Point<dim> &)> region_at_;
 };
 
+/** The gap of a contact side by a formula. It is zero where rounding of the coordinates changes it
+ * by as much as its value: a formula of a foundation that the body fits leaves no noise. */
+template <int dim>
+class GapFunction final : public ExpressionFunction<dim> {
+public:
+  using ExpressionFunction<dim>::ExpressionFunction;
+
+  double value(const Point<dim> &x, unsigned int component = 0) const override;
+  void value_list(const std::vector<Point<dim>> &points, std::vector<double> &values,
+                  unsigned int component = 0) const override;
+
+private:
+  double without_rounding(double gap, const Point<dim> &x) const;
+};
+
 /** Refuses a value that is not finite or beyond max_magnitude. @throws InputError */
 template <int dim>
 void check_magnitude(double value, unsigned int component, const Point<dim> &x,
