@@ -168,12 +168,23 @@ std::array<double, 3> energies(EnergyMeasure<2> &measure, const FEValues<2> &val
     sums[k] = area * largest[k];
   return sums;
 }
+
+/** Returns u_h at a corner of the smallest cell. Coordinates round hanging nodes off their edges by
+ * a share of tiny cells, which leaves a force there: as the translation c, this u_h gives it no
+ * work. */
+Tensor<1, 2> displacement_of_smallest_cell(const BoundData &data) {
+  auto smallest = data.space.dofs().begin_active();
+  for (const auto &cell : data.space.dofs().active_cell_iterators())
+    if (cell->level() > smallest->level())
+      smallest = cell;
+  return CellField(smallest, data.U).on_face(0, 0.);
+}
 } // namespace
 
 EnergyMisfit::EnergyMisfit(const BoundData &data)
   : data_(data)
   , maps_(data.space.mesh(), data.scene.geometry.sides)
-  , translation_(CellField(data.space.dofs().begin_active(), data.U).on_face(0, 0.))
+  , translation_(displacement_of_smallest_cell(data))
   , distances_(data.space.mesh().triangulation().n_active_cells()) {
   find_bubbles();
   for (unsigned int k = 0; k < FieldVisitor::n_fields(data); ++k)
