@@ -2,6 +2,8 @@
 // Layers and bumps between the points of the first mesh.
 
 #include <signorini/discretization/space/cell_stiffness.h>
+#include <signorini/error_control/equilibration/arc_lift.h>
+#include <signorini/error_control/equilibration/cell_shape.h>
 #include <signorini/error_control/hp/hidden_data.h>
 
 #include <algorithm>
@@ -49,6 +51,15 @@ double jump_share(const Material<2> &material, const Triangulation<2>::active_ce
   return share;
 }
 
+/** Returns whether stresses on a cell cannot carry tractions on one of its arcs. */
+bool has_unseen_arc(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell) {
+  const CellShape shape = shape_of(cell, scene.geometry.sides).seen_from_crossing();
+  for (unsigned int k = 0; k < 4; ++k)
+    if (shape.centres[k] && !ArcLift::is_seen(shape.edge(k)))
+      return true;
+  return false;
+}
+
 /** Returns whether data of the body or of a side hides in a cell. A few boxes hide nothing from
  * elements of higher degree. Where none of the smallest boxes shows its data, small cells would not
  * either. */
@@ -73,7 +84,8 @@ void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan) {
     [&](const Triangulation<2>::active_cell_iterator &cell, const unsigned int n_splits) {
       if (plan.must_split(scene, cell, n_splits))
         return true;
-      if (n_splits >= max_splits || n_split >= max_split_cells || !is_rough(scene, cell))
+      if (n_splits >= max_splits || n_split >= max_split_cells ||
+          !(is_rough(scene, cell) || has_unseen_arc(scene, cell)))
         return false;
       ++n_split;
       return plan.demands[cell->id()].split = true;

@@ -6,8 +6,9 @@
 #include <signorini/error_control/hp/cell_indicator.h>
 
 namespace Signorini {
-/** Splits cells of a first plan in which the scan of the data found small boxes or breaks, up to
- * six times; smaller details are integrated on parts of cells. */
+/** Splits cells of a first plan in which the scan of the data found small boxes or breaks, or
+ * behind which an arc turns too much for the stresses of the bound, up to six times; smaller
+ * details are integrated on parts of cells. */
 void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan);
 
 /** The misfit of the cells in which moduli jump. */
