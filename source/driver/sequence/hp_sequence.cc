@@ -86,7 +86,7 @@ public:
     last_ = {next_, solution.contact.U, solution.contact.P};
     result.is_last = finish(problem, discretization, progress, findings, solution);
     ++n_steps_;
-    return result;
+    return keep_best(std::move(result));
   }
 
 private:
@@ -112,6 +112,25 @@ private:
     if (!may_suffice)
       finish_level(problem, discretization, is_last, progress, solution);
     return is_last;
+  }
+
+  /** Returns the result, or that of the step before where this one has a larger bound: the run ends
+   * on its best step. */
+  LevelResult<2> keep_best(LevelResult<2> result) {
+    const LevelRecord &record = result.solution.record;
+    const std::optional<double> bound = bound_of(record);
+    if (best_ && bound && *bound > *bound_of(best_->solution.record)) {
+      best_->why_again = concatenate(
+        "Step ", record.sizes.level, " raised the bound to ", 100. * *bound,
+        " %: what is left is rounding, or data that no mesh resolves. The answer is that of step ",
+        best_->solution.record.sizes.level, ".");
+      best_->is_last = true;
+      return *best_;
+    }
+    best_.reset();
+    if (bound && !result.is_last)
+      best_ = result;
+    return result;
   }
 
   std::shared_ptr<const Discretization<2>> make_discretization() const {
@@ -205,6 +224,8 @@ private:
   /** The mesh of the step that is solved next. */
   std::shared_ptr<const Discretization<2>> next_;
   HpStep last_;
+  /** The result of the step before, where its bound has missed the target. */
+  std::optional<LevelResult<2>> best_;
   /** The errors of the steps since a bound has missed the target. */
   std::vector<double> missed_;
   unsigned int n_steps_ = 0, n_equal_steps_ = 0;

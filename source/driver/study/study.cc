@@ -122,8 +122,13 @@ private:
     report_.progress("");
     multiply_forces(scene_.geometry.thickness, record);
     std::vector<LevelRecord> &levels = result_.levels;
-    report_.screen << screen_row(record, levels.empty() ? nullptr : &levels.back()) << std::endl;
-    print_warnings(record, judge_, report_.screen);
+    if (!level.why_again.empty()) {
+      levels.pop_back();
+      report_.screen << level.why_again << std::endl;
+    } else {
+      report_.screen << screen_row(record, levels.empty() ? nullptr : &levels.back()) << std::endl;
+      print_warnings(record, judge_, report_.screen);
+    }
     levels.push_back(record);
     result_.verdict = level.is_last ? judge_.verdict(levels) : judge_.unfinished(levels);
     writer_.write_tables(levels, result_.verdict);

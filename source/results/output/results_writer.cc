@@ -157,8 +157,11 @@ void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
 
 void ResultsWriter::list_vtu(const std::string &list, const unsigned int number,
                              const std::string &file) {
-  vtu_files_[list].emplace_back(number, file);
-  write(list + ".pvd", [&](std::ostream &stream) { write_pvd(stream, vtu_files_[list]); });
+  // The best step of graded meshes is written once more, as the last one.
+  auto &files = vtu_files_[list];
+  if (files.empty() || files.back() != std::pair<double, std::string>(number, file))
+    files.emplace_back(number, file);
+  write(list + ".pvd", [&](std::ostream &stream) { write_pvd(stream, files); });
 }
 
 void ResultsWriter::write_cases(const std::vector<CaseResult> &cases) {

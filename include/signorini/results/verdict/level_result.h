@@ -7,6 +7,7 @@
 #include <signorini/results/verdict/level_record.h>
 
 #include <memory>
+#include <string>
 
 namespace Signorini {
 /** The solution of one level with its record. */
@@ -30,6 +31,8 @@ struct LevelResult {
   LevelSolution<dim> solution;
   /** Whether the mesh is the finest of the sequence. */
   bool is_last = false;
+  /** Why the result of the mesh before is given again, as the last one, a sentence; mostly empty. */
+  std::string why_again;
 
   PatchPressure<dim> pressure() const {
     return {discretization->surface.patches(), solution.contact.P.normal()};
