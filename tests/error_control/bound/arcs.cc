@@ -251,6 +251,18 @@ void corners_of_arcs(Checks &checks) {
   checks.between("relative bound", last(found, "bound_relative"), 1e-6, 1e-4);
 }
 
+/** A notch whose arc turns by 180 degrees in one coarse cell: graded meshes split it. */
+void notch(Checks &checks) {
+  checks.about("notch");
+  const StudyResult<2> found =
+    solve("Geometry/Shape = polygon\nGeometry/Vertices = 0,0; 1,0; arc 1.3,0 cw; 1.6,0; 3,0; 3,1; "
+          "0,1\nBoundary/Displacement = side4: 0;-0.01\nBoundary/Contact = side0 side2\n"
+          "Contact/Gap = 0\n",
+          {"Discretization/Strategy=hp", "Discretization/Target error=0.02"});
+  checks.that("certified", found.verdict.outcome == Outcome::certified);
+  checks.between("relative bound", last(found, "bound_relative"), 1e-6, 0.02);
+}
+
 /** A ring that a plate in its bore presses onto a plane, by a force and by the travel that it
  * makes: the bounds of J on coarse meshes contain those on finer ones, and J of the travel is that
  * of the force without its work. */
@@ -280,7 +292,7 @@ void moved_bore(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(
-    argc, argv,
-    {equilibrium, least_energies, degrees, half_disc, prescribed, corners_of_arcs, moved_bore});
+  return run_tests(argc, argv,
+                   {equilibrium, least_energies, degrees, half_disc, prescribed, corners_of_arcs,
+                    notch, moved_bore});
 }
