@@ -32,7 +32,8 @@ struct ErrorEstimate {
   /** The distance ‖π^{2h} u_h - u_h‖_{1,Ω}, which estimates ‖u - u_h‖_1. It is asymptotically
    * exact where π^{2h} u_h superconverges and |||z_h||| is small. */
   std::optional<double> h1;
-  /** The estimate of |||u - u_h|||: the root of the sum of the squares of all parts. */
+  /** The estimate of |||u - u_h|||: the root of the sum of the squares of all parts, of
+   * those of pressure and contact of the larger one, as both show what p_H lacks. */
   double energy = 0.;
   /** The estimate divided by EnergyScale::of(): it depends neither on units nor on translations. */
   double relative = 0.;

@@ -72,7 +72,9 @@ struct Trend {
 };
 
 /** Returns the trend of v_0, ..., v_L, levels without a value left out. Settled means: the last
- * change is at most 1 % of v_L; or it is at most 10 % and at most 3/4 of the change before.
+ * change is at most 1 % of v_L; or it is at most 10 % and at most 3/4 of the change before, which
+ * itself is not above the one before it, or where there is none 20 %: numbers that jump show no
+ * trend.
  * Convergence of order one halves changes. Under a punch, at a facet or at a sharp corner stresses
  * grow by a constant factor or by a constant amount, and that never settles at 10 %. */
 Trend trend_of(const std::vector<std::optional<double>> &values);
