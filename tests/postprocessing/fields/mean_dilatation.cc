@@ -50,6 +50,14 @@ void locking(Checks &checks) {
         std::pair("set Poisson's ratio = 0.4999\nset Plane state = stress\n", 0.),
         std::pair("set Law = general\nset Hooke tensor = 100; 98; 0; 100; 0; 1\n", 99. / 64.)})
     checks.near(material, number(material), expected, expected == 0. ? 0. : 1e-12);
+  // An arc in contact: of the first order in h.
+  const OneLevel disc(
+    "Geometry/Shape = half disc\nBoundary/Contact = arc\nBoundary/Clamped = flat\n"
+    "Material/Poisson's ratio = 0.49\nContact/Gap = 1\n",
+    3);
+  const Mesh<2> &mesh = disc.discretization.mesh;
+  checks.near("arc", locking_number(mesh, disc.scene), 50. * mesh.longest_edge() / mesh.size(),
+              1e-12);
 }
 
 /** Two patches that cannot be told apart, two that can, and two that cannot, but are open. */
