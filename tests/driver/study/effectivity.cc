@@ -71,7 +71,9 @@ void finer_reference(Checks &checks) {
     const double error = internal_forces(fine.space(), fine.scene, difference).energy_norm;
     const ErrorEstimate &estimate = *solution.record.estimate;
     const std::string name = std::string("block on parabola, Patches = ") + partition;
-    checks.between(name, estimate.energy / error, lowest, highest);
+    // Two of four patches press, and the misfit of contact exceeds what p_H lacks.
+    constexpr double highest_of_few = 1.5;
+    checks.between(name, estimate.energy / error, lowest, highest_of_few);
     checks.that(name + ": the mesh is not the largest part", estimate.mesh < estimate.pressure);
   }
 }
