@@ -181,8 +181,11 @@ ContactDirections::ContactDirections(const Side<2> &side, const Foundation &foun
   };
   for (unsigned int k = 0; k < side.n_pieces(); ++k) {
     const Curve &piece = side.piece(k);
+    // On a straight side that is parallel to a plane m is its normal to the last digit.
     const auto direction = [&](const double s) {
-      return foundation.direction(piece.point(s) - position, piece.normal(s));
+      const Tensor<1, 2> n = piece.normal(s);
+      const auto m = foundation.direction(piece.point(s) - position, n);
+      return m && side.is_flat() && (*m - n).norm() < parallel ? std::nullopt : m;
     };
     const double step = piece.length() / n_samples;
     double from = 0.5 * step;
@@ -201,10 +204,6 @@ ContactDirections::ContactDirections(const Side<2> &side, const Foundation &foun
       from = to;
     }
   }
-  // A straight side that is parallel to a plane has its normal to the last digit.
-  if (side.is_flat() && of_parts_.size() == 1 && of_parts_[0] &&
-      (*of_parts_[0] - side.normal(0.)).norm() < parallel)
-    of_parts_.clear();
 }
 
 std::optional<Tensor<1, 2>> ContactDirections::at(const double s) const {
