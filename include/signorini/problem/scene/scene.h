@@ -150,7 +150,7 @@ struct BoundaryCondition {
    * groups of faces. */
   unsigned int n_patches = 0;
   /** The obstacles of a contact side whose gap is the distance to them; foundation_gap(side,
-   * foundation, directions, position) computes the gap for another position of theirs. Else empty.
+   * foundation, position, directions) computes the gap for another position of theirs. Else empty.
    */
   std::shared_ptr<const Foundation> foundation = nullptr;
   /** The directions of contact, in 2-D. Load cases that move the foundation keep them. */
