@@ -28,16 +28,16 @@ double softer_modulus(const Scene<dim> &scene, const Point<dim> &x) {
 namespace {
 /** A part of Γ_c on which d has one sign. Where d < 0, only what presses counts. */
 struct Stretch {
-  /** The number of the side and the arc length where the stretch begins; in 3-D the number of the
-   * patch. */
-  unsigned int place;
+  /** The number of the side, that of its corners before the stretch, and the arc length where it
+   * begins; in 3-D the number of the patch. */
+  unsigned int place, corners;
   double from;
   bool penetrates;
   /** The measure of what counts, and the integrals of modulus d² and 2 p_H d over it. */
   double measure, square, work;
 
   bool continues(const Stretch &before) const {
-    return place == before.place && penetrates == before.penetrates;
+    return place == before.place && corners == before.corners && penetrates == before.penetrates;
   }
   void operator+=(const Stretch &next) {
     measure += next.measure;
@@ -46,7 +46,7 @@ struct Stretch {
   }
   template <typename Archive>
   void serialize(Archive &archive, const unsigned int /*version*/) {
-    archive &place &from &penetrates &measure &square &work;
+    archive &place &corners &from &penetrates &measure &square &work;
   }
   /** Returns the least of |||w|||² + 2 ∫ p_H (d - w_n). */
   template <int dim>
@@ -92,11 +92,18 @@ public:
     const SurfaceRule<dim> rule = surface.rule(piece, n_points_);
     const std::vector<double> depths = penetration(scene_, surface, piece, rule, U_, traces_);
     const double modulus = modulus_at(scene_, surface, piece);
+    unsigned int n_corners = 0;
+    if constexpr (dim == 2) {
+      const std::vector<double> &corners = surface.side(surface.patches()[piece.patch]).corners();
+      n_corners =
+        std::lower_bound(corners.begin(), corners.end(), rule.on_side[0][0]) - corners.begin();
+    }
     std::vector<Stretch> stretches;
     for (std::size_t q = 0; q < rule.size(); ++q) {
       const double d = depths[q], p = multipliers_.value(P_, piece.patch, rule.on_side[q]),
                    weight = d > 0. || p < threshold_ ? rule.weights[q] : 0.;
       const Stretch point = {dim == 2 ? surface.patches()[piece.patch].side : piece.patch,
+                             n_corners,
                              dim == 2 ? rule.on_side[q][0] : 0.,
                              d > 0.,
                              weight / scene_.geometry.circumference(rule.points[q]),

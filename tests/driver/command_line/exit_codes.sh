@@ -292,7 +292,7 @@ test_not_certified() {
   check "  graded meshes are named" line_holds 2 'Strategy = hp'
   check "  on graded meshes, too" line_holds 3 'Tolerated error'
   check "  an estimate is above Tolerated error" line_holds 4 'estimated; Tolerated error: 0.001 %'
-  check "  contact that is missed in space" line_holds 5 'penetrates where no patch presses'
+  check "  contact that is missed in space" line_holds 5 'contact is not resolved: refine'
   check "  contact that a body misses which moves as a whole" line_holds 6 'contact is not resolved'
   check "  huge: exit code 1" ends_with huge.prm 'wrong input' 1 not/huge
   check "  before it is made" line_holds 7 'the first mesh has more than 2.14748e+09 unknowns'

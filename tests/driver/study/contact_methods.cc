@@ -106,7 +106,7 @@ void compare(Checks &checks, const Settings &settings, const std::vector<Setting
     const double energy = exact.record.certificate.energy, estimate = exact.record.estimate->energy;
     checks.near("energy", found.record.certificate.energy, energy,
                 1e-10 * (1e-12 + std::abs(energy)));
-    checks.near("the estimate", found.record.estimate->energy, estimate, 1e-6 * estimate + 1e-13);
+    checks.near("the estimate", found.record.estimate->energy, estimate, 1e-6 * estimate + 1e-12);
   }
 }
 

@@ -58,7 +58,7 @@ subsection Output
   set Compliance = true
 end
 subsection Solver
-  set Tolerated error = 0.3
+  set Tolerated error = 0.6
 end
 PRM
 cat >hp.prm <<'PRM'

@@ -18,9 +18,9 @@ double softer_modulus(const Scene<dim> &scene, const Point<dim> &x);
  *
  *     |||w|||² + 2 ∫ p_H (d - w_n),   d = u_{h,n} - g <= w_n on Γ_c.
  *
- * Γ_c consists of stretches on which d has one sign. Where d > 0, w_n = d. Where d < 0 and p_H
- * presses, w_n is d or zero, whichever costs less. On a stretch of length l, w has about the energy
- * of a half-space with waves of the number π/(2 l),
+ * Γ_c consists of stretches between corners on which d has one sign. Where d > 0, w_n = d. Where d
+ * < 0 and p_H presses, w_n is d or zero, whichever costs less. On a stretch of length l, w has
+ * about the energy of a half-space with waves of the number π/(2 l),
  *
  *     |||w|||² = modulus π/(4 l) ‖w_n‖_0².
  *

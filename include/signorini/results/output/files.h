@@ -79,8 +79,8 @@ std::vector<int> ending_signals();
 /**
  * Installs handlers: from here on the @p ending signals print the sentence of
  * describe_interruption(), remove the file that is being written, and end the process as they would
- * without a handler, also in the middle of a factorisation; the others of that list are ignored. SIGPIPE does nothing: writing to a
- * closed pipe is an error of the stream.
+ * without a handler, also in the middle of a factorisation; the others of that list are ignored.
+ * SIGPIPE does nothing: writing to a closed pipe is an error of the stream.
  */
 void handle_signals(const std::vector<int> &ending);
 
