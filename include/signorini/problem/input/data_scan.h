@@ -16,8 +16,8 @@ namespace Signorini {
  * area over that of the box, counts as constant. Formulas of the catalogue and distances to
  * foundations are not scanned; their kinks are declared.
  *
- * A line of a switch is left out only where bounds prove, along all of it, that the data on its two
- * sides is the same. The lines are added to those of the scene, and all kinks lose their ends.
+ * A line of a switch is left out only where bounds show, along all of it, that the branches on its
+ * two sides are smooth, and these agree at points of each part. The lines are added to those of the scene, and all kinks lose their ends.
  */
 void scan_data(Scene<2> &scene);
 } // namespace Signorini
