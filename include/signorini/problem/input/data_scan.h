@@ -17,7 +17,8 @@ namespace Signorini {
  * foundations are not scanned; their kinks are declared.
  *
  * A line of a switch is left out only where bounds show, along all of it, that the branches on its
- * two sides are smooth, and these agree at points of each part. The lines are added to those of the scene, and all kinks lose their ends.
+ * two sides are smooth, and these agree at points of each part. The lines are added to those of the
+ * scene, and all kinks lose their ends.
  */
 void scan_data(Scene<2> &scene);
 } // namespace Signorini
