@@ -56,7 +56,10 @@ Declarations::Declarations(Parameters &parameters)
   declare_geometry(parameters.geometry);
   declare_material(parameters.material);
   declare_boundary(parameters.boundary);
-  declare_data(parameters);
+  declare_load(parameters.load);
+  declare_contact(parameters.contact);
+  declare_load_cases(parameters.load_cases);
+  declare_exact_solution(parameters.exact);
   declare_discretization(parameters.discretization);
   declare_solver(parameters.solver);
   declare_output(parameters.output);
@@ -116,68 +119,77 @@ void Declarations::declare_boundary(BoundaryParameters &boundary) {
       "on a hole about the centre.");
 }
 
-void Declarations::declare_data(Parameters &parameters) {
-  add("Load/Body force", parameters.load.body_force,
+void Declarations::declare_load(LoadParameters &load) {
+  add("Load/Body force", load.body_force,
       "Force per volume: fx; fy, in 3-D fx; fy; fz, expressions in x, y, z (force/volume); for "
       "bodies "
       "or regions of a mesh file 'upper: 0; -1 | lower: 0; 0'.");
-  add("Load/Plate force", parameters.load.plate_force,
+  add("Load/Plate force", load.plate_force,
       "Force on a plate along its direction (force per thickness) by side: top: 35.");
   add(
-    "Load/Plate cross force", parameters.load.plate_cross_force,
+    "Load/Plate cross force", load.plate_cross_force,
     "Force on a plate across its direction (force per thickness) by side, in the direction turned "
     "counter-clockwise by a right angle; the plate may then move across, too.");
-  add("Load/Plate moment", parameters.load.plate_moment,
+  add("Load/Plate moment", load.plate_moment,
       "Moment on a turning plate about its middle, on a hole about the centre, counter-clockwise "
       "(force x length per thickness) by side; zero where nothing is given.");
-  add("Load/Plate travel", parameters.load.plate_travel,
+  add("Load/Plate travel", load.plate_travel,
       "Travel of a plate along its direction (length) by side, in the place of a force.");
-  add("Contact/Gap", parameters.contact.gap,
+}
+
+void Declarations::declare_contact(ContactParameters &contact) {
+  add("Contact/Gap", contact.gap,
       "Initial gap along the outward normal (length), an expression for all contact sides, or "
       "per side: bottom: ... | left: ...");
-  add("Contact/Foundation", parameters.contact.foundation,
+  add("Contact/Foundation", contact.foundation,
       "Rigid things in place of the gap, separated by '|': plane x,y normal nx,ny; circle x,y "
       "radius r; circle x,y radius r inside (the body lies in a round hole); parabola x,y normal "
       "nx,ny curvature k (with k < 0 it bends away from the body). Numbers may be formulas of the "
       "constants. Normals point towards the body and may have any length. 'bottom: circle ...' is "
       "for one contact side, others are for all that touch no other body. The gap is the distance "
       "along the direction of contact, at most ten diameters of the body.");
-  add("Contact/Foundation position", parameters.contact.foundation_position,
+  add("Contact/Foundation position", contact.foundation_position,
       "dx, dy by which the whole foundation is moved (length).");
-  add("Contact/Direction", parameters.contact.direction,
+  add("Contact/Direction", contact.direction,
       "The direction along which planes of a Foundation act. foundation: their own normal, so that "
       "without friction a plane exerts no force along itself, whatever the shape of the body. "
       "body: the outward normal of the body, as everywhere else.");
   add(
-    "Contact/Friction", parameters.contact.friction,
+    "Contact/Friction", contact.friction,
     "Law of friction of the tangential traction q: none (q = 0), tresca (|q| <= Friction bound), "
     "coulomb (|q| <= Friction coefficient times the pressure). Bilinear or trilinear elements with "
     "at least two faces per patch and direction, or Strategy = hp.");
-  add("Contact/Friction coefficient", parameters.contact.friction_coefficient,
+  add("Contact/Friction coefficient", contact.friction_coefficient,
       "Coulomb: f >= 0, an expression for all contact sides, or per side: bottom: ... | left: ...");
-  add("Contact/Friction bound", parameters.contact.friction_bound,
+  add("Contact/Friction bound", contact.friction_bound,
       "Tresca: s >= 0 (force/area), an expression in the same way.");
-  add("Contact/Foundation shift", parameters.contact.foundation_shift,
+  add("Contact/Foundation shift", contact.foundation_shift,
       "With friction: the motion of the foundation along the counter-clockwise tangent of the side "
       "(length), an expression in the same way; in 3-D a vector u1; u2; u3 whose tangential part "
       "counts; empty: 0.");
+}
+
+void Declarations::declare_load_cases(LoadCasesParameters &load_cases) {
   add(
-    "Load cases/Cases", parameters.load_cases.cases,
+    "Load cases/Cases", load_cases.cases,
     "Other loads that the finest level is solved for, from the same factorisation: factors of "
     "force (tractions, plates), weight (body force), travel (prescribed displacements), gap and "
     "slide (Foundation shift), and shift x, shift y of the foundation (length): force 0.5, weight "
     "2 | force 0 to 3 in 100 cases. What is not named keeps the factor 1 and the shift 0.");
-  add("Load cases/Sequence", parameters.load_cases.sequence,
+  add("Load cases/Sequence", load_cases.sequence,
       "independent: every case begins with a body that has not slipped. steps: with friction, each "
       "case goes on from the slip of the one before, in their order, on every nested level.");
-  add("Load cases/Fields", parameters.load_cases.fields,
+  add("Load cases/Fields", load_cases.fields,
       "Numbers of the cases for which VTU files are written, separated by blanks; the first is 1.");
-  add("Exact solution/Displacement", parameters.exact.displacement,
+}
+
+void Declarations::declare_exact_solution(ExactSolutionParameters &exact) {
+  add("Exact solution/Displacement", exact.displacement,
       "u1; u2, in 3-D u1; u2; u3, as expressions (length); turns the columns u_... on.");
-  add("Exact solution/Displacement gradient", parameters.exact.displacement_gradient,
+  add("Exact solution/Displacement gradient", exact.displacement_gradient,
       "du1/dx; du1/dy; du2/dx; du2/dy, in 3-D all nine derivatives in this order; without it "
       "fourth-order differences are taken.");
-  add("Exact solution/Pressure", parameters.exact.pressure,
+  add("Exact solution/Pressure", exact.pressure,
       "p = sigma_n, negative in compression (force/area), an expression for all contact sides or "
       "per side; turns the columns p_... on.");
 }

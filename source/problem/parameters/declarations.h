@@ -91,7 +91,10 @@ private:
   void declare_geometry(GeometryParameters &geometry);
   void declare_material(MaterialParameters &material);
   void declare_boundary(BoundaryParameters &boundary);
-  void declare_data(Parameters &parameters);
+  void declare_load(LoadParameters &load);
+  void declare_contact(ContactParameters &contact);
+  void declare_load_cases(LoadCasesParameters &load_cases);
+  void declare_exact_solution(ExactSolutionParameters &exact);
   void declare_discretization(DiscretizationParameters &discretization);
   void declare_solver(SolverParameters &solver);
   void declare_output(OutputParameters &output);
