@@ -57,6 +57,8 @@ kill_again() {
   check "  an honest verdict" verdict_is "again/$name" unfinished
   if [ "$1" != KILL ]; then
     check "  one sentence" one_sentence $(($2 - 128)) "on level [1-9]: .*; the results of finished levels are complete"
+    check "  answers of the last finished level" grep -q "^  \"level\": $(tail -n 1 "again/$name/convergence.csv" | cut -d, -f1),$" \
+      "again/$name/answer.json"
   fi
 }
 killed=()
