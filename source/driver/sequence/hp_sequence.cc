@@ -114,23 +114,37 @@ private:
     return is_last;
   }
 
-  /** Returns the result, or that of the step before where this one has a larger bound: the run ends
-   * on its best step. */
+  /** Keeps the step with the smallest bound. A step with a larger one ends the run if its estimate
+   * says that the mesh is not the cause; otherwise the next steps may be better again.
+   * @return the result; where the run ends on a larger bound, that of the best step again. */
   LevelResult<2> keep_best(LevelResult<2> result) {
     const LevelRecord &record = result.solution.record;
-    const std::optional<double> bound = bound_of(record);
-    if (best_ && bound && *bound > *bound_of(best_->solution.record)) {
-      best_->why_again = concatenate(
-        "Step ", record.sizes.level, " raised the bound to ", 100. * *bound,
-        " %: what is left is rounding, or data that no mesh resolves. The answer is that of step ",
-        best_->solution.record.sizes.level, ".");
-      best_->is_last = true;
-      return *best_;
+    if (!best_ || is_better(record, best_->solution.record)) {
+      best_.reset();
+      if (bound_of(record) && !result.is_last)
+        best_ = result;
+      return result;
     }
-    best_.reset();
-    if (bound && !result.is_last)
-      best_ = result;
-    return result;
+    const LevelRecord &best = best_->solution.record;
+    const bool is_rounding =
+      bound_exceeds_mesh(record) && record.estimate->relative <= best.estimate->relative;
+    if (!result.is_last && !is_rounding)
+      return result;
+    const std::string name = "step " + std::to_string(record.sizes.level);
+    best_->why_again = concatenate(
+      "the answer is that of step ", best.sizes.level, ", because ", name,
+      bound_of(record) ? concatenate(" has the larger bound ", 100. * *bound_of(record), " %")
+                       : " has no such bound",
+      is_rounding ? " although its estimate fell: rounding, or data that no mesh resolves" : "");
+    best_->is_last = true;
+    return *best_;
+  }
+
+  /** Returns whether a step has the better bound: a guaranteed one before an estimated one. */
+  static bool is_better(const LevelRecord &step, const LevelRecord &best) {
+    if (!bound_of(step) || is_guaranteed(step) != is_guaranteed(best))
+      return is_guaranteed(step);
+    return *bound_of(step) <= *bound_of(best);
   }
 
   std::shared_ptr<const Discretization<2>> make_discretization() const {
@@ -224,7 +238,7 @@ private:
   /** The mesh of the step that is solved next. */
   std::shared_ptr<const Discretization<2>> next_;
   HpStep last_;
-  /** The result of the step before, where its bound has missed the target. */
+  /** The result of the step with the smallest bound, none of which has reached the target. */
   std::optional<LevelResult<2>> best_;
   /** The errors of the steps since a bound has missed the target. */
   std::vector<double> missed_;

@@ -123,14 +123,17 @@ private:
     multiply_forces(scene_.geometry.thickness, record);
     std::vector<LevelRecord> &levels = result_.levels;
     if (!level.why_again.empty()) {
-      levels.pop_back();
-      report_.screen << level.why_again << std::endl;
+      while (!levels.empty() && levels.back().sizes.level >= record.sizes.level)
+        levels.pop_back();
+      report_.screen << "Best step: " << level.why_again << "." << std::endl;
     } else {
       report_.screen << screen_row(record, levels.empty() ? nullptr : &levels.back()) << std::endl;
       print_warnings(record, judge_, report_.screen);
     }
     levels.push_back(record);
     result_.verdict = level.is_last ? judge_.verdict(levels) : judge_.unfinished(levels);
+    if (!level.why_again.empty())
+      result_.verdict.accuracy += "; " + level.why_again;
     writer_.write_tables(levels, result_.verdict);
     writer_.write_answer(levels, result_.verdict);
     if (level.is_last) {

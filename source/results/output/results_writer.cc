@@ -159,8 +159,9 @@ void ResultsWriter::list_vtu(const std::string &list, const unsigned int number,
                              const std::string &file) {
   // The best step of graded meshes is written once more, as the last one.
   auto &files = vtu_files_[list];
-  if (files.empty() || files.back() != std::pair<double, std::string>(number, file))
-    files.emplace_back(number, file);
+  while (!files.empty() && files.back().first >= number)
+    files.pop_back();
+  files.emplace_back(number, file);
   write(list + ".pvd", [&](std::ostream &stream) { write_pvd(stream, files); });
 }
 

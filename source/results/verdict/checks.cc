@@ -269,7 +269,10 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
          << (missed->bound->dominant_part() == ErrorBound::Part::contact
                ? missed->bound->worst_face
                : missed->bound->largest_cell);
-  text << (finest.sizes.is_graded()
+  text << (bound_exceeds_mesh(finest)
+             ? "; what is left is rounding, or data that no mesh resolves: take a larger Target "
+               "error."
+           : finest.sizes.is_graded()
              ? "; raise Maximum unknowns, or see where the mesh is finest (mesh-LL.svg, with "
                "Output/Pictures): data that contradict each other there have no solution."
              : "; raise Finest level.");

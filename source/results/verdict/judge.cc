@@ -81,6 +81,12 @@ bool is_guaranteed(const LevelRecord &level) {
   return bound_of(level) && level.bound->is_guaranteed();
 }
 
+bool bound_exceeds_mesh(const LevelRecord &level) {
+  constexpr double many = 10.;
+  return level.sizes.is_graded() && bound_of(level) && level.estimate &&
+         *bound_of(level) > many * level.estimate->relative;
+}
+
 std::optional<double> relative_error(const LevelRecord &level) {
   if (const std::optional<double> bound = bound_of(level))
     return bound;

@@ -39,6 +39,10 @@ std::string why_no_bound(const LevelRecord &level);
 /** Returns whether there is a bound that is guaranteed. */
 bool is_guaranteed(const LevelRecord &level);
 
+/** Returns whether the bound on a graded mesh is many times the estimate: rounding, or data that no
+ * mesh resolves, is most of it. */
+bool bound_exceeds_mesh(const LevelRecord &level);
+
 /** Returns that bound, or else the estimated relative error in the energy norm. */
 std::optional<double> relative_error(const LevelRecord &level);
 

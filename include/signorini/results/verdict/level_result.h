@@ -31,8 +31,7 @@ struct LevelResult {
   LevelSolution<dim> solution;
   /** Whether the mesh is the finest of the sequence. */
   bool is_last = false;
-  /** Why the result of the mesh before is given again, as the last one, a sentence; mostly empty.
-   */
+  /** Why the result of an earlier mesh is given again, as the last one, a clause; mostly empty. */
   std::string why_again;
 
   PatchPressure<dim> pressure() const {
