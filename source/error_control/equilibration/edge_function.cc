@@ -4,6 +4,7 @@
 #include <signorini/error_control/equilibration/edge_function.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace Signorini {
@@ -168,6 +169,20 @@ void take_limit(const std::function<double(double)> &f, const double t, const do
     value = limit;
 }
 
+/** Returns about what rounding makes of f between two points: the median of second differences over
+ * distances at which f does not bend. No halves are closer to f than this. */
+double noise_of(const std::function<double(double)> &f, const double start, const double end) {
+  constexpr unsigned int n = 7;
+  const double distance = 1e-9 * (end - start);
+  std::array<double, n> noise;
+  for (unsigned int i = 0; i < n; ++i) {
+    const double t = start + (end - start) * (i + 0.37) / n;
+    noise[i] = std::abs(f(t - distance) - 2. * f(t) + f(t + distance));
+  }
+  std::sort(noise.begin(), noise.end());
+  return noise[n / 2];
+}
+
 /** Returns parabolas with what raises them above f. */
 EdgeFunction raised(const std::vector<SampledInterval> &intervals, const Pinned &pinned) {
   const std::size_t n = intervals.size();
@@ -263,7 +278,10 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
       parts.push_back({breaks[k], breaks[k + 1], chord(breaks[k]), chord(breaks[k + 1]), 0.});
     upper.function = EdgeFunction(std::move(parts));
   } else {
-    refine(f, std::max(0.01 * range, rounding), rounding, n_scanned, intervals);
+    // Parabolas through three values with noise, raised at an end by four times their excess.
+    const double seen =
+      std::max(rounding, 16. * noise_of(f, intervals.front().start, intervals.front().end));
+    refine(f, std::max(0.01 * range, seen), seen, n_scanned, intervals);
     upper.function = raised(intervals, pinned);
   }
   upper.largest = first;
