@@ -82,7 +82,7 @@ bool is_guaranteed(const LevelRecord &level) {
 }
 
 bool bound_exceeds_mesh(const LevelRecord &level) {
-  constexpr double many = 10.;
+  constexpr double many = 5.;
   return level.sizes.is_graded() && bound_of(level) && level.estimate &&
          *bound_of(level) > many * level.estimate->relative;
 }

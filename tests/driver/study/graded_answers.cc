@@ -82,6 +82,31 @@ void check_body_at_rest(Checks &checks) {
   checks.near("no force", last(result, "contact_force_n"), 0., 1e-12);
 }
 
+/** A ring that its foundation presses by so little that the gap is mostly rounding: the bound ends
+ * above its target in seconds, and the answer is that of the step with the smallest one. */
+void check_best_step(Checks &checks) {
+  checks.about("A gap of rounding");
+  const double delta = 1e-12;
+  const StudyResult<2> result =
+    solve("Geometry/Shape = ring\nBoundary/Clamped = inner\nBoundary/Contact = outer\n"
+          "Contact/Foundation = circle 0,0 radius 1-1e-12 inside\n",
+          {"Discretization/Strategy=hp", "Discretization/Maximum unknowns=4000"});
+  const LevelRecord &best = result.levels.back();
+  const std::string &accuracy = result.verdict.accuracy;
+  checks.that("the verdict names the best step: " + accuracy,
+              accuracy.find("the answer is that of step " + std::to_string(best.sizes.level) +
+                            ", because step") != std::string::npos);
+  checks.that("the target is missed", result.verdict.outcome == Outcome::not_resolved);
+  for (const LevelRecord &level : result.levels)
+    checks.that("no smaller bound", bound_of(level).value_or(1.) >= *bound_of(best));
+  // u_r = A r + B/r, u_r(a) = 0, u_r(1) = -delta, a = 1/2.
+  const double a2 = 0.25, A = -delta / (1. - a2), B = -A * a2;
+  const double lame = 0.3 / (1.3 * 0.4), mu = 0.5 / 1.3;
+  const double pressure = -(2. * (lame + mu) * A - 2. * mu * B);
+  checks.near("mean pressure", best.contact.normal_force / (2. * dealii::numbers::PI) / pressure,
+              1., 0.01);
+}
+
 void check_too_few_unknowns(Checks &checks) {
   std::vector<std::string> overrides = graded("1e-6");
   overrides.emplace_back("Discretization/Maximum unknowns=3000");
@@ -176,7 +201,7 @@ void check_plate_into_the_foundation(Checks &checks) {
 
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
-                   {check_agreement, check_missed_contact, check_body_at_rest,
+                   {check_agreement, check_missed_contact, check_body_at_rest, check_best_step,
                     check_too_few_unknowns, check_moduli_on_a_curve, check_load_cases,
                     check_rollers_on_an_arc, check_plate_into_the_foundation});
 }
