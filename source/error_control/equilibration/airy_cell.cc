@@ -23,6 +23,8 @@ const char *const too_flat = "a cell is too flat for stresses in equilibrium";
 void write_factor(LAPACKFullMatrix<double> A, LAPACKFullMatrix<double> &R,
                   const unsigned int first = 0) {
   const types::blas_int m = A.m(), n = A.n(), n_work = 32 * n;
+  if (m < n) // No points: a triangle without area.
+    throw ComputationError(too_flat);
   types::blas_int info = 0;
   std::vector<double> scales(n), work(n_work);
   geqrf(&m, &n, &A(0, 0), &m, scales.data(), work.data(), &n_work, &info);
@@ -33,6 +35,30 @@ void write_factor(LAPACKFullMatrix<double> A, LAPACKFullMatrix<double> &R,
       R(first + i, first + j) = A(i, j);
   }
   R.set_property(LAPACKSupport::upper_triangular);
+}
+
+/** Returns (AᵀA + scale² BᵀB)⁻¹ from a factor of the rows of A and scale B. @throws
+ * ComputationError if the product with columns of norm one is singular. */
+FullMatrix<double> inverse_of_square(const LAPACKFullMatrix<double> &A,
+                                     const LAPACKFullMatrix<double> &B, const double scale) {
+  const unsigned int n = A.n();
+  LAPACKFullMatrix<double> both(A.m() + B.m(), n), R(n);
+  std::vector<double> squares(n);
+  for (unsigned int i = 0; i < both.m(); ++i)
+    for (unsigned int j = 0; j < n; ++j) {
+      both(i, j) = i < A.m() ? A(i, j) : scale * B(i - A.m(), j);
+      squares[j] += both(i, j) * both(i, j);
+    }
+  write_factor(both, R);
+  R.invert();
+  FullMatrix<double> inverse(n, n);
+  R.mTmult(inverse, R);
+  double condition = 0.;
+  for (unsigned int i = 0; i < n; ++i)
+    condition += std::sqrt(squares[i] * inverse(i, i));
+  if (!(condition < 1e10))
+    throw ComputationError(too_flat);
+  return inverse;
 }
 
 /** Returns τ n. */
@@ -230,19 +256,15 @@ void AiryCell::factorise() {
   }
   write_factor(shared, factor_, 4 * n_inner);
   factor_.solve(traces_, true);
-  FullMatrix<double> compliance(n_traces, n_traces);
-  traces_.Tmmult(compliance, traces_);
   // S = (N G⁻¹ Nᵀ + weight⁻¹ BᵀB)⁻¹ - weight BᵀB: the rows of B span the kernel.
-  const double share = compliance.trace() / n_traces;
-  FullMatrix<double> regular(compliance), unbalanced(3, n_traces);
-  balance_.mmult(unbalanced, compliance);
-  add_balance(share, regular);
-  energy_ = regular;
-  energy_.gauss_jordan();
+  const double norm = traces_.frobenius_norm(), share = norm * norm / n_traces;
+  LAPACKFullMatrix<double> rows(3, n_traces), unbalanced(n, 3);
+  rows = balance_;
+  traces_.mTmult(unbalanced, rows);
   // The rank of N is that of the theory.
-  if (!(unbalanced.frobenius_norm() < 1e-10 * compliance.frobenius_norm() &&
-        energy_.frobenius_norm() * regular.frobenius_norm() < 1e10))
+  if (!(unbalanced.frobenius_norm() < 1e-8 * norm))
     throw ComputationError(too_flat);
+  energy_ = inverse_of_square(traces_, rows, std::sqrt(share));
   add_balance(-1. / share, energy_);
 }
 

@@ -60,6 +60,17 @@ Triangulation<2>::cell_iterator follow(const Triangulation<2> &mesh, const CellI
   }
   return cell;
 }
+
+/** Moves each hanging node to the middle of its edge, which is straight. Large cells come first: an
+ * edge may end in nodes that hang on larger ones. All others keep the places that manifolds give
+ * them: between nodes on chords a thin curved body would have no cells. */
+void straighten(Triangulation<2> &mesh) {
+  for (unsigned int level = 0; level + 1 < mesh.n_levels(); ++level)
+    for (const auto &cell : mesh.active_cell_iterators_on_level(level))
+      for (const auto &face : cell->face_iterators())
+        if (face->has_children())
+          face->child(0)->vertex(1) = face->vertex(0) + 0.5 * (face->vertex(1) - face->vertex(0));
+}
 } // namespace
 
 EquilibrationMesh::EquilibrationMesh(const BoundData &data)
@@ -69,14 +80,6 @@ EquilibrationMesh::EquilibrationMesh(const BoundData &data)
     return;
   own_ = std::make_unique<Triangulation<2>>();
   data.scene.geometry.make_coarse_mesh(*own_);
-  // Edges are straight inside of the body, so that nodes hang on them.
-  for (const auto &cell : own_->active_cell_iterators()) {
-    cell->set_manifold_id(numbers::flat_manifold_id);
-    const ArcCentres centres = arc_centres(data.scene.geometry.sides, cell);
-    for (const unsigned int f : cell->face_indices())
-      if (!centres[f])
-        cell->face(f)->set_manifold_id(numbers::flat_manifold_id);
-  }
   constexpr unsigned int most_generations = 4;
   constexpr double least_cells = 64.;
   double n_cells = data.space.mesh().triangulation().n_active_cells();
@@ -88,6 +91,7 @@ EquilibrationMesh::EquilibrationMesh(const BoundData &data)
     split_like_u();
   else
     own_->refine_global(base);
+  straighten(*own_);
   constexpr unsigned int many_cells = 4096;
   lowest_ = own_->n_active_cells() > many_cells ? 1 : 2;
   const std::vector<Point<2>> singular = singular_points(data);
@@ -145,8 +149,10 @@ bool EquilibrationMesh::refine(const std::vector<Cell> &cells, const bool by_deg
       rises = true;
     }
   }
-  if (splits)
+  if (splits) {
     own_->execute_coarsening_and_refinement();
+    straighten(*own_);
+  }
   return splits || rises;
 }
 

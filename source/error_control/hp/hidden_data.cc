@@ -51,11 +51,18 @@ double jump_share(const Material<2> &material, const Triangulation<2>::active_ce
   return share;
 }
 
-/** Returns whether stresses on a cell cannot carry tractions on one of its arcs. */
-bool has_unseen_arc(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell) {
+/** Returns whether stresses on a cell cannot carry tractions on one of its arcs, or an edge inside
+ * of a curved body bends so much that nodes that hang on its chord leave its thin cells. */
+bool is_too_bent(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell) {
+  constexpr double largest_bend = 0.35;
   const CellShape shape = shape_of(cell, scene.geometry.sides).seen_from_crossing();
   for (unsigned int k = 0; k < 4; ++k)
     if (shape.centres[k] && !ArcLift::is_seen(shape.edge(k)))
+      return true;
+  for (const auto &face : cell->face_iterators())
+    if (const double length = face->diameter();
+        !face->at_boundary() && face->center(true).distance(face->center()) * length >
+                                  largest_bend * std::abs(shape.area()))
       return true;
   return false;
 }
@@ -85,7 +92,7 @@ void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan) {
       if (plan.must_split(scene, cell, n_splits))
         return true;
       if (n_splits >= max_splits || n_split >= max_split_cells ||
-          !(is_rough(scene, cell) || has_unseen_arc(scene, cell)))
+          !(is_rough(scene, cell) || is_too_bent(scene, cell)))
         return false;
       ++n_split;
       return plan.demands[cell->id()].split = true;
