@@ -7,7 +7,7 @@
 
 namespace Signorini {
 /** Splits cells of a first plan in which the scan of the data found small boxes or breaks, or
- * behind which an arc turns too much for the stresses of the bound, up to six times; smaller
+ * that bend too much for the stresses of the bound, up to six times; smaller
  * details are integrated on parts of cells. */
 void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan);
 
