@@ -198,86 +198,132 @@ unsigned int affordable_solves(const BoundConstrainedQP &qp) {
   return static_cast<unsigned int>(
     qp.K.moves() ? std::min(unlimited, least + most_products / products) : unlimited);
 }
+
+/** Searches the set by Newton's method, and where a set comes back by a primal method, whose energy
+ * falls in every step. */
+class ActiveSetSearch {
+public:
+  ActiveSetSearch(const BoundConstrainedQP &qp, const Vector &start,
+                  const IterationOptions &options)
+    : qp_(qp)
+    , options_(options)
+    , moves_(qp.balances.size() > 0)
+    , states_(start.size() == 0 ? States(qp.size(), State::inside)
+                                : states_of(qp.K.at(start), start)) {}
+
+  QPResult run() {
+    const unsigned int max_solves =
+      std::min({options_.maximum_iterations, 20 * qp_.size() + 100, affordable_solves(qp_)});
+    while (!settled_ && result_.iterations < max_solves) {
+      ++result_.iterations;
+      // Where a set comes back although the energy falls, it leaves bodies free.
+      if (result_.cycled && moves_ && !held_ && !visited_.insert(states_).second)
+        held_ = held_by_springs(qp_, x_.z);
+      const Iterate wanted = solve_on_set(problem(), states_);
+      if (result_.cycled)
+        lower_energy(wanted);
+      else
+        take_newton_step(wanted);
+    }
+    qp_.K.at(x_.P).project(x_.P);
+    result_.P = x_.P;
+    result_.z = x_.z;
+    result_.kkt_residual = qp_.kkt_residual(result_.P, result_.z);
+    result_.converged = result_.kkt_residual <= options_.tolerance;
+    return result_;
+  }
+
+private:
+  /** Returns the problem whose sets are solved. */
+  const BoundConstrainedQP &problem() const {
+    return held_ ? *held_ : qp_;
+  }
+  /** Where P and W vanish together, rounding changes the set each time, although P is the solution.
+   */
+  double residual_of(const Iterate &of) const {
+    Vector projected = of.P;
+    qp_.K.at(projected).project(projected);
+    return qp_.kkt_residual(projected, of.z, qp_.gradient(projected, of.z), false);
+  }
+
+  void take_newton_step(const Iterate &wanted) {
+    // Newton's method takes some 10 systems; far from a solution it may not come back for
+    // thousands.
+    constexpr unsigned int max_wandering = 20;
+    const double residual = residual_of(wanted);
+    x_ = wanted;
+    visited_.insert(states_);
+    const States next = improve(qp_, states_, x_);
+    const bool came_back = visited_.count(next) > 0;
+    settled_ = residual <= qp_.rounding() ||
+               (next == states_ && (!moves_ || residual <= options_.tolerance)) ||
+               (came_back && residual <= 1e-3 * options_.tolerance);
+    result_.cycled = came_back && !settled_;
+    states_ = next;
+    const bool wanders = !settled_ && !has_path_ && result_.iterations > max_wandering;
+    if ((result_.cycled || wanders) && qp_.K.moves())
+      follow_path();
+    else if (result_.cycled)
+      begin_primal_method();
+  }
+
+  /** No energy falls where bounds move. A path leads to the solution; if rounding spoils it, random
+   * states are tried. */
+  void follow_path() {
+    const auto end = has_path_ ? std::nullopt : follow_solutions(qp_);
+    has_path_ = true;
+    states_ = end ? *end : any_states(qp_, random_);
+    result_.cycled = false;
+  }
+
+  void begin_primal_method() {
+    if (moves_)
+      x_.P = qp_.balances.P;
+    visited_.clear();
+    qp_.K.project(x_.P);
+    states_ = states_of(qp_.K, x_.P);
+  }
+
+  void lower_energy(const Iterate &wanted) {
+    settled_ = residual_of(wanted) <= std::max(qp_.rounding(), 1e-3 * options_.tolerance);
+    if (!settled_ && !step_to_first_end(qp_, wanted.P, x_.P, states_))
+      return;
+    x_ = wanted;
+    const bool ends = settled_ || !join_deepest(problem(), x_, states_);
+    settled_ = ends;
+    if (ends && held_)
+      release();
+  }
+
+  /** Solves without springs; if these matter, they are fixed where the bodies are now. */
+  void release() {
+    const Iterate free = solve_on_set(qp_, states_);
+    settled_ = residual_of(free) <= options_.tolerance;
+    if (settled_)
+      x_ = free;
+    else
+      held_ = held_by_springs(qp_, x_.z);
+  }
+
+  const BoundConstrainedQP &qp_;
+  const IterationOptions &options_;
+  /** Whether bodies may move freely. */
+  const bool moves_;
+  QPResult result_;
+  Iterate x_;
+  States states_;
+  std::set<States> visited_;
+  std::minstd_rand random_;
+  bool settled_ = false, has_path_ = false;
+  /** The problem with springs, where they are needed. */
+  std::optional<BoundConstrainedQP> held_;
+};
 } // namespace
 
 QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
                              const IterationOptions &options) {
   if (qp.K.n_discs() > 0)
     return solve_with_discs(qp, start, options);
-  const bool moves = qp.balances.size() > 0;
-  QPResult result;
-  Iterate x;
-  States states =
-    start.size() == 0 ? States(qp.size(), State::inside) : states_of(qp.K.at(start), start);
-  std::set<States> visited;
-  std::minstd_rand random;
-  bool has_path = false;
-  std::optional<BoundConstrainedQP> held;
-  // Newton's method takes some 10 systems; far from a solution it may not come back for thousands.
-  constexpr unsigned int max_wandering = 20;
-  // Where P and W vanish together, rounding changes the set each time, although P is the solution.
-  const auto residual_of = [&qp](const Iterate &of) {
-    Vector projected = of.P;
-    qp.K.at(projected).project(projected);
-    return qp.kkt_residual(projected, of.z, qp.gradient(projected, of.z), false);
-  };
-  const unsigned int max_solves =
-    std::min({options.maximum_iterations, 20 * qp.size() + 100, affordable_solves(qp)});
-  for (bool settled = false; !settled && result.iterations < max_solves;) {
-    ++result.iterations;
-    // Where a set comes back although the energy falls, it leaves bodies free.
-    if (result.cycled && moves && !held && !visited.insert(states).second)
-      held = held_by_springs(qp, x.z);
-    Iterate wanted = solve_on_set(held ? *held : qp, states);
-    const double residual = residual_of(wanted);
-    if (!result.cycled) {
-      x = wanted;
-      visited.insert(states);
-      const States next = improve(qp, states, x);
-      const bool came_back = visited.count(next) > 0;
-      settled = residual <= qp.rounding() ||
-                (next == states && (!moves || residual <= options.tolerance)) ||
-                (came_back && residual <= 1e-3 * options.tolerance);
-      result.cycled = came_back && !settled;
-      states = next;
-      const bool wanders = !settled && !has_path && result.iterations > max_wandering;
-      if ((result.cycled || wanders) && qp.K.moves()) {
-        // No energy falls there. A path leads to the solution; if rounding spoils it, random states
-        // are tried.
-        const auto end = has_path ? std::nullopt : follow_solutions(qp);
-        has_path = true;
-        states = end ? *end : any_states(qp, random);
-        result.cycled = false;
-      } else if (result.cycled) {
-        if (moves)
-          x.P = qp.balances.P;
-        visited.clear();
-        qp.K.project(x.P);
-        states = states_of(qp.K, x.P);
-      }
-    } else {
-      settled = residual <= std::max(qp.rounding(), 1e-3 * options.tolerance);
-      if (settled || step_to_first_end(qp, wanted.P, x.P, states)) {
-        x = wanted;
-        const bool ends = settled || !join_deepest(held ? *held : qp, x, states);
-        settled = ends;
-        if (ends && held) {
-          // Without springs; else they are fixed where the bodies are now.
-          wanted = solve_on_set(qp, states);
-          settled = residual_of(wanted) <= options.tolerance;
-          if (settled)
-            x = wanted;
-          else
-            held = held_by_springs(qp, x.z);
-        }
-      }
-    }
-  }
-  qp.K.at(x.P).project(x.P);
-  result.P = x.P;
-  result.z = x.z;
-  result.kkt_residual = qp.kkt_residual(result.P, result.z);
-  result.converged = result.kkt_residual <= options.tolerance;
-  return result;
+  return ActiveSetSearch(qp, start, options).run();
 }
 } // namespace Signorini
