@@ -107,7 +107,15 @@ std::string check_dual_problem(const LevelRecord &level, const Judge &judge) {
   std::ostringstream text;
   text << name_of_method(level.dual) << " stopped after " << level.dual.iterations
        << " iterations with the KKT residual " << level.dual.kkt << ", above the tolerance "
-       << tolerance << ": raise Tolerance or Maximum iterations" << other_method(level.dual) << ".";
+       << tolerance;
+  constexpr double hopeless = 1e-4;
+  if (level.friction && level.dual.kkt > hopeless)
+    text
+      << ": it did not find where patches stick and slip, as happens with large coefficients of "
+         "friction on fine meshes; take a smaller Friction coefficient, or a larger Target error "
+         "or Tolerated error.";
+  else
+    text << ": raise Tolerance or Maximum iterations" << other_method(level.dual) << ".";
   return text.str();
 }
 

@@ -193,7 +193,7 @@ BoundConstrainedQP held_by_springs(const BoundConstrainedQP &qp, const Vector &z
 /** Returns how many systems are tried: with bounds that move states are random after some of them,
  * and further ones of many unknowns would take long. */
 unsigned int affordable_solves(const BoundConstrainedQP &qp) {
-  constexpr double least = 50., most_products = 5e10, unlimited = 1e9;
+  constexpr double least = 22., most_products = 5e9, unlimited = 1e9;
   const double products = std::pow(qp.size() + 1., 3);
   return static_cast<unsigned int>(
     qp.K.moves() ? std::min(unlimited, least + most_products / products) : unlimited);

@@ -34,10 +34,14 @@ public:
   std::optional<States> follow() {
     // Most paths take one to ten steps for each unknown; what takes more goes around in rounding.
     constexpr unsigned int n_updates = 64, most_per_unknown = 10;
+    // With a coefficient that is very large a path of many unknowns would take minutes.
+    constexpr double most_products = 3e9, rounding = 1e-8;
+    const double n = qp_.size(),
+                 most_steps = std::min(most_per_unknown * n, most_products / (n * n + 1.));
     double direction = -1.;
     std::optional<Change> back;
-    for (unsigned int step = 0; step < most_per_unknown * qp_.size(); ++step) {
-      if (step % n_updates == 0)
+    for (unsigned int step = 0; step < most_steps; ++step) {
+      if (step == 0 || (step % n_updates == 0 && inaccuracy() > rounding))
         invert();
       if (step % n_updates == 0 || moves_sides_)
         y_ = {solution(0), solution(1)};
@@ -121,6 +125,15 @@ private:
       y.add(-y_j, d);
       y[j] = y_j;
     }
+  }
+  /** Returns the largest error of I v, for the v whose components are one. */
+  double inaccuracy() const {
+    Vector sum(inverse_.m()), v(inverse_.m());
+    for (unsigned int j = 0; j < v.size(); ++j)
+      sum += column(j);
+    inverse_.vmult(v, sum);
+    v.add(-1.);
+    return v.linfty_norm();
   }
   /** Returns the unknowns of the states for τ = 0 or 1. */
   Vector solution(const unsigned int end) const {

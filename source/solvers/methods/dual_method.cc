@@ -333,11 +333,12 @@ private:
   void correct_rounding(const Discretization<dim> &discretization,
                         ContactSolution<dim> &state) const {
     constexpr unsigned int max_passes = 3;
-    constexpr double negligible = 1e-12;
+    // What was given up would be given up again.
+    constexpr double negligible = 1e-12, hopeless = 1e-4;
     const double measure = discretization.multipliers.integrals().l2_norm();
     const Vector F = state.dual->F;
     const DualSolve first = state.report;
-    for (unsigned int pass = 0; pass < max_passes; ++pass) {
+    for (unsigned int pass = 0; pass < max_passes && state.report.kkt < hopeless; ++pass) {
       // F - r = C P + B q - W
       Vector corrected(state.dual->C_P);
       if (state.modes.size() > 0)
