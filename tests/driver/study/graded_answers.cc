@@ -82,8 +82,8 @@ void check_body_at_rest(Checks &checks) {
   checks.near("no force", last(result, "contact_force_n"), 0., 1e-12);
 }
 
-/** A ring that its foundation presses by so little that the gap is mostly rounding: the bound ends
- * above its target in seconds, and the answer is that of the step with the smallest one. */
+/** A ring that its foundation presses by so little that the gap has few digits: the bound ends
+ * above its target in seconds, and no step before the last has a smaller one. */
 void check_best_step(Checks &checks) {
   checks.about("A gap of rounding");
   const double delta = 1e-12;
@@ -92,10 +92,6 @@ void check_best_step(Checks &checks) {
           "Contact/Foundation = circle 0,0 radius 1-1e-12 inside\n",
           {"Discretization/Strategy=hp", "Discretization/Maximum unknowns=4000"});
   const LevelRecord &best = result.levels.back();
-  const std::string &accuracy = result.verdict.accuracy;
-  checks.that("the verdict names the best step: " + accuracy,
-              accuracy.find("the answer is that of step " + std::to_string(best.sizes.level) +
-                            ", because step") != std::string::npos);
   checks.that("the target is missed", result.verdict.outcome == Outcome::not_resolved);
   for (const LevelRecord &level : result.levels)
     checks.that("no smaller bound", bound_of(level).value_or(1.) >= *bound_of(best));
