@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace Signorini {
@@ -187,6 +188,73 @@ std::unique_ptr<const Mapping<dim>> cache(const Mapping<dim> &mapping, const uns
   cached->initialize(mapping, triangulation);
   return cached;
 }
+
+/** Moves a vertex on a straight edge of the body to a point on it, unless an arc or a flat cell is
+ * next to it. @return whether it moved. */
+bool move_along_edge(Triangulation<2> &mesh, const unsigned int vertex, const Point<2> &target) {
+  constexpr double least_ratio = 0.2;
+  const Point<2> old = mesh.get_vertices()[vertex];
+  std::vector<Triangulation<2>::cell_iterator> cells;
+  std::vector<double> areas;
+  Point<2> *place = nullptr;
+  const auto corner_areas = [&]() {
+    std::vector<double> values;
+    for (const auto &cell : cells)
+      for (unsigned int v = 0; v < 4; ++v) {
+        const Tensor<1, 2> a = cell->vertex(v ^ 1U) - cell->vertex(v),
+                           b = cell->vertex(v ^ 2U) - cell->vertex(v);
+        values.push_back((v == 0 || v == 3 ? 1. : -1.) * (a[0] * b[1] - a[1] * b[0]));
+      }
+    return values;
+  };
+  for (const auto &cell : mesh.active_cell_iterators())
+    for (unsigned int v = 0; v < 4; ++v) {
+      if (cell->vertex_index(v) != vertex)
+        continue;
+      cells.push_back(cell);
+      place = &cell->vertex(v);
+      if (cell->manifold_id() != numbers::flat_manifold_id)
+        return false;
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() &&
+            (face->vertex_index(0) == vertex || face->vertex_index(1) == vertex)) {
+          const Tensor<1, 2> edge = face->vertex(1) - face->vertex(0), way = target - old;
+          if (std::abs(edge[0] * way[1] - edge[1] * way[0]) > 1e-10 * edge.norm_square())
+            return false;
+        }
+    }
+  const std::vector<double> before = corner_areas();
+  *place = target;
+  const std::vector<double> after = corner_areas();
+  for (std::size_t i = 0; i < after.size(); ++i)
+    if (after[i] < least_ratio * before[i]) {
+      *place = old;
+      return false;
+    }
+  return true;
+}
+
+/** Moves vertices of a coarse mesh to the points in which lines cross the sides: splits alone would
+ * never reach a jump of a traction inside of an edge. */
+void move_to_lines(Triangulation<2> &mesh, const std::array<std::vector<double>, 2> &lines) {
+  std::set<unsigned int> moved;
+  for (unsigned int d = 0; d < 2; ++d)
+    for (const double position : lines[d])
+      for (const auto &face : mesh.active_face_iterators()) {
+        const double from = face->vertex(0)[d] - position, to = face->vertex(1)[d] - position;
+        if (!face->at_boundary() || from * to >= 0.)
+          continue;
+        const double t = from / (from - to);
+        Point<2> crossing = face->vertex(0) + t * (face->vertex(1) - face->vertex(0));
+        crossing[d] = position;
+        for (const unsigned int end : {t < 0.5 ? 0U : 1U, t < 0.5 ? 1U : 0U})
+          if (const unsigned int vertex = face->vertex_index(end);
+              moved.count(vertex) == 0 && move_along_edge(mesh, vertex, crossing)) {
+            moved.insert(vertex);
+            break;
+          }
+      }
+}
 } // namespace
 
 unsigned int level_of_subtrees(const double n_coarse_cells, const unsigned int dim,
@@ -259,6 +327,9 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int base_level,
     geometry.make_mesh_with_lines(*triangulation_, base_level, lines);
   else {
     geometry.make_coarse_mesh(*triangulation_);
+    if constexpr (dim == 2)
+      if (geometry.distortion == 0.)
+        move_to_lines(*triangulation_, lines);
     triangulation_->refine_global(base_level);
     uniform_levels_ = base_level;
     if (geometry.distortion > 0.)

@@ -80,13 +80,18 @@ EquilibrationMesh::EquilibrationMesh(const BoundData &data)
     return;
   own_ = std::make_unique<Triangulation<2>>();
   data.scene.geometry.make_coarse_mesh(*own_);
+  const bool is_graded = data.space.mesh().is_graded();
+  // Vertices of graded meshes lie on the lines of the data.
+  for (const auto &cell : own_->active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      if (is_graded)
+        cell->vertex(v) = follow(data.space.mesh().triangulation(), cell->id())->vertex(v);
   constexpr unsigned int most_generations = 4;
   constexpr double least_cells = 64.;
   double n_cells = data.space.mesh().triangulation().n_active_cells();
   unsigned int base = finest_;
   while (base > 0 && finest_ - base < most_generations && (n_cells /= 4.) >= least_cells)
     --base;
-  const bool is_graded = data.space.mesh().is_graded();
   if (is_graded)
     split_like_u();
   else
