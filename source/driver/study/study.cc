@@ -134,8 +134,9 @@ private:
     result_.verdict = level.is_last ? judge_.verdict(levels) : judge_.unfinished(levels);
     if (!level.why_again.empty())
       result_.verdict.accuracy += "; " + level.why_again;
-    writer_.write_tables(levels, result_.verdict);
+    // In this order: a level with a row in convergence.csv has its answer, whenever the run ends.
     writer_.write_answer(levels, result_.verdict);
+    writer_.write_tables(levels, result_.verdict);
     if (level.is_last) {
       const std::string missing = writer_.write_pictures();
       if (!missing.empty())
