@@ -97,6 +97,19 @@ public:
     }
     return all;
   }
+  /** Returns the largest force that is lacking, relative to the largest trace on the largest cell:
+   * rounding of its corners leaves a tiny cell without a share of its traces, but hardly a force.
+   */
+  double defect(const Vector &lacking, const double scale) const {
+    double largest_size = 0., largest_force = 0.;
+    for (const CellFit &fit : fits_)
+      largest_size = std::max(largest_size, fit.size);
+    for (std::size_t i = 0; i < lacking.size(); ++i)
+      largest_force =
+        std::max(largest_force,
+                 std::abs(lacking[i]) * (i < 3 * fits_.size() ? fits_[i / 3].size : largest_size));
+    return scale > 0. ? largest_force / (scale * largest_size) : 0.;
+  }
   /** Subtracts the forces of multipliers and of the energy at x. */
   void subtract_forces(const Vector &multipliers, const Vector &x, Vector &forces) const {
     Vector of_cell(3);
@@ -233,6 +246,6 @@ double minimise(const std::vector<CellFit> &fits, const Vector &work, Tractions 
     last_square = weighted * lacking;
   }
   tractions.project_shared();
-  return relative;
+  return problem.defect(lacking, scale);
 }
 } // namespace Signorini

@@ -13,7 +13,8 @@ namespace Signorini {
  * those that balance every cell and satisfy the conditions; given coefficients keep their values.
  * Conjugate gradients for the multipliers of an augmented Lagrangian, with one Cholesky factor,
  * bring what is lacking down to rounding in a few steps, in long bodies, too.
- * @return what is lacking, relative to the largest trace.
+ * @return the largest force that is lacking in a cell, relative to the largest trace on the largest
+ * one.
  */
 double minimise(const std::vector<CellFit> &fits, const dealii::Vector<double> &work,
                 Tractions &tractions);
