@@ -44,10 +44,12 @@ again() {
   cp short.prm "$1.prm"
 }
 
-# has_answer DIRECTORY: of the level of the last row, or of the one whose row is not written yet.
+# has_answer DIRECTORY: of the level of the last row, or of the one whose row is not written yet; before the first row there
+# may be none.
 has_answer() {
   local row level
-  row=$(tail -n 1 "$1/convergence.csv" | cut -d, -f1)
+  row=$(tail -n +2 "$1/convergence.csv" 2>/dev/null | tail -n 1 | cut -d, -f1)
+  [ -n "$row" ] || return 0
   level=$(sed -n 's/^  "level": \([0-9]*\),$/\1/p' "$1/answer.json")
   [ "$level" -eq "$row" ] || [ "$level" -eq $((row + 1)) ]
 }
