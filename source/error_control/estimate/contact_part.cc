@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Penetration where nothing presses, and what is open on patches that press.
+// Penetration where nothing presses, and gaps on patches that press.
 
 #include <signorini/base/instantiate.h>
 #include <signorini/base/parallel.h>
@@ -150,7 +150,7 @@ double contact_part(const DisplacementSpace<dim> &space, const MultiplierSpace<d
   std::stable_sort(all.begin(), all.end(), [](const Stretch &a, const Stretch &b) {
     return std::tie(a.place, a.from, a.penetrates) < std::tie(b.place, b.from, b.penetrates);
   });
-  // What follows on the same place with the same sign is one stretch.
+  // Neighbours with the same sign are one stretch.
   double energy = 0.;
   for (std::size_t first = 0, last = 0; first < all.size(); first = last) {
     Stretch &whole = all[first];

@@ -58,7 +58,7 @@ public:
   };
 
   /** The first boxes are 1/4 of the body wide, the smallest 1/4096, or, where what they hold
-   * matters, 6e-8. So many looks are at boxes below 1/4096. */
+   * matters, 6e-8. At most max_deep_looks of them are smaller than 1/4096. */
   static constexpr unsigned int first_halvings = 2, max_halvings = 12, deepest_halvings = 24,
                                 max_deep_looks = 4000;
   /** Divides nothing. */
