@@ -128,13 +128,14 @@ struct FoundationUse {
 bool can_touch(const Obstacle &obstacle, const Side<2> &side, const Tensor<1, 2> &position,
                const double reach, const FoundationUse &use) {
   const std::vector<double> samples = sample(side, obstacle.anchor() + position);
-  const auto of_plane =
-    use.direction == ContactDirection::foundation ? obstacle.direction() : std::nullopt;
+  const auto direction_at = [&](const Tensor<1, 2> &n) {
+    const auto of_plane = obstacle.direction();
+    return of_plane && use.direction == ContactDirection::foundation ? *of_plane : n;
+  };
   return std::any_of(samples.begin(), samples.end(), [&](const double s) {
     const Tensor<1, 2> n = side.normal(s);
     return obstacle.can_be_hit_along(n) &&
-           (use.moves ||
-            obstacle.is_hit_by_line(side.point(s) - position, of_plane.value_or(n), reach));
+           (use.moves || obstacle.is_hit_by_line(side.point(s) - position, direction_at(n), reach));
   });
 }
 
