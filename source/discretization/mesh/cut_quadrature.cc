@@ -43,6 +43,9 @@ bool is_rectangle(const Polygon &polygon) {
 /** Collects physical points and weights on convex polygons. */
 class PolygonRule {
 public:
+  /** The least number of points in a direction that boxes divide and the other does not. */
+  static constexpr unsigned int in_box = 6;
+
   /**
    * With p + 3 points per direction, p > 1, the rule on whole pieces is exact for products of
    * gradients of functions of degree p per direction; on pieces that are half as large, one point
@@ -82,9 +85,6 @@ private:
   static constexpr unsigned int deepest = 18;
   /** The number of points on the smallest pieces, near an end and elsewhere. */
   static constexpr unsigned int min_points = 5, min_smooth_points = 3;
-  /** The least number of points in a direction that boxes divide and the other does not. */
-  static constexpr unsigned int in_box = 6;
-
   /** Returns the number of points per direction on a piece.
    * @param adds whether degrees in reference coordinates add up along lines in the piece. */
   unsigned int n_points(const unsigned int depth, const bool adds) const {
@@ -183,14 +183,20 @@ struct BilinearMap {
  * Returns none where there are many, as in a comb of lines: contact ends at few of them, and a rule
  * that is graded to all of them would have a million points. */
 template <int dim>
-std::vector<Point<dim>> ends_near(const Kinks<dim> &kinks,
-                                  const typename Triangulation<dim>::cell_iterator &cell) {
+std::vector<Point<dim>> ends_near(const Kinks<dim> &kinks, const Point<dim> &centre,
+                                  const double diameter) {
   constexpr std::size_t most = 8;
   std::vector<Point<dim>> near;
   for (const Point<dim> &end : kinks.ends())
-    if (cell->center().distance(end) < 2.5 * cell->diameter())
+    if (centre.distance(end) < 2.5 * diameter)
       near.push_back(end);
   return near.size() > most ? std::vector<Point<dim>>() : near;
+}
+
+template <int dim>
+std::vector<Point<dim>> ends_near(const Kinks<dim> &kinks,
+                                  const typename Triangulation<dim>::cell_iterator &cell) {
+  return ends_near(kinks, cell->center(), cell->diameter());
 }
 
 /** Returns the vertices of a cell, and the middles of its edges, which may be curved. */
@@ -223,11 +229,16 @@ BoundingBox<2> box_around(const std::vector<Point<2>> &points) {
   return box;
 }
 
-/** Returns whether a line or a box of the data divides what has the outline. */
+template <int dim>
+bool any_divides(const std::vector<KinkLine<dim>> &lines, const std::vector<Point<dim>> &outline) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const KinkLine<dim> &line) { return divides(line, outline); });
+}
+
+/** Returns whether a line or a box of the data divides a body with the given outline. */
 template <int dim>
 bool meets(const Kinks<dim> &kinks, const std::vector<Point<dim>> &outline) {
-  if (std::any_of(kinks.lines().begin(), kinks.lines().end(),
-                  [&](const KinkLine<dim> &line) { return divides(line, outline); }))
+  if (any_divides(kinks.lines(), outline))
     return true;
   if constexpr (dim == 2)
     return kinks.boxes().divides(box_around(outline));
@@ -264,10 +275,14 @@ bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell
   return meets(kinks, outline_of<dim>(cell)) || !ends_near(kinks, cell).empty();
 }
 
+bool may_jump(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell) {
+  const std::vector<Point<2>> outline = outline_of<2>(cell);
+  return any_divides(kinks.lines(), outline) || kinks.boxes().hides_some(box_around(outline));
+}
+
 bool varies_fast(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell) {
   const std::vector<Point<2>> outline = outline_of<2>(cell);
-  if (std::any_of(kinks.lines().begin(), kinks.lines().end(),
-                  [&](const KinkLine<2> &line) { return divides(line, outline); }))
+  if (any_divides(kinks.lines(), outline))
     return true;
   if (!kinks.boxes().divides(box_around(outline)))
     return false;
@@ -296,13 +311,51 @@ std::vector<PolygonPart> cut_polygon(const Kinks<2> &kinks, const Polygon &polyg
   return parts;
 }
 
-PlaneRule cut_rule(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
+PlaneRule cut_rule(const Kinks<2> &kinks, const std::array<Point<2>, 4> &corners,
                    const unsigned int n_points) {
-  const Polygon whole = {cell->vertex(0), cell->vertex(1), cell->vertex(3), cell->vertex(2)};
-  PolygonRule rule(n_points, is_rectangle(whole), ends_near(kinks, cell));
+  const Polygon whole(corners.begin(), corners.end());
+  const Point<2> centre =
+    corners[0] +
+    0.25 * ((corners[1] - corners[0]) + (corners[2] - corners[0]) + (corners[3] - corners[0]));
+  const double diameter =
+    std::max(corners[0].distance(corners[2]), corners[1].distance(corners[3]));
+  PolygonRule rule(n_points, is_rectangle(whole), ends_near(kinks, centre, diameter));
   for (const PolygonPart &part : cut_polygon(kinks, whole))
     rule.add_polygon(part.corners, part.halvings);
   return rule.made();
+}
+
+Quadrature<2> SquarePart::rule(const unsigned int n) const {
+  constexpr unsigned int least = 4;
+  return QGauss<2>(std::max(std::min(n, least), n - std::min(n, halvings)));
+}
+
+namespace {
+void add_smooth_parts(const BoxTree &boxes, const std::function<Point<2>(const Point<2> &)> &image,
+                      const SquarePart &whole, std::vector<SquarePart> &parts) {
+  // Four boxes of about its size or larger meet in a part.
+  constexpr unsigned int most_boxes = 4;
+  std::vector<Point<2>> points;
+  for (unsigned int i = 0; i < 9; ++i)
+    points.push_back(image(whole(Point<2>(0.5 * (i % 3), 0.5 * (i / 3)))));
+  if (whole.halvings == BoxTree::deepest_halvings ||
+      boxes.n_met(box_around(points), most_boxes + 1) <= most_boxes) {
+    parts.push_back(whole);
+    return;
+  }
+  for (unsigned int i = 0; i < 4; ++i)
+    add_smooth_parts(
+      boxes, image,
+      {whole(Point<2>(0.5 * (i % 2), 0.5 * (i / 2))), 0.5 * whole.width, whole.halvings + 1},
+      parts);
+}
+} // namespace
+
+std::vector<SquarePart> smooth_parts(const BoxTree &boxes,
+                                     const std::function<Point<2>(const Point<2> &)> &image) {
+  std::vector<SquarePart> parts;
+  add_smooth_parts(boxes, image, {}, parts);
+  return parts;
 }
 
 namespace {
@@ -320,16 +373,50 @@ public:
     , scale_(cell->vertex(0).distance(cell->vertex(1)) /
              origin_.distance(mapping.transform_unit_to_real_cell(cell, Point<2>(1., 0.))))
     , ends_(ends_near(kinks, cell)) {
-    add(Point<2>(), 1., 0);
+    if (ends_.empty() && !may_jump(kinks, cell) && !is_quadrilateral())
+      add_smooth();
+    else
+      add(Point<2>(), 1., 0);
   }
   Quadrature<2> rule() const {
     return Quadrature<2>(points_, weights_);
   }
 
 private:
-  /** Returns the place of a reference point in the body; maps may have another unit of length. */
+  /** The bend of an edge, as a share of the cell, that counts as rounding. */
+  static constexpr double straight = 1e-12;
+
+  /** Returns the image of a reference point in the body; maps may have another unit of length. */
   Point<2> image(const Point<2> &xi) const {
     return cell_->vertex(0) + scale_ * (mapping_.transform_unit_to_real_cell(cell_, xi) - origin_);
+  }
+  /** Returns the bilinear map with the same corners on a square. @param bend their distance. */
+  BilinearMap bilinear(const Point<2> &corner, const double width, double &bend) const {
+    const auto at = [&](const double s, const double t) {
+      return image(corner + width * Tensor<1, 2>({s, t}));
+    };
+    const BilinearMap map = {{at(0., 0.), at(1., 0.), at(1., 1.), at(0., 1.)}};
+    bend = 0.;
+    for (const Point<2> &xi : {Point<2>(0.5, 0.), Point<2>(1., 0.5), Point<2>(0.5, 1.),
+                               Point<2>(0., 0.5), Point<2>(0.5, 0.5)})
+      bend = std::max(bend, map(xi).distance(at(xi[0], xi[1])));
+    return map;
+  }
+  /** Returns whether the cell has straight edges. */
+  bool is_quadrilateral() const {
+    double bend;
+    const BilinearMap map = bilinear(Point<2>(), 1., bend);
+    return bend < straight * map.x[0].distance(map.x[2]);
+  }
+  void add_smooth() {
+    for (const SquarePart &part :
+         smooth_parts(kinks_.boxes(), [this](const Point<2> &xi) { return image(xi); })) {
+      const Quadrature<2> rule = part.rule(std::max(n_points_, PolygonRule::in_box));
+      for (unsigned int q = 0; q < rule.size(); ++q) {
+        points_.push_back(part(rule.point(q)));
+        weights_.push_back(rule.weight(q) * part.width * part.width);
+      }
+    }
   }
   /** Adds the square with the given lower left corner and width. */
   void add(const Point<2> &corner, const double width, const unsigned int halvings) {
@@ -337,12 +424,8 @@ private:
     const auto at = [&](const double s, const double t) {
       return corner + width * Tensor<1, 2>({s, t});
     };
-    const BilinearMap map = {
-      {image(at(0., 0.)), image(at(1., 0.)), image(at(1., 1.)), image(at(0., 1.))}};
-    double bend = 0.;
-    for (const Point<2> &xi : {Point<2>(0.5, 0.), Point<2>(1., 0.5), Point<2>(0.5, 1.),
-                               Point<2>(0., 0.5), Point<2>(0.5, 0.5)})
-      bend = std::max(bend, map(xi).distance(image(at(xi[0], xi[1]))));
+    double bend;
+    const BilinearMap map = bilinear(corner, width, bend);
     if (halvings < most_halvings && is_too_curved(map, bend)) {
       for (unsigned int i = 0; i < 4; ++i)
         add(at(0.5 * (i % 2), 0.5 * (i / 2)), 0.5 * width, halvings + 1);
@@ -362,7 +445,7 @@ private:
   bool is_too_curved(const BilinearMap &map, const double bend) const {
     constexpr double allowed = 0.1;
     const double size = map.x[0].distance(map.x[2]);
-    if (bend < 1e-12 * size)
+    if (bend < straight * size)
       return false;
     Polygon wider = map.x;
     const Point<2> centre = map(Point<2>(0.5, 0.5));

@@ -29,7 +29,8 @@ StressCells cells_at(const std::set<unsigned int> &edges, const EquilibrationMes
   return cells;
 }
 
-/** Returns the cells on which loads are not resolved. @param total ‖σ(u_h) - τ‖, or about that. */
+/** Returns the cells on which loads are not resolved. @param total ‖σ(u_h) - τ‖, about that, or
+ * less where loads count for more. */
 template <typename Misfit>
 StressCells unresolved(const double total, const EquilibrationMesh &mesh,
                        const EquilibratedStress &stress) {
@@ -70,7 +71,7 @@ BestStress find(const BoundData &data) {
           "no stress in equilibrium was found: the tractions of the contact sides cannot carry "
           "the loads, or rounding");
     } while (contact.fix_pulling_edges());
-    if (!mesh.refine(unresolved<Misfit>(misfit.total(stress, works), mesh, stress), true)) {
+    if (!mesh.refine(unresolved<Misfit>(misfit.allowed_load(stress, works), mesh, stress), true)) {
       StressBound bound = misfit.bound(stress, works);
       return {std::move(stress), std::move(bound)};
     }

@@ -30,6 +30,29 @@ RulePoints points_behind_arc(const CellShape &shape, const unsigned int k,
     place.first += shape.crossing - Point<2>();
   return points;
 }
+
+/** Returns a rule on the four triangles between the edges of a cell, straight or arcs, and its
+ * crossing z: x = z + t (γ(s) - z), on parts in which data is smooth. */
+PlaneRule rule_on_triangles(const CellShape &shape, const BoxTree &boxes, const unsigned int n) {
+  PlaneRule rule;
+  for (unsigned int k = 0; k < 4; ++k) {
+    const Curve edge = shape.edge(k);
+    const auto image = [&](const Point<2> &at) {
+      return shape.crossing + at[1] * (edge.point(at[0] * edge.length()) - shape.crossing);
+    };
+    for (const SquarePart &part : smooth_parts(boxes, image)) {
+      const Quadrature<2> gauss = part.rule(n);
+      for (unsigned int q = 0; q < gauss.size(); ++q) {
+        const Point<2> at = part(gauss.point(q));
+        const double s = at[0] * edge.length();
+        rule.points.push_back(image(at));
+        rule.weights.push_back(gauss.weight(q) * part.width * part.width * at[1] * edge.length() *
+                               cross(edge.point(s) - shape.crossing, edge.tangent(s, 0.)));
+      }
+    }
+  }
+  return rule;
+}
 } // namespace
 
 Vector CellFit::traces(const TractionSpace &space, const std::size_t number,
@@ -200,21 +223,12 @@ void CellFitter::project_load(const CellShape &shape, const PlaneRule &rule, Cel
 
 PlaneRule CellFitter::load_rule(const Cell &cell, const CellShape &shape,
                                 const CellFit &fit) const {
-  PlaneRule rule;
-  const auto add = [&rule](const Point<2> &x, const double weight) {
-    rule.points.push_back(x);
-    rule.weights.push_back(weight);
-  };
-  for (unsigned int k = 0; k < 4 && shape.has_arcs(); ++k)
-    for (const AiryPoint &point : fit.airy->points()[k])
-      add(shape.crossing + shape.half_diagonals() * point.on_diagonals,
-          point.weight * fit.size * fit.size);
-  if (shape.has_arcs())
-    return rule;
   // Products of f_K with itself, and f of as many degrees more as f_K has.
   const unsigned int n = fit.airy->degree() + 4;
+  if (shape.has_arcs())
+    return rule_on_triangles(shape, data_.scene.kinks.boxes(), n);
   if (needs_cuts<2>(data_.scene.kinks, cell))
-    return cut_rule(data_.scene.kinks, cell, n);
+    return cut_rule(data_.scene.kinks, shape.corners, n);
   // Such a rule resolves smooth data in a quarter of the body, see scan_data().
   const Geometry<2> &body = data_.scene.geometry;
   const bool is_wide =
@@ -224,10 +238,11 @@ PlaneRule CellFitter::load_rule(const Cell &cell, const CellShape &shape,
   if (plain.size() == 0)
     plain = QIterated<2>(QGauss<1>(n), is_wide ? 4 : 1);
   lock.unlock();
+  PlaneRule rule;
   for (unsigned int q = 0; q < plain.size(); ++q) {
     const CellFunctions functions(plain.point(q));
-    add(shape.corners[0] + shape.offset(functions),
-        plain.weight(q) * determinant(shape.jacobian(functions)));
+    rule.points.push_back(shape.corners[0] + shape.offset(functions));
+    rule.weights.push_back(plain.weight(q) * determinant(shape.jacobian(functions)));
   }
   return rule;
 }

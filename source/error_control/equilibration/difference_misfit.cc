@@ -25,7 +25,8 @@ double DifferenceMisfit::expected(const EquilibratedStress &stress) const {
   return std::sqrt(square);
 }
 
-double DifferenceMisfit::total(const EquilibratedStress &stress, const Works & /*works*/) const {
+double DifferenceMisfit::allowed_load(const EquilibratedStress &stress,
+                                      const Works & /*works*/) const {
   return std::sqrt(stress.distance_square());
 }
 

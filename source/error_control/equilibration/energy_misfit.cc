@@ -47,9 +47,19 @@ public:
    * once, and for those of each rough one. */
   template <typename Visitor>
   void operator()(const Cell &cell, const Visitor &visit) {
-    // On curved bodies data varies slowly, or the bound is an estimate.
-    if (data_.space.mesh().is_curved() || !needs_cuts<2>(kinks_, cell)) {
+    const bool is_curved = data_.space.mesh().is_curved();
+    if (is_curved ? !varies_fast(kinks_, cell) : !needs_cuts<2>(kinks_, cell)) {
       FEValues<2> &values = values_on(cell);
+      values.reinit(cell);
+      visit(values, values.get_JxW_values(), fields_at(cell, values, true), false);
+      return;
+    }
+    // On curved bodies data is smooth in its boxes, or the bound is an estimate.
+    if (is_curved) {
+      const Mapping<2> &map = maps_.of(cell);
+      FEValues<2> values(map, data_.space.element(cell),
+                         cut_quadrature(kinks_, cell, n_points(cell->get_fe().degree), map),
+                         flags_);
       values.reinit(cell);
       visit(values, values.get_JxW_values(), fields_at(cell, values), false);
       return;
@@ -104,26 +114,46 @@ private:
                                              QGauss<2>(n_points(degree)), flags_);
     return *values;
   }
-  Fields fields_at(const Cell &cell, const FEValues<2> &values) {
+  /** @param is_gauss whether the points are those of Gauss' rule. */
+  Fields fields_at(const Cell &cell, const FEValues<2> &values, const bool is_gauss = false) {
     Fields fields;
     if (data_.space.mesh().is_graded()) {
-      const unsigned int degree = cell->get_fe().degree;
-      LineTable &table = tables_[degree];
-      if (table.values.empty()) {
-        std::vector<double> positions;
-        const QGauss<1> gauss(n_points(degree));
-        for (const Point<1> &x : gauss.get_points())
-          positions.push_back(x[0]);
-        table = make_line_table(degree, positions);
-      }
-      graded_ = CellField(cell, data_.U).evaluate(table, table);
-      for (const unsigned int q : values.quadrature_point_indices())
-        graded_.gradients[q] = graded_.gradients[q] * Tensor<2, 2>(values.inverse_jacobian(q));
+      if (is_gauss)
+        evaluate_at_gauss(cell, values);
+      else
+        evaluate_by_shapes(cell, values);
       return {&graded_};
     }
     for (auto &field : fields_)
       fields.push_back(&field.evaluate(cell, values));
     return fields;
+  }
+  void evaluate_at_gauss(const Cell &cell, const FEValues<2> &values) {
+    const unsigned int degree = cell->get_fe().degree;
+    LineTable &table = tables_[degree];
+    if (table.values.empty()) {
+      std::vector<double> positions;
+      const QGauss<1> gauss(n_points(degree));
+      for (const Point<1> &x : gauss.get_points())
+        positions.push_back(x[0]);
+      table = make_line_table(degree, positions);
+    }
+    graded_ = CellField(cell, data_.U).evaluate(table, table);
+    for (const unsigned int q : values.quadrature_point_indices())
+      graded_.gradients[q] = graded_.gradients[q] * Tensor<2, 2>(values.inverse_jacobian(q));
+  }
+  void evaluate_by_shapes(const Cell &cell, const FEValues<2> &values) {
+    const auto &element = cell->get_fe();
+    dealii::Vector<double> nodal(element.n_dofs_per_cell());
+    cell->get_dof_values(data_.U, nodal);
+    graded_.values.assign(values.n_quadrature_points, {});
+    graded_.gradients.assign(values.n_quadrature_points, {});
+    for (unsigned int i = 0; i < nodal.size(); ++i)
+      for (const unsigned int q : values.quadrature_point_indices()) {
+        const unsigned int c = element.system_to_component_index(i).first;
+        graded_.values[q][c] += nodal[i] * values.shape_value(i, q);
+        graded_.gradients[q][c] += nodal[i] * values.shape_grad(i, q);
+      }
   }
 
   const BoundData &data_;
@@ -411,30 +441,40 @@ double EnergyMisfit::expected(const EquilibratedStress & /*stress*/) const {
   return 0.03 * distance * (is_aligned() ? 1. : 5. * distance / std::sqrt(fields_[0].strain));
 }
 
-double EnergyMisfit::distance(const std::size_t k, const EquilibratedStress &stress,
-                              const Works &works) const {
-  const double of_stress = stress.distance_square(), strain = fields_[k].strain,
-               load = works[k].load;
-  double square = strain - 2. * load, size = strain + 2. * std::abs(load);
+EnergyMisfit::Square EnergyMisfit::square(const std::size_t k, const EquilibratedStress &stress,
+                                          const Works &works) const {
+  const double strain = fields_[k].strain + stress.distance_square(), load = works[k].load;
+  double value = strain - 2. * load, size = strain + 2. * std::abs(load);
   for (const TractionEdge &edge : stress.tractions.space.edges())
     for (unsigned int i = edge.first; i < edge.first + edge.n_coefficients() && !edge.is_shared;
          ++i) {
       const double work = 2. * works[k].moments[i] * stress.tractions.x[i];
-      square -= work;
+      value -= work;
       size += std::abs(work);
     }
+  // The terms cancel, up to that, rounding and what cells lack of balance.
+  return {value, (1e-14 + stress.defect) * size};
+}
+
+double EnergyMisfit::distance(const std::size_t k, const EquilibratedStress &stress,
+                              const Works &works) const {
   // With f in place of f_K: ∫ (f - f_K).v ≤ Σ osc_K |||v|||_K.
   double load_square = 0.;
   for (std::size_t c = 0; c < stress.fits.size() && !is_aligned(); ++c)
     load_square += std::pow(stress.load_oscillation(c), 2);
-  const double oscillation = 2. * std::sqrt(load_square * strain);
-  // The terms cancel, up to that, rounding and what cells lack of balance.
-  const double rounding = (1e-14 + stress.defect) * (size + of_stress);
+  const double oscillation = 2. * std::sqrt(load_square * fields_[k].strain);
+  const auto [value, rounding] = square(k, stress, works);
   constexpr double most = 100.;
-  if (!(square + of_stress >= -most * rounding - oscillation))
+  if (!(value >= -most * rounding - oscillation))
     return std::numeric_limits<double>::infinity();
-  square = std::max(0., square + of_stress) + rounding + oscillation;
-  return std::sqrt(square);
+  return std::sqrt(std::max(0., value) + rounding + oscillation);
+}
+
+double EnergyMisfit::allowed_load(const EquilibratedStress &stress, const Works &works) const {
+  if (is_aligned())
+    return distance(0, stress, works);
+  const auto [value, rounding] = square(0, stress, works);
+  return 0.5 * std::max(value, rounding) / std::sqrt(fields_[0].strain);
 }
 
 Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
@@ -467,7 +507,7 @@ Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
 }
 
 StressBound EnergyMisfit::bound(const EquilibratedStress &stress, const Works &works) const {
-  const double mesh = total(stress, works), rest = std::sqrt(stress.oscillation_square());
+  const double mesh = distance(0, stress, works), rest = std::sqrt(stress.oscillation_square());
   StressBound result;
   result.energy_norm = std::sqrt(fields_[0].strain);
   result.lift_misfit = fields_[0].lift.max_misfit();

@@ -2,16 +2,12 @@
 // Proved constants for the loads that stresses do not balance exactly.
 
 #include <signorini/error_control/equilibration/oscillation.h>
-#include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <utility>
-#include <vector>
 
 namespace Signorini {
 namespace {
@@ -95,34 +91,5 @@ OscillationConstants::OscillationConstants(const CellShape &shape, const unsigne
     const double d = shape.has_arcs() ? 0. : depth(shape, k);
     normal[k] = d > 0. ? std::min(edge[k], beam_constant(a.distance(b), d)) : edge[k];
   }
-}
-
-double unseen_load(const Scene<2> &scene) {
-  // Larger boxes were joined: each part showed its data.
-  constexpr double largest_share = 1.001 / 16.;
-  const Tensor<1, 2> body = scene.geometry.upper - scene.geometry.lower;
-  const auto f = std::dynamic_pointer_cast<const ExpressionFunction<2>>(scene.body_force);
-  const std::vector<BoxTree::Node> &nodes = scene.kinks.boxes().nodes();
-  double sum = 0.;
-  std::vector<std::pair<unsigned int, FormulaBox<2>>> open;
-  if (f != nullptr)
-    open.push_back({0, {scene.geometry.lower, scene.geometry.upper}});
-  while (!open.empty()) {
-    const auto [number, box] = open.back();
-    const BoxTree::Node &node = nodes[number];
-    open.pop_back();
-    const Tensor<1, 2> size = box.upper - box.lower;
-    const double area = size[0] * size[1];
-    const bool is_leaf = node.parts == 0 && area < largest_share * body[0] * body[1];
-    for (const Expression<2> &component : f->components())
-      if (is_leaf && !component.formula().is_shown(box, scene.kinks.lines(), 0.))
-        sum += area * component.formula().enclose(box).width();
-    for (unsigned int part = 0; part < 2 && node.parts != 0; ++part) {
-      FormulaBox<2> half = box;
-      (part == 0 ? half.upper : half.lower)[node.line.normal[0] == 0. ? 1 : 0] = node.line.position;
-      open.emplace_back(node.parts + part, half);
-    }
-  }
-  return sum;
 }
 } // namespace Signorini

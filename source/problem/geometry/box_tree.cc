@@ -91,11 +91,27 @@ bool BoxTree::divides(const BoundingBox<2> &box, const unsigned int skipped,
   return (before && divides(box, rest, parts)) || (behind && divides(box, rest, parts + 1));
 }
 
-bool BoxTree::shows_some(const BoundingBox<2> &box, const unsigned int node) const {
+template <typename Condition>
+bool BoxTree::any_met(const BoundingBox<2> &box, const unsigned int node,
+                      const Condition &holds) const {
   const auto &[line, parts, is_asked_for, is_rough] = nodes_[node];
   if (parts == 0)
-    return !is_rough;
+    return holds(nodes_[node]);
   const auto [before, behind] = halves_met(line, box);
-  return (before && shows_some(box, parts)) || (behind && shows_some(box, parts + 1));
+  return (before && any_met(box, parts, holds)) || (behind && any_met(box, parts + 1, holds));
+}
+
+bool BoxTree::shows_some(const BoundingBox<2> &box) const {
+  return any_met(box, 0, [](const Node &node) { return !node.is_rough; });
+}
+
+bool BoxTree::hides_some(const BoundingBox<2> &box) const {
+  return any_met(box, 0, [](const Node &node) { return node.is_rough; });
+}
+
+unsigned int BoxTree::n_met(const BoundingBox<2> &box, const unsigned int most) const {
+  unsigned int n = 0;
+  any_met(box, 0, [&](const Node &) { return ++n >= most; });
+  return n;
 }
 } // namespace Signorini

@@ -11,7 +11,7 @@
 namespace Signorini {
 namespace {
 /** The variation of a formula that counts: a share of its mean, in the whole body. */
-constexpr double negligible = 1e-8;
+constexpr double negligible = 1e-9;
 
 /** The largest number of lines: more are resolved by boxes. */
 constexpr std::size_t max_lines = 64;

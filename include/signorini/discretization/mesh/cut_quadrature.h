@@ -8,6 +8,8 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <deal.II/grid/tria.h>
 
+#include <array>
+#include <functional>
 #include <vector>
 
 namespace Signorini {
@@ -39,14 +41,38 @@ bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell
  * boxes are smaller than the cell. */
 bool varies_fast(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell);
 
+/** Returns whether data may jump in a cell: a line crosses it, or it meets one of the smallest
+ * boxes in which data still varies faster than a few points show. */
+bool may_jump(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell);
+
+/** A square in the unit square, and how often this was halved in both directions. */
+struct SquarePart {
+  Point<2> corner;
+  double width = 1.;
+  unsigned int halvings = 0;
+
+  Point<2> operator()(const Point<2> &xi) const {
+    return corner + width * (xi - Point<2>());
+  }
+  /** Returns a rule of at most n x n points; half the size needs one point less. */
+  Quadrature<2> rule(unsigned int n) const;
+};
+
+/** Returns quarters of the unit square, sixteenths and so on, until the image of each is in four
+ * boxes of data that is smooth in all of them.
+ * @param image a smooth map of the unit square to the body. */
+std::vector<SquarePart> smooth_parts(const BoxTree &boxes,
+                                     const std::function<Point<2>(const Point<2> &)> &image);
+
 /** Points of the body with weights. */
 struct PlaneRule {
   std::vector<Point<2>> points;
   std::vector<double> weights;
 };
 
-/** Returns the rule of cut_quadrature() on the cell itself. */
-PlaneRule cut_rule(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,
+/** Returns the rule of cut_quadrature() on a cell with straight edges itself.
+ * @param corners counter-clockwise. */
+PlaneRule cut_rule(const Kinks<2> &kinks, const std::array<Point<2>, 4> &corners,
                    unsigned int n_points);
 
 /**
@@ -54,7 +80,8 @@ PlaneRule cut_rule(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator 
  * cut a cell: Gauss' rule on rectangles, Duffy's on the triangles of other pieces, each with
  * @p n_points points per direction. Near a possible end of contact all pieces are triangles, which
  * shrink towards it. A curved cell is cut like the quadrilateral of its vertices; where this moves
- * points by more than a tenth of the size of a piece, its quarters are, and so on.
+ * points by more than a tenth of the size of a piece, its quarters are, and so on. Where data does
+ * not jump, its smooth_parts() have Gauss' rule.
  * @param mapping the map of the cell, in any unit of length.
  */
 Quadrature<2> cut_quadrature(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell,

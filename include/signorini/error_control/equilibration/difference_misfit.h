@@ -30,10 +30,10 @@ public:
   static double least(const CellFit &fit) {
     return fit.size * fit.rest;
   }
-  /** Returns what total() will be, or less, before tractions are known. */
+  /** Returns what allowed_load() will be, or less, before tractions are known. */
   double expected(const EquilibratedStress &stress) const;
   /** Returns ‖σ(u_h) - τ‖. */
-  double total(const EquilibratedStress &stress, const Works &works) const;
+  double allowed_load(const EquilibratedStress &stress, const Works &works) const;
   StressBound bound(const EquilibratedStress &stress, const Works &works) const;
 
 private:

@@ -48,9 +48,9 @@ public:
     return 0.;
   }
   double expected(const EquilibratedStress &stress) const;
-  double total(const EquilibratedStress &stress, const Works &works) const {
-    return distance(0, stress, works);
-  }
+  /** Returns the size of f - f_K that counts beside ‖σ(u_h) - τ‖. Where f stands for f_K that is
+   * less: its square is compared with 2 (Σ osc_K²)^{1/2} |||u_h|||. */
+  double allowed_load(const EquilibratedStress &stress, const Works &works) const;
   StressBound bound(const EquilibratedStress &stress, const Works &works) const;
 
 private:
@@ -63,6 +63,11 @@ private:
   void integrate_energies();
   void find_bubbles();
   void add_lifts();
+  /** The sum of the terms of ‖σ(v) - τ‖², which cancel, and its rounding. */
+  struct Square {
+    double value, rounding;
+  };
+  Square square(std::size_t field, const EquilibratedStress &stress, const Works &works) const;
   /** Returns ‖σ(v) - τ‖. */
   double distance(std::size_t field, const EquilibratedStress &stress, const Works &works) const;
   /** Returns f_K, or where cells are not aligned f, at points of a cell of u_h. */

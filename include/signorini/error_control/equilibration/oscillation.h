@@ -61,9 +61,4 @@ struct OscillationConstants {
   /** The constants for tractions in any direction, and for normal ones. */
   std::array<double, 4> edge, normal;
 };
-
-/** Returns a bound of |∫ (f - f̃).v| over max|v_i|, where f̃ is f at the points of rules: in each of
- * the smallest boxes of the scan in which f still varies faster than a rule shows, both are between
- * the bounds of f, so that the error is at most their distance times the area of the box. */
-double unseen_load(const Scene<2> &scene);
 } // namespace Signorini

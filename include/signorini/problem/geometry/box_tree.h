@@ -74,9 +74,16 @@ public:
   bool divides(const BoundingBox<2> &box, unsigned int skipped = 0, unsigned int node = 0) const;
   /** Returns whether a few points show what data does in one of the smallest boxes that meet a
    * box. */
-  bool shows_some(const BoundingBox<2> &box, unsigned int node = 0) const;
+  bool shows_some(const BoundingBox<2> &box) const;
+  /** Returns whether few points do not show it in one of them. */
+  bool hides_some(const BoundingBox<2> &box) const;
+  /** Returns the number of the smallest boxes that meet a box, at most @p most. */
+  unsigned int n_met(const BoundingBox<2> &box, unsigned int most) const;
 
 private:
+  /** Returns whether a condition holds for one of the smallest boxes that meet a box. */
+  template <typename Condition>
+  bool any_met(const BoundingBox<2> &box, unsigned int node, const Condition &holds) const;
   /** Joins halves that nobody asked for. @return whether one of the parts was asked for. */
   bool join(unsigned int node);
 
