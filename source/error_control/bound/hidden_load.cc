@@ -2,23 +2,13 @@
 // The body force between the points of rules.
 
 #include <signorini/error_control/bound/hidden_load.h>
-#include <signorini/problem/scene/functions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 
 namespace Signorini {
 namespace {
-/** Returns one half of a box. */
-BoundingBox<2> half_of(const BoundingBox<2> &box, const BoxTree::Node &node,
-                       const unsigned int half) {
-  auto [lower, upper] = box.get_boundary_points();
-  (half == 0 ? upper : lower)[node.line.normal[0] == 0. ? 1 : 0] = node.line.position;
-  return BoundingBox<2>({lower, upper});
-}
-
 /** Returns the box that contains a cell; its edges may be arcs, which are nowhere farther from
  * their chords than in the middle. */
 BoundingBox<2> box_around(const Triangulation<2>::active_cell_iterator &cell) {
@@ -50,26 +40,17 @@ double largest_on(const DoFHandler<2>::active_cell_iterator &cell, const Displac
 } // namespace
 
 HiddenLoad::HiddenLoad(const Scene<2> &scene)
-  : scene_(scene)
+  : boxes_(scene.kinks.boxes())
   , body_({scene.geometry.lower, scene.geometry.upper})
-  , forces_(scene.kinks.boxes().nodes().size()) {
+  , forces_(boxes_.nodes().size()) {
   add_forces(0, body_);
 }
 
 double HiddenLoad::add_forces(const unsigned int node, const BoundingBox<2> &box) {
-  // Larger boxes were joined: each part showed its data.
-  constexpr double largest_share = 1.001 / 16.;
-  const auto f = std::dynamic_pointer_cast<const ExpressionFunction<2>>(scene_.body_force);
-  const BoxTree::Node &halved = scene_.kinks.boxes().nodes()[node];
-  double sum = 0.;
+  const BoxTree::Node &halved = boxes_.nodes()[node];
+  double sum = halved.parts == 0 ? box.volume() * halved.hidden : 0.;
   for (unsigned int half = 0; half < 2 && halved.parts != 0; ++half)
-    sum += add_forces(halved.parts + half, half_of(box, halved, half));
-  if (f != nullptr && halved.parts == 0 && box.volume() < largest_share * body_.volume()) {
-    const FormulaBox<2> at = {box.get_boundary_points().first, box.get_boundary_points().second};
-    for (const Expression<2> &component : f->components())
-      if (!component.formula().is_shown(at, scene_.kinks.lines(), 0.))
-        sum += box.volume() * component.formula().enclose(at).width();
-  }
+    sum += add_forces(halved.parts + half, BoxTree::half_of(box, halved, half));
   return forces_[node] = sum;
 }
 
@@ -80,11 +61,11 @@ double HiddenLoad::force_in(const BoundingBox<2> &part, const unsigned int node,
     share *= std::max(0., std::min(part.upper_bound(d), box.upper_bound(d)) -
                             std::max(part.lower_bound(d), box.lower_bound(d))) /
              box.side_length(d);
-  const BoxTree::Node &halved = scene_.kinks.boxes().nodes()[node];
+  const BoxTree::Node &halved = boxes_.nodes()[node];
   if (forces_[node] == 0. || share == 0. || halved.parts == 0)
     return share * forces_[node];
-  return force_in(part, halved.parts, half_of(box, halved, 0)) +
-         force_in(part, halved.parts + 1, half_of(box, halved, 1));
+  return force_in(part, halved.parts, BoxTree::half_of(box, halved, 0)) +
+         force_in(part, halved.parts + 1, BoxTree::half_of(box, halved, 1));
 }
 
 double HiddenLoad::work(const DisplacementSpace<2> &space, const Displacement &U) const {

@@ -35,7 +35,8 @@ std::array<bool, 2> halves_met(const KinkLine<2> &line, const BoundingBox<2> &bo
 }
 } // namespace
 
-BoxTree::BoxTree(const BoundingBox<2> &body, const Look &look, const unsigned int max_looks) {
+BoxTree::BoxTree(const BoundingBox<2> &body, const Look &look, const IsSmooth &is_smooth,
+                 const unsigned int max_looks) {
   std::queue<Open> open;
   open.push({0, body, {{0, 0}}});
   unsigned int n_deep_looks = 0;
@@ -44,44 +45,59 @@ BoxTree::BoxTree(const BoundingBox<2> &body, const Look &look, const unsigned in
     unsigned int d = next_direction(here, {{true, true}}, first_halvings);
     const bool asks = d == 2;
     if (asks) {
-      const auto [varies, matters] = look(here.box);
+      const auto [varies, matters, hidden] = look(here.box);
       if (n_looks++ < max_looks)
         d = next_direction(here, varies, max_halvings);
       if (d == 2 && matters && n_looks < max_looks && n_deep_looks++ < max_deep_looks)
         d = next_direction(here, varies, deepest_halvings);
       nodes_[here.node].is_rough = varies[0] || varies[1];
+      nodes_[here.node].hidden = hidden;
     }
     if (d == 2)
       continue;
-    const double middle = here.box.center()[d];
-    nodes_[here.node] = {
-      {Point<2>::unit_vector(d), middle}, static_cast<unsigned int>(nodes_.size()), asks, false};
+    nodes_[here.node] = {{Point<2>::unit_vector(d), here.box.center()[d]},
+                         static_cast<unsigned int>(nodes_.size()),
+                         asks};
     for (unsigned int part = 0; part < 2; ++part) {
-      auto [lower, upper] = here.box.get_boundary_points();
-      (part == 0 ? upper : lower)[d] = middle;
-      Open half = {static_cast<unsigned int>(nodes_.size()), BoundingBox<2>({lower, upper}),
-                   here.halvings};
+      Open half = {static_cast<unsigned int>(nodes_.size()),
+                   half_of(here.box, nodes_[here.node], part), here.halvings};
       ++half.halvings[d];
       nodes_.emplace_back();
       open.push(half);
     }
   }
-  join(0);
+  join(0, body, is_smooth);
 }
 
-bool BoxTree::join(const unsigned int node) {
+BoundingBox<2> BoxTree::half_of(const BoundingBox<2> &box, const Node &node,
+                                const unsigned int half) {
+  auto [lower, upper] = box.get_boundary_points();
+  (half == 0 ? upper : lower)[node.line.normal[0] == 0. ? 1 : 0] = node.line.position;
+  return BoundingBox<2>({lower, upper});
+}
+
+bool BoxTree::join(const unsigned int node, const BoundingBox<2> &box, const IsSmooth &is_smooth) {
   if (nodes_[node].parts == 0)
     return false;
-  const bool first = join(nodes_[node].parts), second = join(nodes_[node].parts + 1);
-  if (first || second || nodes_[node].is_asked_for)
+  const std::array<unsigned int, 2> parts = {{nodes_[node].parts, nodes_[node].parts + 1}};
+  bool is_divided = false, is_rough = false;
+  double hidden = 0.;
+  for (unsigned int half = 0; half < 2; ++half) {
+    is_divided |= join(parts[half], half_of(box, nodes_[node], half), is_smooth);
+    is_rough |= nodes_[parts[half]].is_rough;
+    hidden += 0.5 * nodes_[parts[half]].hidden;
+  }
+  if (is_divided || (nodes_[node].is_asked_for && (is_rough || !is_smooth(box))))
     return true;
   nodes_[node].parts = 0;
+  nodes_[node].is_rough = is_rough;
+  nodes_[node].hidden = hidden;
   return false;
 }
 
 bool BoxTree::divides(const BoundingBox<2> &box, const unsigned int skipped,
                       const unsigned int node) const {
-  const auto &[line, parts, is_asked_for, is_rough] = nodes_[node];
+  const auto &[line, parts, is_asked_for, is_rough, hidden] = nodes_[node];
   if (parts == 0)
     return false;
   const auto [before, behind] = halves_met(line, box);
@@ -94,7 +110,7 @@ bool BoxTree::divides(const BoundingBox<2> &box, const unsigned int skipped,
 template <typename Condition>
 bool BoxTree::any_met(const BoundingBox<2> &box, const unsigned int node,
                       const Condition &holds) const {
-  const auto &[line, parts, is_asked_for, is_rough] = nodes_[node];
+  const auto &[line, parts, is_asked_for, is_rough, hidden] = nodes_[node];
   if (parts == 0)
     return holds(nodes_[node]);
   const auto [before, behind] = halves_met(line, box);

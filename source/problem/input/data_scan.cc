@@ -141,6 +141,9 @@ private:
   Data data_of(const std::vector<Expression<2>> &formulas, const Side<2> *side = nullptr);
   /** @param share that of the box in the body, or of an interval in its side. */
   BoxTree::View look(const FormulaBox<2> &box, const Data &data, double share);
+  /** Returns whether 8 x 8 points of a box show data that points of its halves show, as if it were
+   * a polynomial of low degree. */
+  static bool is_smooth(const BoundingBox<2> &box, const Data &data);
   void add_lines(const FormulaTree<2> &formula, const FormulaBox<2> &box);
   bool shows(const Curve &curve, const Data &data, double from, double to);
   void halve(const Curve &curve, const Data &data, const Interval &whole, unsigned int depth,
@@ -221,14 +224,40 @@ BoxTree::View Scan::look(const FormulaBox<2> &box, const Data &data, const doubl
       add_lines(formula, box);
       is_shown = lines_.size() > n_lines && formula.is_shown(box, lines_, tolerance);
     }
+    const Enclosure<2> values = formula.enclose(box);
+    if (!is_shown || (values.width() <= tolerance && !formula.is_shown(box, lines_, 0.)))
+      view.hidden += values.width();
     if (is_shown)
       continue;
-    const Enclosure<2> values = formula.enclose(box);
     for (unsigned int d = 0; d < 2; ++d)
       view.varies[d] = view.varies[d] || values.varies[d];
     view.matters = view.matters || values.width() * share > matters * size;
   }
   return view;
+}
+
+bool Scan::is_smooth(const BoundingBox<2> &box, const Data &data) {
+  constexpr unsigned int n = 8;
+  constexpr double rounding = 1e-12, largest_fourth = 0.002;
+  std::vector<Point<2>> points;
+  for (unsigned int i = 0; i < n * n; ++i)
+    points.push_back(box.unit_to_real(Point<2>((i % n + 0.5) / n, (i / n + 0.5) / n)));
+  std::vector<double> values(points.size());
+  for (const Datum &datum : data) {
+    datum.formula.evaluate(points, values);
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    double fourth = 0.;
+    for (const unsigned int step : {1U, n})
+      for (unsigned int i = 0; i < n * n; ++i)
+        if (i / step % n + 4 < n)
+          fourth = std::max(fourth,
+                            std::abs(values[i] - 4. * values[i + step] + 6. * values[i + 2 * step] -
+                                     4. * values[i + 3 * step] + values[i + 4 * step]));
+    // Also where values are not finite.
+    if (!(fourth <= largest_fourth * (*high - *low) + rounding * datum.size))
+      return false;
+  }
+  return true;
 }
 
 BoxTree Scan::scan_body(const std::vector<Expression<2>> &formulas, const unsigned int max_looks) {
@@ -246,7 +275,7 @@ BoxTree Scan::scan_body(const std::vector<Expression<2>> &formulas, const unsign
       }
       return look(wider, data, box.volume() / body_.volume());
     },
-    max_looks);
+    [&](const BoundingBox<2> &box) { return is_smooth(box, data); }, max_looks);
 }
 
 bool Scan::shows(const Curve &curve, const Data &data, const double from, const double to) {

@@ -34,7 +34,7 @@ private:
   /** Returns a bound of the force in the part of a box that is in the box of a node. */
   double force_in(const BoundingBox<2> &part, unsigned int node, const BoundingBox<2> &box) const;
 
-  const Scene<2> &scene_;
+  const BoxTree &boxes_;
   const BoundingBox<2> body_;
   /** By node of the tree. */
   std::vector<double> forces_;

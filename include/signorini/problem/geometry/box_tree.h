@@ -38,13 +38,16 @@ struct KinkLine {
  */
 class BoxTree {
 public:
-  /** In which directions data in a box varies faster than a few points show, and whether this
-   * variation times the area of the box matters among all of the data. */
+  /** In which directions data in a box varies faster than a few points show, whether this
+   * variation times the area of the box matters among all of the data, and how far apart the
+   * bounds of data are that points do not show. */
   struct View {
     std::array<bool, 2> varies = {{false, false}};
     bool matters = false;
+    double hidden = 0.;
   };
   using Look = std::function<View(const BoundingBox<2> &)>;
+  using IsSmooth = std::function<bool(const BoundingBox<2> &)>;
 
   /** A box, and the line that halves it. */
   struct Node {
@@ -55,6 +58,8 @@ public:
     bool is_asked_for = false;
     /** Whether data in the box still varies faster than a few points show. */
     bool is_rough = false;
+    /** The mean in the box of View::hidden. */
+    double hidden = 0.;
   };
 
   /** The first boxes are 1/4 of the body wide, the smallest 1/4096, or, where what they hold
@@ -63,8 +68,14 @@ public:
                                 max_deep_looks = 4000;
   /** Divides nothing. */
   BoxTree() = default;
-  /** @param max_looks the largest number of looks at boxes; those that are left stay whole. */
-  BoxTree(const BoundingBox<2> &body, const Look &look, unsigned int max_looks);
+  /** @param is_smooth whether points of a box show its data if points of its halves do: bounds may
+   * be too far apart in larger boxes. Such halves are joined.
+   * @param max_looks the largest number of looks at boxes; those that are left stay whole. */
+  BoxTree(const BoundingBox<2> &body, const Look &look, const IsSmooth &is_smooth,
+          unsigned int max_looks);
+
+  /** Returns a half of the box of a node. */
+  static BoundingBox<2> half_of(const BoundingBox<2> &box, const Node &node, unsigned int half);
 
   const std::vector<Node> &nodes() const {
     return nodes_;
@@ -84,8 +95,8 @@ private:
   /** Returns whether a condition holds for one of the smallest boxes that meet a box. */
   template <typename Condition>
   bool any_met(const BoundingBox<2> &box, unsigned int node, const Condition &holds) const;
-  /** Joins halves that nobody asked for. @return whether one of the parts was asked for. */
-  bool join(unsigned int node);
+  /** Joins halves that nobody asked for, and smooth ones. @return whether others are left. */
+  bool join(unsigned int node, const BoundingBox<2> &box, const IsSmooth &is_smooth);
 
   std::vector<Node> nodes_ = {{}};
 };
