@@ -199,7 +199,7 @@ private:
   /** Returns the value of the argument at which a switch changes: what is rounded down changes at
    * the upper one of two values. */
   double level_of_switch(const Index i) const {
-    return *formula_.nodes[i].operation->name == 'f' ? parts_[i].value.upper() : 0.;
+    return formula_.nodes[i].operation->kind == Kind::integer_step ? parts_[i].value.upper() : 0.;
   }
   /** Returns where a monotone argument of one coordinate reaches the level of its switch; one end
    * of the box if it does not. */
@@ -238,17 +238,18 @@ private:
   Box part(const Node &node) const {
     const Box &a = parts_[node.arguments[0]], &b = parts_[node.arguments[1]],
               &c = parts_[node.arguments[2]];
-    const unsigned int kind = node.operation->kind;
-    if (kind == choice && (singleton(a.value) || !zero_in(a.value)))
+    const bool is_choice = node.operation->kind == Kind::choice;
+    if (is_choice && (singleton(a.value) || !zero_in(a.value)))
       return is_zero(a.value) ? c : b;
     Box result = {node.operation->bounds(a.value, b.value, c.value), false,
                   a.undecided | b.undecided | c.undecided};
     if (singleton(result.value))
       result.undecided = 0;
-    else if (kind == step)
-      result.undecided |= 1ULL << (width(result.value) == 1. ? node.bit : 63);
-    else if (kind == choice && a.undecided == 0)
-      result.undecided |= 1ULL << 63;
+    else if (node.operation->is_step())
+      // One switch of its own decides between two values, not between more.
+      result.undecided |= 1ULL << (width(result.value) == 1. ? node.bit : last_bit);
+    else if (is_choice && a.undecided == 0)
+      result.undecided |= 1ULL << last_bit;
     return result;
   }
 

@@ -72,15 +72,15 @@ private:
   Index add(const std::string &name, const Index a, const Index b = zero, const Index c = zero) {
     for (const Operation &operation : operations())
       if (name == operation.name) {
-        if (operation.value == nullptr)
+        if (operation.kind == Kind::definition)
           return read(operation.in_a, {{"a", a}, {"b", b}, {"c", c}});
         const double value = operation.value(nodes_[a].value, nodes_[b].value, nodes_[c].value);
-        if (operation.kind == choice && nodes_[a].is_fixed)
+        if (operation.kind == Kind::choice && nodes_[a].is_fixed)
           return nodes_[a].value != 0. ? b : c;
-        if (*operation.name == '^' && b == number(1.))
+        if (operation.kind == Kind::power && b == number(1.))
           return a;
         for (const auto &[factor, other] : {std::pair(a, b), {b, a}})
-          if ((name == "*" || name == "times") && factor == number(1.))
+          if (operation.kind == Kind::product && factor == number(1.))
             return other;
         if (nodes_[a].is_fixed && nodes_[b].is_fixed && nodes_[c].is_fixed && !std::isnan(value))
           return number(value);
@@ -123,7 +123,7 @@ private:
     const Index in_a = operation.in_a == nullptr ? zero : slope(a, d), in_b = slope(b, d),
                 in_c = slope(c, d);
     Index sum = zero;
-    if (operation.kind == choice)
+    if (operation.kind == Kind::choice)
       sum = in_b == in_c ? in_b : add("?", a, in_b, in_c);
     for (const auto &[text, inner] : {std::pair(operation.in_a, in_a), {operation.in_b, in_b}})
       if (text != nullptr && inner != zero) {
@@ -131,9 +131,9 @@ private:
         const Index term = add("times", factor, inner);
         sum = sum == zero ? term : add("+", sum, term);
       }
-    if (operation.kind == step && *operation.name == 'z')
+    if (operation.kind == Kind::zero_step)
       nodes_[i].is_fixed |= nodes_[in_a].is_fixed && nodes_[in_a].value != 0.;
-    else if (operation.kind == step && d == 0 && formula_.switches.size() < 63) {
+    else if (operation.is_step() && d == 0 && formula_.switches.size() < last_bit) {
       nodes_[i].bit = formula_.switches.size();
       formula_.switches.push_back(i);
     }
@@ -164,7 +164,7 @@ private:
       return read_signed();
     Index a = read_operators(level + 1);
     for (auto operation = operations().begin(); operation != operations().end();)
-      if (operation->kind == level && take(operation->name)) {
+      if (operation->precedence == level && take(operation->name)) {
         a = add(operation->name, a, read_operators(level + 1));
         operation = operations().begin();
       } else

@@ -22,38 +22,59 @@ inline bool is_zero(const Interval &a) {
 using Index = unsigned int;
 using Indices = std::array<Index, 3>;
 
-/** Operations that jump where their argument changes its sign or reaches another integer, and those
- * that return their second or third argument. */
-enum : unsigned int { step = 8, choice };
+/** The kinds of operations. */
+enum class Kind {
+  /** Stands for another formula of a, b and c. */
+  definition,
+  /** Is smooth where it is defined. */
+  smooth,
+  product,
+  power,
+  /** Jumps where a changes its sign. */
+  sign_step,
+  /** Jumps where a reaches another integer. */
+  integer_step,
+  /** Differs from zero where a vanishes. */
+  zero_step,
+  /** Returns b or c. */
+  choice
+};
 
 /** An operator or a function of a, b and c. */
 struct Operation {
   const char *name;
-  /** The derivatives in a and b, as formulas that may also name the value f. Or, of an operation
-   * without rule, what it stands for. */
+  Kind kind;
+  /** The formula that a definition stands for; of others the derivatives in a and b, as formulas
+   * that may also name the value f. */
   const char *in_a, *in_b = nullptr;
-  /** The precedence of an operator, step, or choice. */
-  unsigned int kind = 0;
+  /** The precedence of an operator; 0 of functions. */
+  unsigned int precedence = 0;
   double (*value)(double, double, double) = nullptr;
   void (*values)(const double *, const double *, const double *, std::size_t, double *) = nullptr;
   Interval (*bounds)(const Interval &, const Interval &, const Interval &) = nullptr;
+
+  bool is_step() const {
+    return kind == Kind::sign_step || kind == Kind::integer_step || kind == Kind::zero_step;
+  }
 };
 
 const std::vector<Operation> &operations();
+
+constexpr unsigned int last_bit = 63;
 
 /** A part of a formula: an operation on earlier parts, or a number. */
 struct Node {
   const Operation *operation;
   Indices arguments;
   double value;
-  /** Whether all boxes have this value: numbers, and whether something vanishes that can do so on
-   * lines only. */
+  /** Whether the part has this value everywhere but on lines: numbers, and the zero_step of an
+   * argument that vanishes on lines only. */
   bool is_fixed;
   /** The bit of its switch; the last one stands for all switches without number. */
-  unsigned int bit = 63;
+  unsigned int bit = last_bit;
 };
 
-/** The parts of a formula: three coordinates, zero, what its value needs, and derivatives. */
+/** The parts of a formula: three coordinates, zero, those of its value, and derivatives. */
 struct Formula {
   std::vector<Node> nodes = std::vector<Node>(3);
   Index root = 0, n_values = 0;

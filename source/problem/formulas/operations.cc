@@ -25,7 +25,7 @@ Interval equals_zero(const Interval &a) {
 double choose(const double a, const double b, const double c) {
   return a != 0. ? b : c;
 }
-/** Returns what contains both values; BoxRun knows where the condition is decided. */
+/** Returns an interval that contains both values; BoxRun knows where the condition is decided. */
 Interval choose(const Interval &, const Interval &b, const Interval &c) {
   return hull(b, c);
 }
@@ -63,13 +63,15 @@ Interval times(const Interval &a, const Interval &b) {
 /** Makes an operation of a function that takes numbers and intervals. */
 template <typename Rule>
 Operation rule(const char *name, const Rule &function, const char *in_a = nullptr,
-               const char *in_b = nullptr, unsigned int kind = 0) {
+               const char *in_b = nullptr, const Kind kind = Kind::smooth,
+               const unsigned int precedence = 0) {
   static const Rule f = function;
   return {
     name,
+    kind,
     in_a,
     in_b,
-    kind,
+    precedence,
     [](double a, double b, double c) { return f(a, b, c); },
     [](const double *a, const double *b, const double *c, std::size_t n, double *result) {
       for (std::size_t q = 0; q < n; ++q)
@@ -88,12 +90,22 @@ Interval monotone(const Interval &a, const double low, const double high) {
   return hull(Interval(f(std::clamp(a.lower(), low, high))), f(std::clamp(a.upper(), low, high)));
 }
 template <double (*f)(double)>
-Operation monotone(const char *name, const char *derivative, unsigned int kind = 0,
-                   double low = -HUGE_VAL, double high = HUGE_VAL) {
+Operation monotone(const char *name, const char *derivative, double low = -HUGE_VAL,
+                   double high = HUGE_VAL) {
   [[maybe_unused]] static const double ends[] = {low, high};
   return rule(
-    name, [](auto a, auto, auto) { return monotone<f>(a, ends[0], ends[1]); }, derivative, nullptr,
-    kind);
+    name, [](auto a, auto, auto) { return monotone<f>(a, ends[0], ends[1]); }, derivative);
+}
+
+/** The derivative of a step: 0 in a box on one side of the jump, otherwise the whole line. */
+constexpr const char *jump = "1e300*(f - f)";
+
+/** Makes a monotone step. */
+template <double (*f)(double)>
+Operation make_step(const char *name, const Kind kind) {
+  Operation operation = monotone<f>(name, jump);
+  operation.kind = kind;
+  return operation;
 }
 
 double power(const double a, const double b) {
@@ -105,83 +117,82 @@ Interval power(const Interval &a, const Interval &b) {
            ? pow(a, static_cast<int>(n))
            : exp(b * monotone<std::log>(a, 0., HUGE_VAL));
 }
-
-/** The derivative of what jumps: zero, but anything in a box that does not decide. */
-constexpr const char *jump = "1e300*(f - f)";
 } // namespace
 
 const std::vector<Operation> &operations() {
   using std::cos, std::max, std::min, std::sin;
   static const std::vector<Operation> list = {
-    {"||", "a ? 1 : b ? 1 : 0", nullptr, 1},
-    {"&&", "a ? b ? 1 : 0 : 0", nullptr, 2},
-    {"<=", "not_negative(b - a)", nullptr, 3},
-    {">=", "b <= a", nullptr, 3},
-    {"==", "zero(b - a)", nullptr, 3},
-    {"!=", "a == b ? 0 : 1", nullptr, 3},
-    {"<", "positive(b - a)", nullptr, 3},
-    {">", "b < a", nullptr, 3},
+    {"||", Kind::definition, "a ? 1 : b ? 1 : 0", nullptr, 1},
+    {"&&", Kind::definition, "a ? b ? 1 : 0 : 0", nullptr, 2},
+    {"<=", Kind::definition, "not_negative(b - a)", nullptr, 3},
+    {">=", Kind::definition, "b <= a", nullptr, 3},
+    {"==", Kind::definition, "zero(b - a)", nullptr, 3},
+    {"!=", Kind::definition, "a == b ? 0 : 1", nullptr, 3},
+    {"<", Kind::definition, "positive(b - a)", nullptr, 3},
+    {">", Kind::definition, "b < a", nullptr, 3},
     rule(
-      "+", [](auto a, auto b, auto) { return a + b; }, "1", "1", 4),
+      "+", [](auto a, auto b, auto) { return a + b; }, "1", "1", Kind::smooth, 4),
     rule(
-      "-", [](auto a, auto b, auto) { return a - b; }, "1", "-1", 4),
+      "-", [](auto a, auto b, auto) { return a - b; }, "1", "-1", Kind::smooth, 4),
     rule(
-      "*", [](auto a, auto b, auto) { return a * b; }, "b", "a", 5),
+      "*", [](auto a, auto b, auto) { return a * b; }, "b", "a", Kind::product, 5),
     rule(
-      "times", [](auto a, auto b, auto) { return times(a, b); }, "b", "a"),
+      "times", [](auto a, auto b, auto) { return times(a, b); }, "b", "a", Kind::product),
     rule(
-      "/", [](auto a, auto b, auto) { return a / b; }, "1/b", "-f/b", 5),
+      "/", [](auto a, auto b, auto) { return a / b; }, "1/b", "-f/b", Kind::smooth, 5),
     rule(
-      "^", [](auto a, auto b, auto) { return power(a, b); }, "b*a^(b-1)", "f*log(a)"),
-    monotone<positive>("positive", jump, step),
-    monotone<not_negative>("not_negative", jump, step),
+      "^", [](auto a, auto b, auto) { return power(a, b); }, "b*a^(b-1)", "f*log(a)", Kind::power),
+    make_step<positive>("positive", Kind::sign_step),
+    make_step<not_negative>("not_negative", Kind::sign_step),
     rule(
-      "zero", [](auto a, auto, auto) { return equals_zero(a); }, jump, nullptr, step),
+      "zero", [](auto a, auto, auto) { return equals_zero(a); }, jump, nullptr, Kind::zero_step),
     rule(
-      "?", [](auto a, auto b, auto c) { return choose(a, b, c); }, jump, nullptr, choice),
+      "?", [](auto a, auto b, auto c) { return choose(a, b, c); }, jump, nullptr, Kind::choice),
     rule(
-      "larger", [](auto, auto b, auto c) { return max(c, b); }, nullptr, nullptr, choice),
+      "larger", [](auto, auto b, auto c) { return max(c, b); }, nullptr, nullptr, Kind::choice),
     rule(
-      "smaller", [](auto, auto b, auto c) { return min(c, b); }, nullptr, nullptr, choice),
+      "smaller", [](auto, auto b, auto c) { return min(c, b); }, nullptr, nullptr, Kind::choice),
     rule(
       "sin", [](auto a, auto, auto) { return sin(a); }, "cos(a)"),
     rule(
       "cos", [](auto a, auto, auto) { return cos(a); }, "-sin(a)"),
-    monotone<std::floor>("floor", jump, step),
+    make_step<std::floor>("floor", Kind::integer_step),
     monotone<std::exp>("exp", "f"),
-    monotone<std::log>("log", "1/a", 0, 0.),
-    monotone<std::log2>("log2", "1/(a*log(2))", 0, 0.),
-    monotone<std::log10>("log10", "1/(a*log(10))", 0, 0.),
-    monotone<std::sqrt>("sqrt", "0.5/f", 0, 0.),
-    monotone<std::asin>("asin", "1/sqrt(1 - a^2)", 0, -1., 1.),
-    monotone<std::acos>("acos", "-1/sqrt(1 - a^2)", 0, -1., 1.),
+    monotone<std::log>("log", "1/a", 0.),
+    monotone<std::log2>("log2", "1/(a*log(2))", 0.),
+    monotone<std::log10>("log10", "1/(a*log(10))", 0.),
+    monotone<std::sqrt>("sqrt", "0.5/f", 0.),
+    monotone<std::asin>("asin", "1/sqrt(1 - a^2)", -1., 1.),
+    monotone<std::acos>("acos", "-1/sqrt(1 - a^2)", -1., 1.),
     monotone<std::atan>("atan", "1/(1 + a^2)"),
     monotone<std::sinh>("sinh", "sqrt(1 + f^2)"),
     monotone<std::tanh>("tanh", "1 - f^2"),
     monotone<std::asinh>("asinh", "1/sqrt(a^2 + 1)"),
-    monotone<std::acosh>("acosh", "1/sqrt(a^2 - 1)", 0, 1.),
-    monotone<std::atanh>("atanh", "1/(1 - a^2)", 0, -1., 1.),
+    monotone<std::acosh>("acosh", "1/sqrt(a^2 - 1)", 1.),
+    monotone<std::atanh>("atanh", "1/(1 - a^2)", -1., 1.),
     monotone<std::erf>("erf", "2/sqrt(pi)*exp(-a^2)"),
     monotone<std::erfc>("erfc", "-2/sqrt(pi)*exp(-a^2)"),
-    {"ln", "log(a)"},
-    {"tan", "sin(a)/cos(a)"},
-    {"cosh", "0.5*(exp(a) + exp(-a))"},
-    {"ceil", "-floor(-a)"},
-    {"rint", "floor(a + 0.5)"},
-    {"abs", "larger(positive(a), a, 0 - a)"},
-    {"sign", "positive(a) - positive(-a)"},
-    {"if", "a ? b : c"},
-    {"pow", "a^b"},
-    {"max", "larger(a < b, b, a)"},
-    {"min", "smaller(b < a, b, a)"},
-    {"sum", "a + b"},
-    {"avg", "a + b"},
+    {"ln", Kind::definition, "log(a)"},
+    {"tan", Kind::definition, "sin(a)/cos(a)"},
+    {"cosh", Kind::definition, "0.5*(exp(a) + exp(-a))"},
+    {"ceil", Kind::definition, "-floor(-a)"},
+    {"rint", Kind::definition, "floor(a + 0.5)"},
+    {"abs", Kind::definition, "larger(positive(a), a, 0 - a)"},
+    {"sign", Kind::definition, "positive(a) - positive(-a)"},
+    {"if", Kind::definition, "a ? b : c"},
+    {"pow", Kind::definition, "a^b"},
+    {"max", Kind::definition, "larger(a < b, b, a)"},
+    {"min", Kind::definition, "smaller(b < a, b, a)"},
+    {"sum", Kind::definition, "a + b"},
+    {"avg", Kind::definition, "a + b"},
     rule("vanishes", [](auto a, auto, auto) { return double(is_zero(a)); }),
     rule(
-      "above_cut", [](auto a, auto b, auto) { return above_cut(a, b); }, jump, nullptr, step),
+      "above_cut", [](auto a, auto b, auto) { return above_cut(a, b); }, jump, nullptr,
+      Kind::sign_step),
     rule(
       "angle", [](auto a, auto b, auto) { return angle(a, b); }, "b/(a^2 + b^2)", "-a/(a^2 + b^2)"),
-    {"atan2", "vanishes(a) ? (b < 0 ? pi : 0) : above_cut(a, b) ? angle(a, b) : -angle(-a, b)"}};
+    {"atan2", Kind::definition,
+     "vanishes(a) ? (b < 0 ? pi : 0) : above_cut(a, b) ? angle(a, b) : -angle(-a, b)"}};
   return list;
 }
 } // namespace FormulaParts
