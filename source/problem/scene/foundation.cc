@@ -128,12 +128,19 @@ Foundation::Foundation(std::vector<Obstacle> things, const double max_gap)
   : obstacles_(std::move(things))
   , max_gap_(max_gap) {}
 
-double Foundation::gap(const Point<2> &x, const Tensor<1, 2> &n) const {
-  double gap = max_gap_;
+std::pair<double, const Obstacle *> Foundation::nearest(const Point<2> &x,
+                                                        const Tensor<1, 2> &n) const {
+  std::pair<double, const Obstacle *> nearest(max_gap_, nullptr);
   for (const Obstacle &obstacle : obstacles_)
-    gap = std::min(gap, without_rounding(obstacle.distance(x, n).value_or(max_gap_),
-                                         x.distance(obstacle.anchor())));
-  return gap;
+    if (const double distance = without_rounding(obstacle.distance(x, n).value_or(max_gap_),
+                                                 x.distance(obstacle.anchor()));
+        distance < nearest.first)
+      nearest = {distance, &obstacle};
+  return nearest;
+}
+
+double Foundation::gap(const Point<2> &x, const Tensor<1, 2> &n) const {
+  return nearest(x, n).first;
 }
 
 std::optional<Tensor<1, 2>> Foundation::direction(const Point<2> &x, const Tensor<1, 2> &n) const {
@@ -159,14 +166,8 @@ std::optional<Tensor<1, 2>> Foundation::direction(const Point<2> &x, const Tenso
 
 std::optional<Tensor<1, 2>> Foundation::normal_at_entry(const Point<2> &x,
                                                         const Tensor<1, 2> &n) const {
-  double gap = max_gap_;
-  std::optional<Tensor<1, 2>> normal;
-  for (const Obstacle &obstacle : obstacles_)
-    if (const double distance = obstacle.distance(x, n).value_or(max_gap_); distance < gap) {
-      gap = distance;
-      normal = obstacle.normal_at_entry(x, n);
-    }
-  return normal;
+  const Obstacle *const obstacle = nearest(x, n).second;
+  return obstacle != nullptr ? obstacle->normal_at_entry(x, n) : std::nullopt;
 }
 
 ContactDirections::ContactDirections(const Side<2> &side, const Foundation &foundation,

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace Signorini {
 template <int dim>
@@ -48,19 +47,18 @@ void ExpressionFunction<dim>::check(const double value, const unsigned int compo
 }
 
 template <int dim>
-double GapFunction<dim>::without_rounding(const double gap, const Point<dim> &x) const {
+double GapFunction<dim>::rounded(const double gap, const Point<dim> &x) const {
   // Slopes are computed only where they may matter.
-  constexpr double small = 1e-9, rounding = 8. * std::numeric_limits<double>::epsilon();
+  constexpr double small = 1e-9;
   const double size = x.norm();
-  return std::abs(gap) <= small * size &&
-             std::abs(gap) <= rounding * size * this->exact_gradient(x, 0).norm()
-           ? 0.
-           : gap;
+  return !(std::abs(gap) <= small * size)
+           ? gap
+           : without_rounding(gap, size * this->exact_gradient(x, 0).norm());
 }
 
 template <int dim>
 double GapFunction<dim>::value(const Point<dim> &x, const unsigned int component) const {
-  return without_rounding(ExpressionFunction<dim>::value(x, component), x);
+  return rounded(ExpressionFunction<dim>::value(x, component), x);
 }
 
 template <int dim>
@@ -68,7 +66,7 @@ void GapFunction<dim>::value_list(const std::vector<Point<dim>> &points,
                                   std::vector<double> &values, const unsigned int component) const {
   ExpressionFunction<dim>::value_list(points, values, component);
   for (std::size_t q = 0; q < points.size(); ++q)
-    values[q] = without_rounding(values[q], points[q]);
+    values[q] = rounded(values[q], points[q]);
 }
 
 template <int dim>

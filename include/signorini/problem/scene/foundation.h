@@ -12,6 +12,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -124,6 +125,9 @@ public:
   }
 
 private:
+  /** Returns the smallest distance and its obstacle; none where that is max_gap(). */
+  std::pair<double, const Obstacle *> nearest(const Point<2> &x, const Tensor<1, 2> &n) const;
+
   std::vector<Obstacle> obstacles_;
   double max_gap_;
 };

@@ -96,7 +96,8 @@ public:
                   unsigned int component = 0) const override;
 
 private:
-  double without_rounding(double gap, const Point<dim> &x) const;
+  /** Returns a value without_rounding() of the coordinates. */
+  double rounded(double gap, const Point<dim> &x) const;
 };
 
 /** Refuses a value that is not finite or beyond max_magnitude. @throws InputError */
