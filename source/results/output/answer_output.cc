@@ -5,7 +5,6 @@
 #include <signorini/results/output/answer_output.h>
 
 #include <boost/algorithm/string/replace.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +12,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "answer_json.h"
+#include "answer_summary.h"
 
 namespace Signorini {
 namespace {
@@ -38,22 +37,24 @@ std::string signed_percent(const double share) {
   return text.str();
 }
 
-/** Returns "0.25", of a vector "(0.25, 0)". */
-std::string scaled_text(const Json &x, const double size) {
-  if (x.is_number())
-    return digits(rounded(x, size));
-  std::string text;
+std::string scaled_text(const double x, const double size) {
+  return digits(rounded(x, size));
+}
+/** Returns "(0.25, 0)". */
+std::string scaled_text(const AnswerVector &x, const double size) {
+  std::vector<std::string> texts;
   for (const double component : x)
-    text += (text.empty() ? "" : ", ") + digits(rounded(component, size));
-  return "(" + text + ")";
+    texts.push_back(scaled_text(component, size));
+  return "(" + join(texts) + ")";
 }
 
 /** Prints an answer; the size of the body decides which lengths are rounding. */
 class AnswerLines {
 public:
-  AnswerLines(std::ostream &stream, const std::vector<LevelRecord> &levels)
+  AnswerLines(std::ostream &stream, const AnswerSummary &summary)
     : stream_(stream)
-    , level_(levels.back())
+    , summary_(summary)
+    , level_(summary.level)
     , size_(level_.answer.size)
     , scale_(level_.contact.normal_force) {
     for (const auto *const forces : {&level_.answer.contact_by_side, &level_.answer.reactions})
@@ -84,115 +85,119 @@ public:
     stream_ << line << "\n";
   }
 
-  void add_forces(const Json &answer) {
-    const Json &total = answer["contact_force"];
-    const bool is_uncertain = total["error"].is_number() && rounded(total["error"], scale_) > 0.;
-    add("Contact force",
-        force_text(total) + (is_uncertain ? ", error at most " + digits(total["error"]) : ""));
-    if (answer["contact_by_side"].size() > 1)
-      for (const Json &force : answer["contact_by_side"])
-        add("  on " + std::string(force["side"]), force_text(force));
-    for (const Json &force : answer["reactions"])
-      add("Reaction of " + std::string(force["side"]), force_text(force));
+  void add_forces() {
+    const Answer &answer = level_.answer;
+    const double error = level_.bound ? level_.bound->force_error.value_or(0.) : 0.;
+    add("Contact force", force_text(answer.contact_force) +
+                           (rounded(error, scale_) > 0. ? ", error at most " + digits(error) : ""));
+    if (answer.contact_by_side.size() > 1)
+      for (const SideForce &force : answer.contact_by_side)
+        add("  on " + force.side, force_text(force));
+    for (const SideForce &force : answer.reactions)
+      add("Reaction of " + force.side, force_text(force));
   }
 
-  void add_plates(const Json &answer) {
-    for (std::size_t i = 0; i < answer["plates"].size(); ++i) {
-      const Json &plate = answer["plates"][i];
-      std::string text = "travel " + scaled_text(plate["travel"], size_) + " along " +
-                         scaled_text(plate["direction"], 1.) + ", force " +
-                         scaled_text(plate["force"], scale_);
-      if (level_.motions.plates[i].plate.drifts)
-        text += ", drift " + scaled_text(plate["drift"], size_) + " across, force " +
-                scaled_text(plate["cross_force"], scale_);
-      if (level_.motions.plates[i].plate.turns)
-        text += ", rotation " + scaled_text(plate["rotation"], 1.) + " about " +
-                scaled_text(plate["centre"], size_) + ", moment " +
-                scaled_text(plate["moment"], scale_ * size_);
-      add("Plate on " + std::string(plate["side"]), text);
+  void add_plates() {
+    for (const auto &[side, plate, motion, force, cross_force, moment] : level_.motions.plates) {
+      std::string text = "travel " + scaled_text(motion.travel, size_) + " along " +
+                         scaled_text(plate.direction, 1.) + ", force " + scaled_text(force, scale_);
+      if (plate.drifts)
+        text += ", drift " + scaled_text(motion.drift, size_) + " across, force " +
+                scaled_text(cross_force, scale_);
+      if (plate.turns)
+        text += ", rotation " + scaled_text(motion.rotation, 1.) + " about " +
+                scaled_text(plate.centre, size_) + ", moment " +
+                scaled_text(moment, scale_ * size_);
+      add("Plate on " + side, text);
     }
     for (const std::string &motion : level_.motions.undetermined)
       add("Undetermined", motion + ": nothing resists it, its size means nothing");
   }
 
-  /** Prints a maximum, and below it that away from the place where it grows. */
-  void add_maximum(const std::string &label, const Json &maximum) {
-    const Json &place = maximum["grows_at"];
-    add(label, maximum_text(maximum, place));
-    if (!place.is_null() && !maximum["away"].is_null())
-      add("  farther than " + digits(place["radius"]), maximum_text(maximum["away"], nullptr));
+  /** Prints a PeakPressure or VonMises, and below it that away from where it grows. */
+  template <typename Maximum>
+  void add_maximum(const std::string &label, const Maximum &maximum, const MaximumTrends &trends) {
+    add(label, maximum_text(maximum, trends.all, maximum.grows_at));
+    if (maximum.grows_at && maximum.away)
+      add("  farther than " + digits(maximum.grows_at->radius),
+          maximum_text(*maximum.away, trends.away));
   }
 
-  void add_reports(const Json &answer) {
-    if (!answer.contains("reports"))
-      return;
-    for (const Json &report : answer["reports"]) {
-      std::string label = report["place"];
+  void add_reports() {
+    for (std::size_t i = 0; i < level_.answer.reports.size(); ++i) {
+      const PlaceReport &report = level_.answer.reports[i];
+      std::string label = report.place;
       if (label.size() + 2 >= label_width) {
         stream_ << "  " << label << "\n";
         label.clear();
       }
-      if (report.contains("values"))
-        add(label, point_text(report["values"]));
-      else if (!report.contains("von_mises"))
-        add(label, report["growth"].empty() ? "no point of this mesh lies there" : "");
+      const bool is_point = report.rows.size() == 1;
+      if (is_point)
+        add(label, point_text(values_at_point(report, level_.answer.dimension)));
+      else if (report.extremes.empty())
+        add(label, report.growth.empty() ? "no point of this mesh lies there" : "");
       // The other fields at a single point follow from these.
-      const bool is_point = report.contains("values");
-      for (std::size_t k = 0; k < (is_point ? 1 : n_report_fields); ++k)
-        if (const std::string name = to_text(static_cast<ReportField>(k)); report.contains(name))
-          add(k == 0 && !is_point ? label : "",
-              boost::replace_all_copy(boost::replace_all_copy(name, "_m", " M"), "_", " ") + " " +
-                maximum_text(report[name], nullptr));
-      for (const Json &place : report["growth"])
+      for (std::size_t k = 0; k < (is_point ? std::min<std::size_t>(1, report.extremes.size())
+                                            : report.extremes.size());
+           ++k) {
+        std::string name = to_text(static_cast<ReportField>(k));
+        boost::replace_all(name, "_m", " M");
+        boost::replace_all(name, "_", " ");
+        add(k == 0 && !is_point ? label : "",
+            name + " " + maximum_text(report.extremes[k], summary_.reports[i][k]));
+      }
+      for (const GrowthPlace &place : report.growth)
         add("", (is_point ? "grows without limit" : "left out") + growth_text(place) +
-                  ", closer than " + digits(place["radius"]));
+                  ", closer than " + digits(place.radius));
     }
   }
 
-  void add_zones(const Json &answer) {
-    if (answer.contains("contact_area"))
-      add("Contact area", digits(answer["contact_area"]));
-    add_zones("Contact zone", answer["contact_zones"], level_.answer.zones);
+  void add_zones() {
+    const bool in_space = level_.answer.dimension == 3;
+    if (in_space)
+      add("Contact area", digits(level_.contact.length));
+    add_zones("Contact zone", level_.answer.zones);
     if (!level_.friction)
       return;
-    const Json &friction = answer["friction"];
+    const FrictionSummary &friction = *level_.friction;
     add("Friction",
-        "T = " + scaled_text(friction["tangential_force"], scale_) +
-          (friction["ratio"].is_null() ? "" : ", T/N = " + scaled_text(friction["ratio"], 1.)) +
-          ", dissipation " + digits(friction["dissipation"]));
-    if (answer.contains("contact_area"))
-      add("  areas", "stick " + digits(friction["stick_length"]) + ", slip " +
-                       digits(friction["slip_length"]) + ", open " +
-                       digits(friction["open_length"]));
-    add("  limits", text_of_limits(*level_.friction));
-    if (level_.friction->is_regular)
-      add("  uniqueness", text_of_regularity(*level_.friction));
-    add_zones("  stick zone", friction["stick_zones"], level_.friction->stick_zones);
-    add_zones("  slip zone", friction["slip_zones"], level_.friction->slip_zones);
+        "T = " + scaled_text(friction.tangential_force, scale_) +
+          (summary_.friction_ratio ? ", T/N = " + scaled_text(*summary_.friction_ratio, 1.) : "") +
+          ", dissipation " + digits(friction.dissipation));
+    if (in_space)
+      add("  areas", "stick " + digits(friction.stick_length) + ", slip " +
+                       digits(friction.slip_length) + ", open " + digits(friction.open_length));
+    add("  limits", text_of_limits(friction));
+    if (friction.is_regular)
+      add("  uniqueness", text_of_regularity(friction));
+    add_zones("  stick zone", friction.stick_zones);
+    add_zones("  slip zone", friction.slip_zones);
   }
 
-  void add_penetration(const Json &deepest) {
-    if (deepest.is_null())
+  void add_penetration() {
+    const std::optional<Penetration> &deepest = level_.answer.penetration;
+    if (!deepest)
       return;
-    const double depth = rounded(deepest["value"], size_);
-    const std::string text = digits(std::abs(depth)) + " " + at(deepest);
+    const double depth = rounded(deepest->value, size_);
+    const std::string text = digits(std::abs(depth)) + " " + at(deepest->place);
     if (depth == 0.)
       add("Penetration", "none");
     else if (depth < 0.)
       add("Smallest opening", text);
     else
       add("Penetration", "at most " + text +
-                           (!presses_at(*level_.answer.penetration) ? " (where nothing presses)"
-                            : level_.sizes.is_graded()              ? ""
-                                                                    : " (between the means)"));
+                           (!presses_at(*deepest)      ? " (where nothing presses)"
+                            : level_.sizes.is_graded() ? ""
+                                                       : " (between the means)"));
   }
 
-  void add_energy(const Json &energy) {
-    const bool is_bounded = energy["lower"].is_number() && energy["upper"].is_number();
+  void add_energy() {
+    const ErrorBound bound = level_.bound.value_or(ErrorBound());
     add("Energy",
-        digits(energy["value"]) + (is_bounded ? " (exact: between " + digits(energy["lower"]) +
-                                                  " and " + digits(energy["upper"]) + ")"
-                                              : ""));
+        digits(level_.certificate.energy) + (bound.energy_lower && bound.energy_upper
+                                               ? " (exact: between " + digits(*bound.energy_lower) +
+                                                   " and " + digits(*bound.energy_upper) + ")"
+                                               : ""));
   }
 
   void add_load_cases() {
@@ -237,75 +242,74 @@ private:
     return (*critical < 1.5 ? "other solutions may exist: " : std::string()) +
            "these zones lose uniqueness at " + digits(*critical) + " times the coefficient";
   }
-  void add_zones(const std::string &label, const Json &json,
-                 const std::vector<ContactZone> &zones) {
-    for (std::size_t i = 0; i < zones.size(); ++i) {
-      const auto &[start, end, length] = zones[i];
+  void add_zones(const std::string &label, const std::vector<ContactZone> &zones) {
+    for (const auto &[start, end, length] : zones) {
       const std::string side = start.place.side;
       const bool all_around = start.place.point.distance(end.place.point) < 1e-10 * length;
       add(label, (all_around ? "all around " + side
-                             : side + " from " + end_text(json[i]["start"]) + " to " +
-                                 end_text(json[i]["end"])) +
+                             : side + " from " + end_text(start) + " to " + end_text(end)) +
                    ", length " + digits(length));
     }
   }
-  std::string force_text(const Json &force) const {
-    std::string text = scaled_text(force["force"], scale_);
+  std::string force_text(const SideForce &given) const {
+    const auto &[force, moment] = given.resultant;
     if (level_.answer.axisymmetric)
-      return scaled_text(force["force"][1], scale_) + " along the axis, " +
-             scaled_text(force["force"][0], scale_) + " outward in all";
-    if (force["through"].is_null())
-      return text;
-    const Json &moment = force["moment"];
-    return text + " through " + scaled_text(force["through"], size_) + ", moment " +
-           scaled_text(moment, scale_ * (moment.is_number() ? size_ : 1.));
+      return scaled_text(force[1], scale_) + " along the axis, " + scaled_text(force[0], scale_) +
+             " outward in all";
+    return scaled_text(force, scale_) +
+           (given.through ? " through " + scaled_text(*given.through, size_) + ", moment " +
+                              (moment.size() == 1 ? scaled_text(moment[0], scale_ * size_)
+                                                  : scaled_text(moment, scale_))
+                          : "");
   }
   /** Returns " at the corner (0, 0) like r^-0.455". */
-  std::string growth_text(const Json &place) const {
-    std::ostringstream power;
-    power << std::setprecision(2) << double(place["exponent"]) - 1.;
-    return (place.contains("point") ? " at the corner " + scaled_text(place["point"], size_)
-                                    : " at the edge from " + scaled_text(place["ends"][0], size_) +
-                                        " to " + scaled_text(place["ends"][1], size_)) +
-           " like r^" + power.str();
+  std::string growth_text(const GrowthPlace &place) const {
+    std::ostringstream text;
+    const auto &[first, second] = place.ends;
+    if (first.size() == 2)
+      text << " at the corner " << scaled_text(first, size_);
+    else
+      text << " at the edge from " << scaled_text(first, size_) << " to "
+           << scaled_text(second, size_);
+    text << " like r^" << std::setprecision(2) << place.exponent - 1.;
+    return text.str();
   }
-  /** Returns "u_x = 0.1, u_y = ...". */
-  std::string point_text(const Json &values) const {
-    std::string text;
-    for (const auto &[name, value] : values.items())
+  /** Returns "u_x = 0.1, u_y = ...", without the coordinates. */
+  std::string point_text(const std::vector<std::pair<std::string, double>> &values) const {
+    std::vector<std::string> texts;
+    for (const auto &[name, value] : values)
       if (name.size() > 1)
-        text += (text.empty() ? "" : ", ") + name + " = " +
-                scaled_text(value, name[0] == 'u' ? size_ : 0.);
-    return text;
+        texts.push_back(name + " = " + scaled_text(value, name[0] == 'u' ? size_ : 0.));
+    return join(texts);
   }
-  std::string at(const Json &place) const {
-    return "on " + std::string(place["side"]) + " at " + scaled_text(place["point"], size_);
+  std::string at(const BoundaryPlace &place) const {
+    return "on " + place.side + " at " + scaled_text(place.point, size_);
   }
-  std::string end_text(const Json &end) const {
-    const std::string point = scaled_text(end["point"], size_);
-    return end["uncertainty"] > 0. ? point + " +- " + digits(end["uncertainty"]) : point;
+  std::string end_text(const ZoneEnd &end) const {
+    return scaled_text(end.place.point, size_) +
+           (end.uncertainty > 0. ? " +- " + digits(end.uncertainty) : "");
   }
-  /** Returns value and place, "settled (-1 % from the level before)" with the @p place where the
-   * value grows, and the mean of the patch. */
-  std::string maximum_text(const Json &maximum, const Json &place) const {
-    const bool is_pressure = maximum.contains("mean");
-    std::string text = digits(maximum["value"]) + " " +
-                       (is_pressure ? at(maximum) : "at " + scaled_text(maximum["point"], size_)) +
-                       ", " + std::string(maximum["trend"]);
-    if (!place.is_null())
-      text += growth_text(place);
-    if (!maximum["change"].is_null())
-      text +=
-        " (" + signed_percent(maximum["change"]) + " from the " + level_.sizes.word() + " before)";
-    if (is_pressure) {
-      const double mean = maximum["mean"], value = maximum["value"];
-      text +=
-        "; mean of its patch " + digits(mean) + " (" + signed_percent(mean / value - 1.) + ")";
-    }
-    return text;
+  /** Returns "settled like r^-0.5 (-1 % from the level before)". */
+  std::string trend_text(const Trend &trend, const std::optional<GrowthPlace> &growth) const {
+    return word_for(trend.kind) + (growth ? growth_text(*growth) : "") +
+           (trend.change ? " (" + signed_percent(*trend.change) + " from the " +
+                             level_.sizes.word() + " before)"
+                         : "");
+  }
+  std::string maximum_text(const FieldMaximum &maximum, const Trend &trend,
+                           const std::optional<GrowthPlace> &growth = {}) const {
+    return digits(maximum.value) + " at " + scaled_text(maximum.point, size_) + ", " +
+           trend_text(trend, growth);
+  }
+  std::string maximum_text(const PressureMaximum &maximum, const Trend &trend,
+                           const std::optional<GrowthPlace> &growth = {}) const {
+    return digits(maximum.value) + " " + at(maximum.place) + ", " + trend_text(trend, growth) +
+           "; mean of its patch " + digits(maximum.mean) + " (" +
+           signed_percent(maximum.mean / maximum.value - 1.) + ")";
   }
 
   std::ostream &stream_;
+  const AnswerSummary &summary_;
   const LevelRecord &level_;
   /** The size of the body, and that of the forces. */
   double size_, scale_;
@@ -321,22 +325,22 @@ void print_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
              : finest.thickness == 1. ? ", per unit of thickness"
                                       : ", for the thickness " + digits(finest.thickness))
          << " (pressure: positive in compression)\n";
-  const Json answer = answer_of(levels, StudyVerdict());
-  AnswerLines lines(stream, levels);
-  lines.add_forces(answer);
-  lines.add_plates(answer);
-  if (answer["peak_pressure"].is_null())
+  const AnswerSummary summary(levels);
+  AnswerLines lines(stream, summary);
+  lines.add_forces();
+  lines.add_plates();
+  if (!finest.peak_pressure)
     lines.add("Peak pressure", "0: nothing touches");
   else
-    lines.add_maximum("Peak pressure", answer["peak_pressure"]);
-  lines.add_zones(answer);
-  lines.add_penetration(answer["penetration"]);
-  lines.add_maximum("Von Mises stress", answer["von_mises"]);
-  lines.add_reports(answer);
-  lines.add_energy(answer["energy"]);
+    lines.add_maximum("Peak pressure", *finest.peak_pressure, summary.peak_pressure);
+  lines.add_zones();
+  lines.add_penetration();
+  lines.add_maximum("Von Mises stress", finest.von_mises, summary.von_mises);
+  lines.add_reports();
+  lines.add_energy();
   lines.add_load_cases();
   // Tests of runs leave out lines of this form.
-  lines.add("Time =", digits(std::round(1000. * double(answer["seconds"])) / 1000.) + " s");
+  lines.add("Time =", digits(std::round(1000. * summary.seconds) / 1000.) + " s");
   if (!directory.empty())
     stream << "  Results           in " << directory.string() << "\n";
 }

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // answer.json and certificate.json, for programs to read.
 
-#include <signorini/base/text.h>
 #include <signorini/results/output/answer_output.h>
 #include <signorini/results/output/tables.h>
 #include <signorini/results/verdict/judge.h>
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
-
-#include "answer_json.h"
+#include "answer_summary.h"
 
 namespace nlohmann {
 /** A number that is not known is null. */
@@ -25,6 +21,8 @@ struct adl_serializer<std::optional<T>> {
 } // namespace nlohmann
 
 namespace Signorini {
+using Json = nlohmann::ordered_json;
+
 // The library finds the functions to_json() by the types of their arguments.
 
 static void to_json(Json &json, const BoundaryPlace &place) {
@@ -121,143 +119,73 @@ static void to_json(Json &json, const ErrorBound &bound) {
 }
 
 namespace {
-const AnswerVector &point_of(const PressureMaximum &peak) {
-  return peak.place.point;
-}
-const AnswerVector &point_of(const FieldMaximum &stress) {
-  return stress.point;
+Json with_trend(Json maximum, const Trend &trend) {
+  maximum["change"] = trend.change;
+  maximum["trend"] = word_for(trend.kind);
+  return maximum;
 }
 
-/** Returns whether two maxima lie on the same cell, as far as its size, its degree and the place
- * show. */
+/** Returns a PeakPressure or VonMises with its trend, the place where it grows without limit, and
+ * the maximum away from such places. */
 template <typename Maximum>
-bool share_mesh(const Maximum &a, const Maximum &b) {
-  return a.mesh.degree == b.mesh.degree &&
-         std::abs(a.mesh.size - b.mesh.size) < 1e-6 * a.mesh.size &&
-         point_of(a).distance(point_of(b)) < a.mesh.size;
-}
-
-/** Returns whether every contact zone is longer than three times the uncertainty of its ends. One
- * of a patch or two has not shown its pressures and stresses yet. */
-bool resolves_zones(const Answer &answer) {
-  return std::all_of(answer.zones.begin(), answer.zones.end(), [](const ContactZone &zone) {
-    return zone.length >= 3. * std::max(zone.start.uncertainty, zone.end.uncertainty);
-  });
-}
-
-/** Returns the maximum of the finest level with its trend over the levels. Where the finest level
- * is not @p is_resolved, a maximum is not settled. */
-template <typename Maximum>
-Json with_trend(const std::vector<std::optional<Maximum>> &maxima, const bool is_unlimited,
-                const bool is_resolved = true) {
-  std::vector<std::optional<double>> values;
-  values.reserve(maxima.size());
-  for (const std::optional<Maximum> &maximum : maxima)
-    values.push_back(maximum ? std::optional<double>(maximum->value) : std::nullopt);
-  Trend trend = trend_of(values);
-  const std::size_t n = maxima.size();
-  if (is_unlimited)
-    trend.kind = Trend::Kind::unlimited;
-  else if (n > 1 && maxima[n - 2] && share_mesh(*maxima[n - 1], *maxima[n - 2]))
-    trend.kind = Trend::Kind::not_refined;
-  else if (!is_resolved && trend.kind == Trend::Kind::settled)
-    trend.kind = Trend::Kind::not_settled;
-  Json json = *maxima.back();
-  json["change"] = trend.change;
-  json["trend"] = word_for(trend.kind);
+Json maximum_of(const Maximum &maximum, const MaximumTrends &trends) {
+  Json json = with_trend(maximum, trends.all);
+  json["grows_at"] = maximum.grows_at;
+  json["away"] = maximum.away ? with_trend(*maximum.away, trends.away) : nullptr;
   return json;
 }
 
-/** Returns the maximum of the finest level, the place where it grows without limit, and the maximum
- * away from such places. @param of returns the optional PeakPressure or VonMises of an answer. */
-template <typename Maximum, typename Get>
-Json maximum_of(const std::vector<LevelRecord> &levels, const Get &of) {
-  std::vector<std::optional<Maximum>> largest, away;
-  for (const LevelRecord &level : levels) {
-    const auto maximum = of(level.answer);
-    largest.push_back(maximum);
-    away.push_back(maximum ? maximum->away : std::nullopt);
-  }
-  const auto finest = of(levels.back().answer);
-  if (!finest)
-    return nullptr;
-  const bool is_resolved = resolves_zones(levels.back().answer);
-  Json json = with_trend(largest, finest->grows_at.has_value(), is_resolved);
-  json["grows_at"] = finest->grows_at;
-  json["away"] = finest->away ? with_trend(away, false, is_resolved) : nullptr;
-  return json;
-}
-
-/** Returns what is known about a place of Output/Report, with trends over the levels. */
-Json report_of(const std::vector<LevelRecord> &levels, const std::size_t i) {
-  const PlaceReport &finest = levels.back().answer.reports[i];
-  Json json = {{"place", finest.place}};
-  for (std::size_t k = 0; k < finest.extremes.size(); ++k) {
-    std::vector<std::optional<FieldMaximum>> values;
-    for (const LevelRecord &level : levels) {
-      const std::vector<FieldMaximum> &extremes = level.answer.reports[i].extremes;
-      values.push_back(extremes.empty() ? std::nullopt : std::optional(extremes[k]));
-    }
-    const bool grows = finest.rows.size() == 1 && !finest.growth.empty();
-    json[to_text(static_cast<ReportField>(k))] = with_trend(values, grows);
-  }
-  json["growth"] = finest.growth;
-  if (finest.rows.size() == 1) {
-    const std::vector<std::string> names =
-      split_list(report_header(levels[0].answer.dimension), ',');
-    for (std::size_t k = 1; k + n_report_fields < names.size(); ++k)
-      json["values"][names[k]] = finest.rows[0][k];
-  }
+/** Returns a report with the trends of its fields. */
+Json report_of(const PlaceReport &report, const std::vector<Trend> &trends,
+               const unsigned int dimension) {
+  Json json = {{"place", report.place}};
+  for (std::size_t k = 0; k < report.extremes.size(); ++k)
+    json[to_text(static_cast<ReportField>(k))] = with_trend(report.extremes[k], trends[k]);
+  json["growth"] = report.growth;
+  for (const auto &[name, value] : values_at_point(report, dimension))
+    json["values"][name] = value;
   return json;
 }
 } // namespace
 
-Json answer_of(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict) {
-  const LevelRecord &finest = levels.back();
+void write_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
+                  const StudyVerdict &verdict) {
+  const AnswerSummary summary(levels);
+  const LevelRecord &finest = summary.level;
   const Answer &answer = finest.answer;
   const ErrorBound bound = finest.bound.value_or(ErrorBound());
-  double seconds = 0.;
-  for (const LevelRecord &level : levels)
-    seconds += level.times.total();
   Json total = answer.contact_force;
   total["error"] = bound.force_error;
-  Json json = {
-    {"level", finest.sizes.level},
-    {"verdict", word_for(verdict.outcome)},
-    {"accuracy", verdict.accuracy},
-    {"contact_force", total},
-    {"contact_by_side", answer.contact_by_side},
-    {"reactions", answer.reactions},
-    {"plates", finest.motions.plates},
-    {"undetermined_motions", finest.motions.undetermined},
-    {"peak_pressure",
-     maximum_of<PressureMaximum>(levels, [](const Answer &a) { return a.peak_pressure; })},
-    {"contact_zones", answer.zones},
-    {"penetration", answer.penetration},
-    {"von_mises",
-     maximum_of<FieldMaximum>(levels, [](const Answer &a) { return std::optional(a.von_mises); })},
-    {"strained_share", answer.von_mises.strained_share},
-    {"turned_share", answer.von_mises.turned_share},
-    {"energy",
-     {{"value", finest.certificate.energy},
-      {"lower", bound.energy_lower},
-      {"upper", bound.energy_upper}}},
-    {"seconds", seconds}};
+  Json json = {{"level", finest.sizes.level},
+               {"verdict", word_for(verdict.outcome)},
+               {"accuracy", verdict.accuracy},
+               {"contact_force", total},
+               {"contact_by_side", answer.contact_by_side},
+               {"reactions", answer.reactions},
+               {"plates", finest.motions.plates},
+               {"undetermined_motions", finest.motions.undetermined},
+               {"peak_pressure", answer.peak_pressure
+                                   ? maximum_of(*answer.peak_pressure, summary.peak_pressure)
+                                   : nullptr},
+               {"contact_zones", answer.zones},
+               {"penetration", answer.penetration},
+               {"von_mises", maximum_of(answer.von_mises, summary.von_mises)},
+               {"strained_share", answer.von_mises.strained_share},
+               {"turned_share", answer.von_mises.turned_share},
+               {"energy",
+                {{"value", finest.certificate.energy},
+                 {"lower", bound.energy_lower},
+                 {"upper", bound.energy_upper}}},
+               {"seconds", summary.seconds}};
   for (std::size_t i = 0; i < answer.reports.size(); ++i)
-    json["reports"].push_back(report_of(levels, i));
+    json["reports"].push_back(report_of(answer.reports[i], summary.reports[i], answer.dimension));
   if (finest.friction) {
     json["friction"] = *finest.friction;
-    json["friction"]["ratio"] = nullptr;
-    if (finest.contact.active > 0 && finest.contact.normal_force != 0.)
-      json["friction"]["ratio"] = finest.friction->tangential_force / finest.contact.normal_force;
+    json["friction"]["ratio"] = summary.friction_ratio;
   }
   if (answer.dimension == 3)
     json["contact_area"] = finest.contact.length;
-  return json;
-}
-void write_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
-                  const StudyVerdict &verdict) {
-  stream << answer_of(levels, verdict).dump(2) << "\n";
+  stream << json.dump(2) << "\n";
 }
 
 // certificate.json: how well each level satisfies (5).

@@ -7,9 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "answer_json.h"
-
 namespace Signorini {
+using Json = nlohmann::ordered_json;
+
 namespace {
 /** Returns the coordinates of equally spaced points of a side, its ends included. */
 std::vector<double> places_on(const Side<2> &side) {
@@ -67,11 +67,10 @@ void write_scene_json(std::ostream &stream, const Scene<2> &scene,
     }
     for (const Plate &plate : scene.plates)
       if (plate.side == i)
-        side["plate"] = {
-          {"direction", AnswerVector(plate.direction)},
-          {"force", plate.is_pushed ? Json(plate.force * scene.geometry.thickness) : Json(nullptr)},
-          {"travel", plate.is_pushed ? Json(nullptr) : Json(plate.travel)},
-          {"cross_force", plate.cross_force * scene.geometry.thickness}};
+        side["plate"] = {{"direction", AnswerVector(plate.direction)},
+                         {"force", plate.is_pushed ? Json(plate.force) : Json(nullptr)},
+                         {"travel", plate.is_pushed ? Json(nullptr) : Json(plate.travel)},
+                         {"cross_force", plate.cross_force}};
     json["sides"].push_back(side);
   }
   for (const auto &cell : first_mesh.active_cell_iterators()) {
