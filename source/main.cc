@@ -48,8 +48,9 @@ RunSummary run_file(const CommandLine &command_line, const std::size_t i, MPI_Co
     std::vector<Sweep> sweeps;
     for (const std::string &argument : command_line.sweeps)
       sweeps.push_back(read_sweep(argument));
-    return sweeps.empty() ? run_scene(input, communicator, screen)
-                          : run_sweep(input, sweeps, communicator, screen);
+    return sweeps.empty()
+             ? run_scene(input, parameters_of(input, communicator), communicator, screen)
+             : run_sweep(input, sweeps, communicator, screen);
   });
 }
 

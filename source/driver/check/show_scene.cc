@@ -10,13 +10,12 @@
 #include <signorini/results/output/pictures.h>
 #include <signorini/results/output/scene_json.h>
 #include <signorini/results/output/screen.h>
+#include <signorini/results/output/tables.h>
 #include <signorini/solvers/methods/contact_method.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 
 namespace Signorini {
 namespace {
@@ -56,12 +55,11 @@ std::string ranges(const FunctionPointer<dim> &function, const std::vector<Point
 }
 
 /** Returns the motion of a plate: "plate, force 2 along (0, -1), turning". */
-std::string motion_of(const Plate &plate, const double thickness) {
-  return (plate.is_pushed ? "plate, force " + number_text(plate.force * thickness)
+std::string motion_of(const Plate &plate) {
+  return (plate.is_pushed ? "plate, force " + number_text(plate.force)
                           : "plate, travel " + number_text(plate.travel)) +
          " along (" + number_text(plate.direction[0]) + ", " + number_text(plate.direction[1]) +
-         ")" +
-         (plate.drifts ? ", force across " + number_text(plate.cross_force * thickness) : "") +
+         ")" + (plate.drifts ? ", force across " + number_text(plate.cross_force) : "") +
          (plate.turns ? ", turning" : "");
 }
 
@@ -71,7 +69,7 @@ std::string data_of(const Scene<dim> &scene, const unsigned int side,
                     const std::vector<Point<dim>> &points) {
   for (const Plate &plate : scene.plates)
     if (plate.side == side)
-      return motion_of(plate, scene.geometry.thickness);
+      return motion_of(plate);
   const BoundaryCondition<dim> &condition = scene.boundary[side];
   if (condition.role != Role::contact)
     return condition.data == nullptr ? "" : ranges<dim>(condition.data, points);
@@ -111,37 +109,21 @@ void print_sides(const Scene<dim> &scene, std::ostream &screen) {
     rows.push_back({side.name(), word_for(scene.boundary[i].role), point(points.front()),
                     point(points.back()), number_text(measure), data_of(scene, i, points)});
   }
-  std::vector<std::size_t> widths(rows[0].size());
-  for (const std::vector<std::string> &row : rows)
-    for (std::size_t k = 0; k + 1 < row.size(); ++k)
-      widths[k] = std::max(widths[k], row[k].size() + 2);
-  for (const std::vector<std::string> &row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k)
-      screen << std::left << std::setw(static_cast<int>(widths[k])) << row[k];
-    screen << "\n";
-  }
+  print_columns(screen, rows, rows[0].size());
   screen << "\n";
 }
 
-/** Returns the factors of the load cases that differ from those of the scene: "53: slide -1 to 1".
- */
+/** Returns the numbers of load cases that differ from those of the scene: "53: slide -1 to 1". */
 std::string describe_cases(const std::vector<LoadCase> &cases) {
   std::vector<std::string> texts;
-  const auto add = [&](const char *name, const double of_scene, const auto &value) {
-    const auto [low, high] =
-      std::minmax_element(cases.begin(), cases.end(), [&](const LoadCase &a, const LoadCase &b) {
-        return value(a) < value(b);
-      });
-    if (value(*low) != of_scene || value(*high) != of_scene)
-      texts.push_back(name + (" " + range(value(*low), value(*high))));
-  };
-  for (const auto &[name, factor] :
-       {std::pair("force", &LoadCase::force), std::pair("cross", &LoadCase::cross),
-        std::pair("weight", &LoadCase::weight), std::pair("travel", &LoadCase::travel),
-        std::pair("slide", &LoadCase::slide), std::pair("gap", &LoadCase::gap)})
-    add(name, 1., [part = factor](const LoadCase &c) { return c.*part; });
-  for (const unsigned int d : {0U, 1U})
-    add(d == 0 ? "shift x" : "shift y", 0., [d](const LoadCase &c) { return c.shift[d]; });
+  for (const CaseFactor &factor : case_factors()) {
+    std::vector<double> values;
+    for (const LoadCase &load_case : cases)
+      values.push_back(load_case.*factor.number);
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    if (const double of_scene = LoadCase().*factor.number; *low != of_scene || *high != of_scene)
+      texts.push_back(factor.name + " " + range(*low, *high));
+  }
   return std::to_string(cases.size()) + (texts.empty() ? "" : ": " + join(texts, ", "));
 }
 
@@ -218,7 +200,7 @@ std::string cost_of(const Parameters &parameters, const Scene<dim> &scene, MPI_C
 } // namespace
 
 template <int dim>
-void show_scene(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
+void show_scene(const Parameters &parameters, Scene<dim> scene, MPI_Comm communicator,
                 const StudyReport &report) {
   const DiscretizationParameters &given = parameters.discretization;
   check_settings(parameters, scene);
@@ -226,6 +208,7 @@ void show_scene(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm 
               judge_of(parameters, scene), report.screen);
   const std::string cost = cost_of(parameters, scene, communicator);
   const Mesh<dim> mesh(scene.geometry, given.coarsest_level, given.coarsest_level, MPI_COMM_SELF);
+  multiply_forces(scene.geometry.thickness, scene.plates);
   const SceneNotes notes = notes_on(parameters, scene, mesh);
   print_sides(scene, report.screen);
   for (const std::string &line : notes.lines)

@@ -103,9 +103,11 @@ bool is_first_rank(MPI_Comm communicator) {
 
 /** Returns whether graded meshes were chosen that miss the contact of load cases: they follow that
  * of the scene itself, which does not touch. */
-bool misses_contact(const Parameters &given, const RunSummary &run) {
-  return given.discretization.strategy == Strategy::automatic && run.exit_code == 2 && run.finest &&
-         run.finest->sizes.is_graded() && run.finest->load_cases && run.finest->contact.active == 0;
+template <int dim>
+bool misses_contact(const Parameters &given, const StudyResult<dim> &result) {
+  return given.discretization.strategy == Strategy::automatic && !result.verdict.is_certified() &&
+         !result.levels.empty() && result.levels.back().sizes.is_graded() &&
+         result.levels.back().load_cases && result.levels.back().contact.active == 0;
 }
 
 /** Runs the scene of some parameters. @throws InputError for wrong input. */
@@ -113,23 +115,16 @@ template <int dim>
 RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Comm communicator,
                           Screen &screen) {
   Scene<dim> scene;
-  RunInput decided = input;
   agree(communicator, [&]() { scene = make_scene<dim>(given); });
-  const StrategyDecision decision = decide_strategy(given, scene);
-  std::copy(decision.overrides.begin(), decision.overrides.end(),
-            std::back_inserter(decided.overrides));
-  Parameters parameters = parameters_of(decided);
-  if (decision.levels) {
-    parameters.discretization.coarsest_level.value = (*decision.levels)[0];
-    parameters.discretization.finest_level.value = (*decision.levels)[1];
-  }
+  Parameters parameters = given;
+  const std::string reason = decide_strategy(parameters, scene);
   std::shared_ptr<ResultsDirectory> results;
   agree(communicator, [&]() {
     if (is_first_rank(communicator))
       results = std::make_shared<ResultsDirectory>(input.directory, inputs_of(input, parameters));
   });
-  if (!decision.sentence.empty())
-    screen.out() << "Strategy  " << decision.sentence << "\n";
+  if (!reason.empty())
+    screen.out() << "Strategy  " << reason << "\n";
   try {
     const StudyReport report = {screen.out(), input.directory, screen.progress()};
     if (input.only_show) {
@@ -138,27 +133,21 @@ RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Co
         results->remove_if_empty();
       return {0, "shown", {}, {}};
     }
-    const StudyResult<dim> result = run_study(parameters, scene, communicator, report);
+    StudyResult<dim> result = run_study(parameters, scene, communicator, report);
+    if (misses_contact(given, result)) {
+      screen.out() << "\nStrategy  nested, since load cases alone touch\n";
+      parameters = given;
+      solve_all_nested_levels(parameters);
+      result = run_study(parameters, scene, communicator, report);
+    }
     if (is_first_rank(communicator))
       describe_interruption("after the last level; the results are complete.");
+    if (!result.verdict.reason.empty())
+      screen.complain(name_file(result.verdict.reason, parameters.file_name));
     RunSummary summary = {
       result.verdict.is_certified() ? 0 : 2, word_for(result.verdict.outcome), {}, results};
     if (!result.levels.empty())
       summary.finest = result.levels.back();
-    if (misses_contact(given, summary)) {
-      screen.out() << "\nStrategy  nested, since load cases alone touch\n";
-      summary.results.reset();
-      results.reset();
-      Parameters nested = given;
-      nested.discretization.strategy.value = Strategy::nested;
-      decided = input;
-      // The error of the scene itself says nothing about the cases: all levels are solved.
-      decided.overrides.push_back(nested.discretization.strategy.name + "=nested");
-      decided.overrides.push_back(nested.discretization.target_error.name + "=0");
-      return run_parameters<dim>(nested, decided, communicator, screen);
-    }
-    if (!result.verdict.reason.empty())
-      screen.complain(name_file(result.verdict.reason, parameters.file_name));
     return summary;
   } catch (const InputError &error) {
     // After wrong input no results remain.
@@ -167,36 +156,21 @@ RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Co
     throw input_error(name_file(error.what(), parameters.file_name));
   }
 }
-
-/** Runs a scene. @throws InputError for wrong input. */
-RunSummary try_to_run(const RunInput &input, MPI_Comm communicator, Screen &screen) {
-  Parameters parameters;
-  agree(communicator, [&]() { parameters = parameters_of(input); });
-  const auto read_file = [&](GeometryParameters &geometry) {
-    if (geometry.shape == Shape::file)
-      require_one_version(geometry.file.where(), geometry.file.value, communicator);
-    agree(communicator, [&]() {
-      if (is_first_rank(communicator) && geometry.shape == Shape::file)
-        geometry.mesh = read_mesh_file(geometry);
-    });
-    geometry.mesh = Utilities::MPI::broadcast(communicator, geometry.mesh);
-  };
-  if (parameters.bodies.empty())
-    read_file(parameters.geometry);
-  std::for_each(parameters.bodies.begin(), parameters.bodies.end(), read_file);
-  return dimension_of(parameters) == 2 ? run_parameters<2>(parameters, input, communicator, screen)
-                                       : run_parameters<3>(parameters, input, communicator, screen);
-}
 } // namespace
 
-Parameters parameters_of(const RunInput &input) {
-  return parse_parameters(input.text, input.name, input.overrides,
-                          std::filesystem::path(input.file_name).parent_path().string());
+Parameters parameters_of(const RunInput &input, MPI_Comm communicator) {
+  Parameters parameters;
+  agree(communicator, [&]() {
+    parameters =
+      parse_parameters(input.text, input.name, input.overrides,
+                       std::filesystem::path(input.file_name).parent_path().string(), input.swept);
+  });
+  return parameters;
 }
 
 RunInput read_input(const std::string &file_name, const std::vector<std::string> &overrides,
                     const std::filesystem::path &directory, MPI_Comm communicator) {
-  RunInput input = {file_name, shorten_path(file_name), "", overrides, directory, false, {}};
+  RunInput input = {file_name, shorten_path(file_name), "", overrides, {}, directory, false, {}};
   agree(communicator, [&]() {
     if (is_first_rank(communicator))
       input.text = read_text_file(file_name);
@@ -224,10 +198,23 @@ RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &
   }
 }
 
-RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen) {
+RunSummary run_scene(const RunInput &input, Parameters parameters, MPI_Comm communicator,
+                     Screen &screen) {
   if (is_first_rank(communicator))
     describe_interruption("before the first level.");
-  // Every rank has the same input and throws the same errors; agree() ensures the rest.
-  return tell_errors(screen, [&]() { return try_to_run(input, communicator, screen); });
+  const auto read_file = [&](GeometryParameters &geometry) {
+    if (geometry.shape == Shape::file)
+      require_one_version(geometry.file.where(), geometry.file.value, communicator);
+    agree(communicator, [&]() {
+      if (is_first_rank(communicator) && geometry.shape == Shape::file)
+        geometry.mesh = read_mesh_file(geometry);
+    });
+    geometry.mesh = Utilities::MPI::broadcast(communicator, geometry.mesh);
+  };
+  if (parameters.bodies.empty())
+    read_file(parameters.geometry);
+  std::for_each(parameters.bodies.begin(), parameters.bodies.end(), read_file);
+  return dimension_of(parameters) == 2 ? run_parameters<2>(parameters, input, communicator, screen)
+                                       : run_parameters<3>(parameters, input, communicator, screen);
 }
 } // namespace Signorini

@@ -45,36 +45,47 @@ unsigned int first_level(const double n_coarse_cells) {
     ++level;
   return level;
 }
+
+/** Gives an entry a value, also in the echo. */
+template <typename T>
+void decide(Given<T> &entry, const T &value, const std::string &text, Parameters &parameters) {
+  entry.value = value;
+  set_in_echo(entry.name, text, parameters.echo);
+}
 } // namespace
 
 template <int dim>
-StrategyDecision decide_strategy(const Parameters &parameters, const Scene<dim> &scene) {
-  const DiscretizationParameters &given = parameters.discretization;
-  StrategyDecision decision;
-  Strategy strategy = given.strategy;
-  if (strategy == Strategy::automatic) {
-    const bool has_levels = given.finest_level.is_given || given.coarsest_level.is_given;
+std::string decide_strategy(Parameters &parameters, const Scene<dim> &scene) {
+  DiscretizationParameters &given = parameters.discretization;
+  const bool has_levels = given.finest_level.is_given || given.coarsest_level.is_given;
+  std::string sentence;
+  if (given.strategy == Strategy::automatic) {
     const std::string reason = reason_for_nested(parameters, scene);
-    strategy = reason.empty() && !has_levels ? Strategy::hp : Strategy::nested;
+    const Strategy strategy = reason.empty() && !has_levels ? Strategy::hp : Strategy::nested;
     if (!has_levels)
-      decision.sentence =
-        to_text(strategy) + ", since " +
-        (reason.empty() ? "neither levels nor an exact solution are given" : reason);
-    decision.overrides.push_back(given.strategy.name + "=" + to_text(strategy));
+      sentence = to_text(strategy) + ", since " +
+                 (reason.empty() ? "neither levels nor an exact solution are given" : reason);
+    decide(given.strategy, strategy, to_text(strategy), parameters);
   }
   if constexpr (dim == 2)
-    if (strategy == Strategy::nested && scene.has_pairs() && !given.finest_level.is_given &&
-        !given.coarsest_level.is_given) {
-      decision.levels = levels_of_pairs(scene);
-      if (!decision.sentence.empty() && scene.load_cases.empty() &&
-          scene.exact_displacement == nullptr)
-        decision.sentence +=
-          ", until the error is below " + number_text(100. * enough_for_pairs) + " %";
+    if (given.strategy == Strategy::nested && scene.has_pairs() && !has_levels) {
+      const auto [coarsest, finest] = levels_of_pairs(scene);
+      given.coarsest_level.value = coarsest;
+      given.finest_level.value = finest;
+      if (!sentence.empty() && scene.load_cases.empty() && scene.exact_displacement == nullptr)
+        sentence += ", until the error is below " + number_text(100. * enough_for_pairs) + " %";
     }
-  if (strategy == Strategy::hp && !given.coarsest_level.is_given)
-    decision.overrides.push_back(given.coarsest_level.name + "=" +
-                                 std::to_string(first_level(scene.geometry.n_coarse_cells)));
-  return decision;
+  if (given.strategy == Strategy::hp && !given.coarsest_level.is_given) {
+    const unsigned int first = first_level(scene.geometry.n_coarse_cells);
+    decide(given.coarsest_level, first, std::to_string(first), parameters);
+  }
+  return sentence;
+}
+
+void solve_all_nested_levels(Parameters &parameters) {
+  DiscretizationParameters &given = parameters.discretization;
+  decide(given.strategy, Strategy::nested, to_text(Strategy::nested), parameters);
+  decide(given.target_error, 0., "0", parameters);
 }
 
 INSTANTIATE_FUNCTION(decide_strategy);

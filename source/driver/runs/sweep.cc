@@ -6,6 +6,7 @@
 #include <signorini/base/text.h>
 #include <signorini/driver/runs/run.h>
 #include <signorini/problem/parameters/parameters.h>
+#include <signorini/results/output/tables.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -126,21 +127,13 @@ void write_csv(std::ostream &stream, Table rows) {
   }
 }
 
-/** Prints aligned columns, @p n_left of them on the left. */
-void print_table(std::ostream &screen, Table rows, const std::size_t n_left) {
-  std::vector<std::size_t> widths(rows[0].size());
+/** Prints the table; the texts of the sweeps stand on the left. */
+void print_table(std::ostream &screen, Table rows, const std::size_t n_sweeps) {
   for (std::vector<std::string> &row : rows)
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      row[k] = row[k].empty() ? "-" : shorten(row[k]);
-      widths[k] = std::max(widths[k], row[k].size());
-    }
+    for (std::string &field : row)
+      field = field.empty() ? "-" : shorten(field);
   screen << "\n";
-  for (const std::vector<std::string> &row : rows) {
-    for (std::size_t k = 0; k + 1 < row.size(); ++k)
-      screen << (k < n_left ? std::left : std::right) << std::setw(static_cast<int>(widths[k]))
-             << row[k] << "  ";
-    screen << row.back() << "\n";
-  }
+  print_columns(screen, rows, n_sweeps);
   screen << std::flush;
 }
 
@@ -149,26 +142,9 @@ RunInput input_at(const RunInput &input, const std::vector<Sweep> &sweeps,
                   const SweepPoint &point) {
   RunInput one = input;
   for (std::size_t k = 0; k < sweeps.size(); ++k)
-    one.overrides.push_back(sweeps[k].parameter + "=" + point.values[k]);
+    one.swept.push_back(sweeps[k].parameter + "=" + point.values[k]);
   one.directory = input.directory / point.folder;
   return one;
-}
-
-/** Returns the parameters of one run. @throws InputError that names --set only if this is wrong
- * without the sweeps, too. */
-Parameters swept_parameters(const RunInput &input, const RunInput &one) {
-  const auto message_of = [](const RunInput &any) -> std::string {
-    try {
-      parameters_of(any);
-    } catch (const InputError &error) {
-      return error.what();
-    }
-    return "";
-  };
-  const std::string place = "--set: ", message = message_of(one);
-  if (message.rfind(place, 0) == 0 && message_of(input) != message)
-    throw InputError("--sweep: " + message.substr(place.size()));
-  return parameters_of(one);
 }
 
 /** Lets runs keep their directories open. @return how many of them may, as far as the system lets
@@ -258,9 +234,11 @@ RunSummary run_sweep(const RunInput &input, const std::vector<Sweep> &sweeps, MP
   const std::vector<SweepPoint> points = combine(sweeps);
   std::vector<std::filesystem::path> inputs = input.others;
   inputs.emplace_back(input.file_name);
-  for (const SweepPoint &point : points)
-    inputs.emplace_back(
-      swept_parameters(input, input_at(input, sweeps, point)).geometry.file.value);
+  std::vector<Parameters> parameters;
+  for (const SweepPoint &point : points) {
+    parameters.push_back(parameters_of(input_at(input, sweeps, point), communicator));
+    inputs.emplace_back(parameters.back().geometry.file.value);
+  }
   const std::size_t n_kept = allow_open_files(points.size());
   const bool first_rank = Utilities::MPI::this_mpi_process(communicator) == 0;
   std::optional<ResultsDirectory> results;
@@ -275,7 +253,10 @@ RunSummary run_sweep(const RunInput &input, const std::vector<Sweep> &sweeps, MP
     screen.out() << (runs.empty() ? "" : "\n");
     for (std::size_t k = 0; k < sweeps.size(); ++k)
       screen.out() << "Sweep     " << sweeps[k].parameter << " = " << point.values[k] << "\n";
-    runs.push_back(run_scene(input_at(input, sweeps, point), communicator, screen));
+    runs.push_back(tell_errors(screen, [&]() {
+      return run_scene(input_at(input, sweeps, point), parameters[runs.size()], communicator,
+                       screen);
+    }));
     if (runs.size() > n_kept)
       runs.back().results.reset();
     if (runs.size() == 1 || runs.back().exit_code > worst.exit_code)

@@ -112,7 +112,12 @@ private:
     LevelResult<dim> level;
     agree(communicator_, [&]() { level = sequence_->solve_next(progress); });
     LevelRecord &record = level.solution.record;
-    solve_cases(level, progress);
+    std::vector<CaseResult> cases = solve_cases(level, progress);
+    multiply_forces(scene_.geometry.thickness, record, cases);
+    if (!cases.empty()) {
+      cases_.insert(cases_.end(), cases.begin(), cases.end());
+      writer_.write_cases(cases_);
+    }
     progress("output");
     {
       const StageTimer timer(record.times.output);
@@ -120,7 +125,6 @@ private:
     }
     record.resources = measure_resources();
     report_.progress("");
-    multiply_forces(scene_.geometry.thickness, record);
     std::vector<LevelRecord> &levels = result_.levels;
     if (!level.why_again.empty()) {
       while (!levels.empty() && levels.back().sizes.level >= record.sizes.level)
@@ -148,25 +152,21 @@ private:
 
   /** Solves load cases on the last level, and the steps of a history on every nested one: each
    * level has a history of its own. */
-  void solve_cases(LevelResult<dim> &level, const Progress &progress) {
+  std::vector<CaseResult> solve_cases(LevelResult<dim> &level, const Progress &progress) {
     if constexpr (dim == 2) {
       const Scene<2> &scene = sequence_->scene();
       const bool on_every_level = parameters_.load_cases.sequence == CaseSequence::steps &&
                                   parameters_.discretization.strategy != Strategy::hp;
-      if (scene.load_cases.empty() || !(level.is_last || on_every_level))
-        return;
-      const auto write_fields = [&](const unsigned int number, const Scene<2> &scene_of_case,
-                                    const Displacement &U, const Multiplier &P) {
-        writer_.write_case_fields(*level.discretization, scene_of_case, U, P, number);
-      };
-      const std::vector<CaseResult> found =
-        solve_load_cases(parameters_, scene, level, write_fields, progress);
-      for (CaseResult found_case : found) {
-        multiply_forces(scene.geometry.thickness, found_case);
-        cases_.push_back(std::move(found_case));
-      }
-      writer_.write_cases(cases_);
+      if (!scene.load_cases.empty() && (level.is_last || on_every_level))
+        return solve_load_cases(
+          parameters_, scene, level,
+          [&](const unsigned int number, const Scene<2> &scene_of_case, const Displacement &U,
+              const Multiplier &P) {
+            writer_.write_case_fields(*level.discretization, scene_of_case, U, P, number);
+          },
+          progress);
     }
+    return {};
   }
 
   const Parameters &parameters_;

@@ -13,22 +13,6 @@
 #include <algorithm>
 
 namespace Signorini {
-namespace {
-double share_of(const LoadCase &load_case, const LoadKind kind) {
-  switch (kind) {
-  case LoadKind::force:
-    return load_case.force;
-  case LoadKind::weight:
-    return load_case.weight;
-  case LoadKind::cross:
-    return load_case.cross;
-  case LoadKind::travel:
-    break;
-  }
-  return load_case.travel;
-}
-} // namespace
-
 CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &scene,
                        const ContactSolution<2> &contact, const DualSolverOptions &options,
                        const bool are_steps)
@@ -42,19 +26,19 @@ CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &
   , G_(discretization_.assemble_gap_of(scene_))
   , reactions_(discretization_.space, scene_)
   , slip_(discretization_.multipliers.n_multipliers()) {
-  for (const LoadKind kind : {LoadKind::force, LoadKind::weight, LoadKind::travel, LoadKind::cross})
-    if (has_load(scene_, kind))
-      responses_.push_back(respond(kind));
+  for (const CaseFactor &factor : case_factors())
+    if (factor.kind && has_load(scene_, *factor.kind))
+      responses_.push_back(respond(factor));
   if (!scene_.report_places.empty())
     singular_places_ = singular_places(scene_);
 }
 
-CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const {
-  const Scene<2> scene = with_only(scene_, kind);
+CaseSolver::LoadResponse CaseSolver::respond(const CaseFactor &factor) const {
+  const Scene<2> scene = with_only(scene_, *factor.kind);
   const DisplacementSpace<2> &space = discretization_.space;
   const LinearSystem<2> system = assemble_right_hand_side(space, scene, discretization_.n_points);
   LoadResponse response;
-  response.kind = kind;
+  response.factor = factor.number;
   response.U = solve_homogeneous(*contact_.inverse, space, system.f);
   response.U += space.prescribed(scene);
   response.closing = discretization_.D.transpose_product(response.U);
@@ -64,7 +48,7 @@ CaseSolver::LoadResponse CaseSolver::respond(const LoadKind kind) const {
 }
 
 dealii::Vector<double> CaseSolver::gap_of(const LoadCase &load_case) const {
-  if (load_case.shift.norm() > 0.)
+  if (load_case.shift().norm() > 0.)
     return discretization_.assemble_gap_of(scene_of_case(scene_, load_case));
   dealii::Vector<double> G = G_;
   for (unsigned int k = 0; k < G.size(); ++k)
@@ -89,7 +73,7 @@ FrictionSummary CaseSolver::finish_step(const dealii::Vector<double> &F) {
 DualVector CaseSolver::loads_of(const LoadCase &load_case) const {
   DualVector loads = discretization_.space.make_vector();
   for (const LoadResponse &response : responses_)
-    loads.add(share_of(load_case, response.kind), response.loads);
+    loads.add(load_case.*response.factor, response.loads);
   return loads;
 }
 
@@ -110,7 +94,7 @@ CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {
   FreeMotions motions = {B_, contact_.modes.K, dealii::Vector<double>(contact_.modes.size()),
                          dealii::Vector<double>(contact_.modes.size())};
   for (const LoadResponse &response : responses_) {
-    const double share = share_of(load_case, response.kind);
+    const double share = load_case.*response.factor;
     F.add(-share, response.closing);
     motions.b.add(share, response.work.value);
     motions.b_magnitude.add(std::abs(share), response.work.magnitude);
@@ -172,7 +156,7 @@ Displacement CaseSolver::displacement() const {
   discretization_.condensed_D.add_product(P_.values(), forces);
   Displacement U = solve_homogeneous(*contact_.inverse, discretization_.space, forces);
   for (const LoadResponse &response : responses_)
-    U.add(share_of(last_, response.kind), response.U);
+    U.add(last_.*response.factor, response.U);
   if (contact_.modes.size() > 0)
     contact_.modes.add_to(U, q_);
   return U;

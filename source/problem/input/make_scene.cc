@@ -174,45 +174,17 @@ Scene<3> make_scene(const Parameters &parameters) {
 namespace {
 constexpr unsigned int max_cases = 100000;
 
-const std::vector<std::string> factor_names = {"force", "weight", "travel",  "gap",
-                                               "slide", "cross",  "shift x", "shift y"};
-
-double &factor_of(LoadCase &load_case, const std::string &name) {
-  if (name == "force")
-    return load_case.force;
-  if (name == "weight")
-    return load_case.weight;
-  if (name == "travel")
-    return load_case.travel;
-  if (name == "gap")
-    return load_case.gap;
-  if (name == "slide")
-    return load_case.slide;
-  if (name == "cross")
-    return load_case.cross;
-  return load_case.shift[name == "shift x" ? 0 : 1];
-}
-
-/** Returns why a factor could change nothing; empty if it could. */
-std::string uselessness(const std::string &name, const Scene<2> &scene) {
-  if (name == "shift x" || name == "shift y")
+/** Returns why a number of load cases could change nothing; empty if it could. */
+std::string uselessness(const CaseFactor &factor, const Scene<2> &scene) {
+  if (factor.name.rfind("shift", 0) == 0)
     for (const unsigned int side : scene.contact_sides())
       if (scene.boundary[side].foundation == nullptr)
         return "the side '" + scene.geometry.sides[side].name() +
                "' has no Contact/Foundation that could be moved";
-  if (name == "slide" &&
-      std::none_of(scene.boundary.begin(), scene.boundary.end(),
-                   [](const auto &condition) { return condition.shift != nullptr; }))
-    return "the scene has no Contact/Foundation shift";
-  if (name == "force" && !has_load(scene, LoadKind::force))
-    return "the scene has neither tractions nor plates with a force";
-  if (name == "weight" && !has_load(scene, LoadKind::weight))
-    return "the scene has no body force";
-  if (name == "travel" && !has_load(scene, LoadKind::travel))
-    return "the scene has no prescribed displacement";
-  if (name == "cross" && !has_load(scene, LoadKind::cross))
-    return "the scene has no Load/Plate cross force";
-  return "";
+  const bool slides = std::any_of(scene.boundary.begin(), scene.boundary.end(),
+                                  [](const auto &condition) { return condition.shift != nullptr; });
+  const bool acts = factor.kind ? has_load(scene, *factor.kind) : factor.name != "slide" || slides;
+  return acts ? "" : "the scene has " + factor.lacking;
 }
 
 /** Reads a whole number from @p min to @p max; returns 0 if it is none. */
@@ -244,18 +216,22 @@ void read_cases(const std::string &entry, const Given<std::string> &given, const
     throw error_at(given, "found more than ", max_cases, " cases, allowed: at most that many.");
   const std::size_t first = cases.size();
   cases.resize(first + n);
+  const std::vector<CaseFactor> &factors = case_factors();
+  std::vector<std::string> names;
+  for (const CaseFactor &factor : factors)
+    names.push_back(factor.name);
   for (const std::string &part : split_list(text, ',')) {
-    const auto name =
-      std::find_if(factor_names.begin(), factor_names.end(),
-                   [&](const std::string &known) { return part.rfind(known + " ", 0) == 0; });
-    require(name != factor_names.end(), part,
-            "one of " + join(factor_names) +
+    const auto factor = std::find_if(factors.begin(), factors.end(), [&](const CaseFactor &known) {
+      return part.rfind(known.name + " ", 0) == 0;
+    });
+    require(factor != factors.end(), part,
+            "one of " + join(names) +
               ", a blank and a number; what changes the stiffness needs a run of its own "
               "(--sweep)");
-    const std::string useless = uselessness(*name, scene);
+    const std::string useless = uselessness(*factor, scene);
     if (!useless.empty())
-      throw error_at(given, "found the factor '", *name, "', but ", useless, ".");
-    const std::vector<std::string> words = split_words(part.substr(name->size()));
+      throw error_at(given, "found the factor '", factor->name, "', but ", useless, ".");
+    const std::vector<std::string> words = split_words(part.substr(factor->name.size()));
     double from = 0., to = 0.;
     const bool is_range = words.size() == 3 && words[1] == "to";
     require(words.size() == 1 || is_range, part,
@@ -268,7 +244,7 @@ void read_cases(const std::string &entry, const Given<std::string> &given, const
             "numbers up to " + number_text(max_magnitude));
     for (unsigned int i = 0; i < n; ++i) {
       const double t = n > 1 ? static_cast<double>(i) / (n - 1) : 0.;
-      factor_of(cases[first + i], *name) = (1. - t) * from + t * to;
+      cases[first + i].*factor->number = (1. - t) * from + t * to;
     }
   }
 }

@@ -139,24 +139,25 @@ std::vector<Plate> read_plates(const Given<std::string> &given, const LoadParame
              moments = read_numbers_of(load.plate_moment, names),
              cross = read_numbers_of(load.plate_cross_force, names);
   for (std::size_t p = 0; p < plates.size(); ++p) {
-    const auto force = forces.find(names[p]), travel = travels.find(names[p]),
-               moment = moments.find(names[p]), across = cross.find(names[p]);
-    plates[p].is_pushed = force != forces.end();
-    if (plates[p].is_pushed == (travel != travels.end()))
-      throw error_at(given, "the plate '", names[p], "' has ",
-                     plates[p].is_pushed ? "both" : "none",
+    Plate &plate = plates[p];
+    const auto take = [&](const std::map<std::string, double> &numbers, double &number) {
+      const auto found = numbers.find(names[p]);
+      if (found != numbers.end())
+        number = found->second;
+      return found != numbers.end();
+    };
+    plate.is_pushed = take(forces, plate.force);
+    if (take(travels, plate.travel) == plate.is_pushed)
+      throw error_at(given, "the plate '", names[p], "' has ", plate.is_pushed ? "both" : "none",
                      " of Load/Plate force and Load/Plate travel, allowed: one of the two.");
-    if (moment != moments.end() && !plates[p].turns)
+    if (take(moments, plate.moment) && !plate.turns)
       throw error_at(load.plate_moment, "the plate '", names[p],
                      "' does not turn; allowed: moments of plates with the word turning in "
                      "Boundary/Plates.");
-    if (plates[p].is_pushed)
-      plates[p].force = force->second / geometry.thickness;
-    else
-      plates[p].travel = travel->second;
-    plates[p].drifts = across != cross.end();
-    plates[p].cross_force = plates[p].drifts ? across->second / geometry.thickness : 0.;
-    plates[p].moment = moment == moments.end() ? 0. : moment->second / geometry.thickness;
+    plate.drifts = take(cross, plate.cross_force);
+    // From here on all loads are those per unit of thickness; results multiply by it again.
+    for (double *const number : {&plate.force, &plate.cross_force, &plate.moment})
+      *number /= geometry.thickness;
   }
   return plates;
 }

@@ -103,7 +103,7 @@ private:
   const Declared &find(const Assignment &assignment);
 
   mutable ParameterHandler handler_;
-  /** The texts of entries with a value for each body, by their names in Geometry. */
+  /** The texts of entries with a value for each body. */
   std::map<std::string, std::string> by_body_;
   std::string file_name_;
   /** The entries by subsection and name. */

@@ -28,9 +28,6 @@
 
 namespace Signorini {
 namespace {
-/** The place of an override. */
-const std::string override_place = "--set";
-
 /** The largest size of a parameter file in bytes. */
 constexpr std::size_t max_file_size = 1000000;
 
@@ -151,15 +148,15 @@ std::vector<Assignment> scan_parameter_text(const std::string &text, const std::
   return scanner.finish();
 }
 
-Assignment scan_override(const std::string &argument) {
+Assignment scan_override(const std::string &argument, const std::string &option) {
   // An override is one line, like the file it stands in for.
   std::string line = argument;
   std::replace_if(line.begin(), line.end(), is_control, ' ');
   const auto equals = line.find('=');
   if (equals == std::string::npos || trim(line.substr(0, equals)).empty())
-    throw input_error(override_place, ": found ", quote(line),
+    throw input_error(option, ": found ", quote(line),
                       ", but 'Subsection/Parameter=value' is expected.");
-  return {trim(line.substr(0, equals)), trim(line.substr(equals + 1)), override_place};
+  return {trim(line.substr(0, equals)), trim(line.substr(equals + 1)), option};
 }
 
 std::string read_whole_file(const std::string &file_name, const std::string &where,
@@ -294,7 +291,7 @@ const Declarations::Declared &Declarations::find(const Assignment &assignment) {
     const std::string hint = hint_for(path, constants);
     const std::size_t distance = distance_of_paths(nearest->first, path);
     const bool is_far = distance > 1 && 3 * distance > name_in_section(path).size();
-    if (assignment.place == override_place && path.find('/') == std::string::npos &&
+    if (assignment.place.rfind("--", 0) == 0 && path.find('/') == std::string::npos &&
         (!hint.empty() || (is_far && !constants.empty())))
       throw input_error(assignment.place, ": found ", quote(path), hint, ", allowed: a constant (",
                         join(constants), ") or Subsection/Parameter.");
@@ -319,7 +316,7 @@ const Declarations::Declared &Declarations::find(const Assignment &assignment) {
 
 void Declarations::assign_by_body(const Assignment &assignment) {
   find(assignment).entry->changed = true;
-  by_body_[assignment.path.substr(assignment.path.find('/') + 1)] = assignment.value;
+  by_body_[assignment.path] = assignment.value;
 }
 
 void Declarations::assign(const Assignment &assignment) {
@@ -370,11 +367,15 @@ std::string Declarations::print(const bool with_help) const {
                             (with_help ? ParameterHandler::Text : ParameterHandler::ShortText) |
                               ParameterHandler::KeepDeclarationOrder);
   std::string lines = text.str();
-  for (const auto &[name, value] : by_body_) {
-    const std::size_t entry = lines.find("set " + name + " ", lines.find("subsection Geometry")),
-                      begin = lines.find("= ", entry) + 2;
-    lines.replace(begin, lines.find('\n', begin) - begin, value);
-  }
+  for (const auto &[path, value] : by_body_)
+    set_in_echo(path, value, lines);
   return lines;
+}
+
+void set_in_echo(const std::string &path, const std::string &value, std::string &echo) {
+  const std::size_t section = echo.find("subsection " + section_of(path) + "\n"),
+                    entry = echo.find("set " + name_in_section(path) + " ", section),
+                    begin = echo.find("= ", entry) + 2;
+  echo.replace(begin, echo.find('\n', begin) - begin, value);
 }
 } // namespace Signorini

@@ -62,11 +62,11 @@ std::string with_constant(const std::string &list, const std::string &name,
   return join(parts);
 }
 
-/** Returns the assignments of the file with the overrides behind them. */
-std::vector<Assignment> add_overrides(std::vector<Assignment> assignments,
-                                      const std::vector<std::string> &overrides) {
+/** Adds the values of an option of the command line. */
+void add_overrides(const std::vector<std::string> &overrides, const std::string &option,
+                   std::vector<Assignment> &assignments) {
   for (const std::string &argument : overrides) {
-    Assignment override = scan_override(argument);
+    Assignment override = scan_override(argument, option);
     std::string list;
     for (const Assignment &assignment : assignments)
       if (assignment.path == constants_path)
@@ -78,7 +78,6 @@ std::vector<Assignment> add_overrides(std::vector<Assignment> assignments,
     }
     assignments.push_back(override);
   }
-  return assignments;
 }
 
 /** Returns where a named file is: in @p folder or in the working folder. The name is unchanged if
@@ -172,13 +171,16 @@ void check(const Parameters &parameters) {
 } // namespace
 
 Parameters parse_parameters(const std::string &text, const std::string &file_name,
-                            const std::vector<std::string> &overrides, const std::string &folder) {
+                            const std::vector<std::string> &overrides, const std::string &folder,
+                            const std::vector<std::string> &swept) {
   Parameters parameters;
   parameters.file_name = file_name;
   parameters.geometry.folder = folder;
   Declarations declarations(parameters);
   std::vector<Assignment> assignments =
-    add_overrides(scan_parameter_text(text, file_name, declarations.sections()), overrides);
+    scan_parameter_text(text, file_name, declarations.sections());
+  add_overrides(overrides, "--set", assignments);
+  add_overrides(swept, "--sweep", assignments);
   std::vector<std::string> bodies;
   auto constants = std::make_shared<const Constants>();
   for (const Assignment &assignment : assignments)

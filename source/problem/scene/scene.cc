@@ -150,7 +150,7 @@ Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case) {
   scene.exact_displacement = nullptr;
   scene.body_force = scale(scene.body_force, load_case.weight);
   scene.plates = plates_of_case(std::move(scene.plates), load_case);
-  scene.foundation_position += load_case.shift;
+  scene.foundation_position += load_case.shift();
   for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     BoundaryCondition<2> &condition = scene.boundary[i];
     condition.exact_pressure = condition.exact_friction = nullptr;
@@ -159,28 +159,38 @@ Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case) {
     if (condition.role == Role::displacement)
       condition.data = scale(condition.data, load_case.travel);
     if (condition.role == Role::contact) {
-      if (condition.foundation != nullptr && load_case.shift.norm() > 0.)
+      if (condition.foundation != nullptr && load_case.shift().norm() > 0.)
         condition.data = foundation_gap(scene.geometry.sides[i], condition.foundation,
                                         scene.foundation_position, condition.directions);
       condition.data = scale(condition.data, load_case.gap);
       condition.shift = scale(condition.shift, load_case.slide);
-      if (scene.friction != Friction::none && load_case.shift.norm() > 0.)
+      if (scene.friction != Friction::none && load_case.shift().norm() > 0.)
         condition.shift = slide_along(scene.geometry.sides[i], condition.directions,
-                                      condition.shift, load_case.shift);
+                                      condition.shift, load_case.shift());
     }
   }
   return scene;
 }
 
+const std::vector<CaseFactor> &case_factors() {
+  static const std::vector<CaseFactor> factors = {
+    {"force", &LoadCase::force, LoadKind::force, "neither tractions nor plates with a force"},
+    {"weight", &LoadCase::weight, LoadKind::weight, "no body force"},
+    {"travel", &LoadCase::travel, LoadKind::travel, "no prescribed displacement"},
+    {"gap", &LoadCase::gap, {}, ""},
+    {"slide", &LoadCase::slide, {}, "no Contact/Foundation shift"},
+    {"cross", &LoadCase::cross, LoadKind::cross, "no Load/Plate cross force"},
+    {"shift x", &LoadCase::shift_x, {}, ""},
+    {"shift y", &LoadCase::shift_y, {}, ""}};
+  return factors;
+}
+
 Scene<2> with_only(Scene<2> scene, const LoadKind kind) {
-  return scene_of_case(std::move(scene), {kind == LoadKind::force ? 1. : 0.,
-                                          kind == LoadKind::weight ? 1. : 0.,
-                                          kind == LoadKind::travel ? 1. : 0.,
-                                          1.,
-                                          {},
-                                          false,
-                                          1.,
-                                          kind == LoadKind::cross ? 1. : 0.});
+  LoadCase only;
+  for (const CaseFactor &factor : case_factors())
+    if (factor.kind)
+      only.*factor.number = *factor.kind == kind ? 1. : 0.;
+  return scene_of_case(std::move(scene), only);
 }
 
 bool has_load(const Scene<2> &scene, const LoadKind kind) {

@@ -3,6 +3,7 @@
 
 #include <signorini/results/output/tables.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/math/statistics/linear_regression.hpp>
 
 #include <algorithm>
@@ -152,6 +153,20 @@ std::string error_table(const std::vector<LevelRecord> &levels) {
   return text.str();
 }
 
+void print_columns(std::ostream &stream, const std::vector<std::vector<std::string>> &rows,
+                   const std::size_t n_left) {
+  std::vector<std::size_t> widths(rows[0].size());
+  for (const std::vector<std::string> &row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k)
+      widths[k] = std::max(widths[k], row[k].size());
+  for (const std::vector<std::string> &row : rows) {
+    for (std::size_t k = 0; k + 1 < row.size(); ++k)
+      stream << (k < n_left ? std::left : std::right) << std::setw(static_cast<int>(widths[k]))
+             << row[k] << "  ";
+    stream << row.back() << "\n";
+  }
+}
+
 void write_rows(std::ostream &stream, const std::string &header,
                 const std::vector<std::vector<double>> &rows) {
   stream << header << "\n" << std::setprecision(16);
@@ -199,12 +214,15 @@ Columns<CaseResult> case_columns(const std::vector<CaseResult> &cases) {
       return c.plates.empty() ? std::nullopt : std::optional<double>(c.plates.front().*part);
     };
   };
-  Columns<Case> columns = {{"force", [](const Case &c) { return c.load_case.force; }},
-                           {"weight", [](const Case &c) { return c.load_case.weight; }},
-                           {"travel", [](const Case &c) { return c.load_case.travel; }},
-                           {"gap", [](const Case &c) { return c.load_case.gap; }},
-                           {"shift_x", [](const Case &c) { return c.load_case.shift[0]; }},
-                           {"shift_y", [](const Case &c) { return c.load_case.shift[1]; }}};
+  Columns<Case> columns;
+  const auto add_factor = [&](const std::string &name) {
+    for (const CaseFactor &factor : case_factors())
+      if (factor.name == name)
+        columns.push_back({boost::replace_all_copy(name, " ", "_"),
+                           [part = factor.number](const Case &c) { return c.load_case.*part; }});
+  };
+  for (const char *const name : {"force", "weight", "travel", "gap", "shift x", "shift y"})
+    add_factor(name);
   for (const Column<Case> &answer :
        Columns<Case>{{"contact_force_x", [](const Case &c) { return c.contact.force[0]; }},
                      {"contact_force_y", [](const Case &c) { return c.contact.force[1]; }},
@@ -221,13 +239,13 @@ Columns<CaseResult> case_columns(const std::vector<CaseResult> &cases) {
     columns.push_back({answer.name, [answer](const Case &c) {
                          return c.escape.empty() ? answer.value(c) : std::nullopt;
                        }});
-  columns.push_back({"cross", [](const Case &c) { return c.load_case.cross; }});
+  add_factor("cross");
   columns.push_back({"estimate", &Case::estimate});
   for (const Column<Case> &column : named_columns(cases, reactions_of, "reaction_", ""))
     columns.push_back(column);
   if (std::any_of(cases.begin(), cases.end(), [](const Case &c) { return c.friction; })) {
     columns.push_back({"level", &Case::level});
-    columns.push_back({"slide", [](const Case &c) { return c.load_case.slide; }});
+    add_factor("slide");
     for (const Column<Case> &column : columns_of(&Case::friction))
       if (column.name != "q_l2" && column.name != "critical_friction_factor")
         columns.push_back(column);

@@ -77,8 +77,12 @@ void multiply(const double factor, Numbers &...numbers) {
 }
 } // namespace
 
-void multiply_forces(const double thickness, LevelRecord &record) {
+void multiply_forces(const double thickness, LevelRecord &record, std::vector<CaseResult> &cases) {
   Answer &answer = record.answer;
+  const auto multiply_friction = [&](std::optional<FrictionSummary> &friction) {
+    if (friction)
+      multiply(thickness, friction->tangential_force, friction->dissipation);
+  };
   multiply(thickness, record.contact.normal_force, record.certificate.energy,
            answer.contact_force.resultant.force, answer.contact_force.resultant.moment);
   for (std::vector<SideForce> *const forces : {&answer.contact_by_side, &answer.reactions})
@@ -86,21 +90,23 @@ void multiply_forces(const double thickness, LevelRecord &record) {
       multiply(thickness, force.resultant.force, force.resultant.moment);
   for (PlateRecord &plate : record.motions.plates)
     multiply(thickness, plate.force, plate.cross_force, plate.moment);
-  if (record.friction)
-    multiply(thickness, record.friction->tangential_force, record.friction->dissipation);
+  multiply_friction(record.friction);
   if (record.bound)
     multiply(thickness, record.bound->energy_lower, record.bound->energy_upper,
              record.bound->force_error);
   answer.thickness = thickness;
+  for (CaseResult &result : cases) {
+    result.contact.force *= thickness;
+    result.contact.moment *= thickness;
+    for (auto &[name, force] : result.reactions)
+      force *= thickness;
+    multiply_friction(result.friction);
+  }
 }
 
-void multiply_forces(const double thickness, CaseResult &result) {
-  result.contact.force *= thickness;
-  result.contact.moment *= thickness;
-  for (auto &[name, force] : result.reactions)
-    force *= thickness;
-  if (result.friction)
-    multiply(thickness, result.friction->tangential_force, result.friction->dissipation);
+void multiply_forces(const double thickness, std::vector<Plate> &plates) {
+  for (Plate &plate : plates)
+    multiply(thickness, plate.force, plate.cross_force, plate.moment);
 }
 
 // The columns of convergence.csv, put together from those that the parts of a record declare.

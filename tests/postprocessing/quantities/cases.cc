@@ -20,7 +20,7 @@ std::string block(const LoadCase &load_case) {
   std::ostringstream text;
   text << std::setprecision(17) << "Constants/Values = T=" << 0.02 * load_case.force
        << ", w=" << 0.03 * load_case.weight << ", u=" << 0.01 * load_case.travel
-       << ", X=" << load_case.shift[0] << ", Y=" << load_case.shift[1] << ", G=" << load_case.gap
+       << ", X=" << load_case.shift_x << ", Y=" << load_case.shift_y << ", G=" << load_case.gap
        << "\nLoad/Plate force = left: " << 0.08 * load_case.force
        << "\nLoad/Plate cross force = left: " << 0.04 * load_case.cross
        << "\nLoad/Plate moment = left: " << -0.01 * load_case.force
@@ -80,7 +80,8 @@ int main(int argc, char **argv) {
       pulled.weight = 0.;
       pulled.gap = 0.5;
       pulled.cross = 1.3;
-      moved.shift = dealii::Tensor<1, 2>({0.05, 0.03});
+      moved.shift_x = 0.05;
+      moved.shift_y = 0.03;
       moved.force = 1.2;
       compare(
         checks, "rollers",

@@ -10,6 +10,6 @@ namespace Signorini {
  * @throws InputError for what contradicts itself, and for levels that do not fit into memory.
  */
 template <int dim>
-void show_scene(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
+void show_scene(const Parameters &parameters, Scene<dim> scene, MPI_Comm communicator,
                 const StudyReport &report);
 } // namespace Signorini

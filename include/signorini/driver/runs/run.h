@@ -43,6 +43,8 @@ struct RunInput {
   std::string text;
   /** Assignments "Subsection/Parameter=value" that replace values of the file. */
   std::vector<std::string> overrides;
+  /** The same for one run of a sweep. */
+  std::vector<std::string> swept;
   /** The directory of the results. */
   std::filesystem::path directory;
   /** Whether the scene is shown instead of solved. */
@@ -64,8 +66,8 @@ struct RunSummary {
   std::shared_ptr<const ResultsDirectory> results;
 };
 
-/** Returns the parameters of a run. @throws InputError */
-Parameters parameters_of(const RunInput &input);
+/** Returns the parameters of a run. Collective. @throws InputError */
+Parameters parameters_of(const RunInput &input, MPI_Comm communicator);
 
 /**
  * Reads a parameter file on the first rank, for all ranks. Collective. @throws InputError, also
@@ -78,9 +80,10 @@ RunInput read_input(const std::string &file_name, const std::vector<std::string>
  * the summary of the run that it ended is returned. */
 RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &run);
 
-/** Runs one scene from its parameters to the results. Errors are printed on the screen. Collective.
- */
-RunSummary run_scene(const RunInput &input, MPI_Comm communicator, Screen &screen);
+/** Runs one scene from its parameters to the results. Collective. @throws InputError,
+ * ComputationError */
+RunSummary run_scene(const RunInput &input, Parameters parameters, MPI_Comm communicator,
+                     Screen &screen);
 
 /** A parameter, and the values that it takes one after the other. */
 struct Sweep {
@@ -107,7 +110,7 @@ std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps);
  * Runs a scene for all combinations of values, each in a directory of its own below that of the
  * input, and prints one table over them, which is also written to sweep.csv. All values are parsed
  * before the first run, and other runs are kept out of all directories until the last one ends.
- * Collective.
+ * Errors of single runs are printed on the screen. Collective.
  * @return the largest exit code, with its verdict.
  */
 RunSummary run_sweep(const RunInput &input, const std::vector<Sweep> &sweeps, MPI_Comm communicator,

@@ -93,7 +93,8 @@ public:
 private:
   /** The response to one kind of load. */
   struct LoadResponse {
-    LoadKind kind;
+    /** The factor of these loads. */
+    double LoadCase::*factor;
     Displacement U;
     /** The closing Dᵀ U. */
     dealii::Vector<double> closing;
@@ -103,7 +104,7 @@ private:
     DualVector loads;
   };
 
-  LoadResponse respond(LoadKind kind) const;
+  LoadResponse respond(const CaseFactor &factor) const;
   /** Returns G. */
   dealii::Vector<double> gap_of(const LoadCase &load_case) const;
   /** Summarises friction, and remembers the slip of a step. */

@@ -7,15 +7,15 @@
 
 namespace Signorini {
 /**
- * One `set Name = value` of a parameter file or one `--set` of the command line, with the place it
- * was read from.
+ * One `set Name = value` of a parameter file, or one value of `--set` or `--sweep` on the command
+ * line, with the place it was read from.
  */
 struct Assignment {
   /** The subsections and the name, joined by '/': "Solver/Tolerance". */
   std::string path;
   /** The value without comment and surrounding blanks. */
   std::string value;
-  /** The place for messages: "scene.prm:12" or "--set". */
+  /** The place for messages: "scene.prm:12", "--set" or "--sweep". */
   std::string place;
 };
 
@@ -32,8 +32,9 @@ struct Assignment {
 std::vector<Assignment> scan_parameter_text(const std::string &text, const std::string &file_name,
                                             const std::set<std::string> &known_sections = {});
 
-/** Splits `Subsection/Parameter=value` of the option `--set`; throws InputError without '='. */
-Assignment scan_override(const std::string &argument);
+/** Splits `Subsection/Parameter=value` of an option of the command line, `--set` or `--sweep`.
+ * @throws InputError without '='. */
+Assignment scan_override(const std::string &argument, const std::string &option);
 
 /** Reads a whole file. @throws InputError if it cannot be read, is not a file (devices and pipes
  * may never end) or has more than @p max_size bytes. Messages begin with @p where and call the

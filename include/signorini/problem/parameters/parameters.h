@@ -14,7 +14,7 @@ namespace Signorini {
 struct Entry {
   /** The subsection and the name: "Solver/Tolerance". */
   std::string name;
-  /** The place, "scene.prm:12" or "--set"; for a default the file alone. */
+  /** The place, "scene.prm:12", "--set" or "--sweep"; for a default the file alone. */
   std::string place;
   /** Whether the value is given, and whether it differs from the default. */
   bool is_given = false, changed = false;
@@ -221,11 +221,15 @@ Parameters read_parameters(const std::string &file_name,
 /**
  * Reads the same from a text; @p file_name is used in messages only. Files that the text names are
  * looked for in @p folder, then in the working folder; their names become absolute, so that the
- * echo works everywhere.
+ * echo works everywhere. @param swept further overrides, which messages call values of --sweep.
  */
 Parameters parse_parameters(const std::string &text, const std::string &file_name,
                             const std::vector<std::string> &overrides = {},
-                            const std::string &folder = "");
+                            const std::string &folder = "",
+                            const std::vector<std::string> &swept = {});
+
+/** Writes another value of an entry into the echo of parameters: one that the program decides. */
+void set_in_echo(const std::string &path, const std::string &value, std::string &echo);
 
 /** Returns all parameters, or those of some subsections, with their defaults, allowed values, units
  * and one line of help each. @throws InputError for other names. */

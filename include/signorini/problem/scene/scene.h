@@ -42,14 +42,18 @@ struct LoadCase {
   double travel = 1.;
   /** Factor of the gap. */
   double gap = 1.;
-  /** The shift of the foundation, in addition to Contact/Foundation position (length). */
-  Tensor<1, 2> shift;
-  /** Whether its fields are written. */
-  bool has_fields = false;
   /** Factor of the tangential motion of the foundation. */
   double slide = 1.;
   /** Factor of the forces across the direction of plates. */
   double cross = 1.;
+  /** The shift of the foundation, in addition to Contact/Foundation position (length). */
+  double shift_x = 0., shift_y = 0.;
+  /** Whether its fields are written. */
+  bool has_fields = false;
+
+  Tensor<1, 2> shift() const {
+    return Tensor<1, 2>({shift_x, shift_y});
+  }
 };
 
 /** The motion of a plate. */
@@ -228,6 +232,20 @@ std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &loa
 
 /** The kinds of load of a scene. */
 enum class LoadKind { force, weight, travel, cross };
+
+/** A number of a load case, a factor or a shift. */
+struct CaseFactor {
+  /** The name in Load cases/Cases: "shift x". */
+  std::string name;
+  double LoadCase::*number;
+  /** The kind of load that it multiplies; none of other numbers. */
+  std::optional<LoadKind> kind;
+  /** What a scene lacks in which it changes nothing: "no body force". */
+  std::string lacking;
+};
+
+/** Returns all numbers of load cases, those of the same kind as in LoadKind in its order. */
+const std::vector<CaseFactor> &case_factors();
 
 /** Returns the scene with one kind of load; all others are zero, and forces do not act on plates.
  */

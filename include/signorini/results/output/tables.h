@@ -36,6 +36,10 @@ std::string csv_row(const Columns<Row> &columns, const Row &row) {
   return line.str();
 }
 
+/** Prints rows of texts in aligned columns, the first @p n_left of them on the left. */
+void print_columns(std::ostream &stream, const std::vector<std::vector<std::string>> &rows,
+                   std::size_t n_left);
+
 /** Writes a table of numbers with all digits. @param header the names, separated by commas. */
 void write_rows(std::ostream &stream, const std::string &header,
                 const std::vector<std::vector<double>> &rows);

@@ -128,10 +128,11 @@ struct LevelRecord {
   Resources resources;
 };
 
-/** Multiplies forces, moments, work and energies, which are computed per unit of thickness, by the
- * thickness. Norms stay those of the plane. */
-void multiply_forces(double thickness, LevelRecord &record);
-void multiply_forces(double thickness, CaseResult &result);
+/** Multiplies forces, moments, work and energies of a level and of load cases, which are computed
+ * per unit of thickness, by the thickness. Norms stay those of the plane. */
+void multiply_forces(double thickness, LevelRecord &record, std::vector<CaseResult> &cases);
+/** The same for the forces and moments that drive plates. */
+void multiply_forces(double thickness, std::vector<Plate> &plates);
 
 /**
  * Returns the names of the columns on whose places in convergence.csv programs rely. Other columns
