@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A scene before it is solved: its sides, what it may cost, a drawing.
+// A scene before it is solved: its sides, its cost, a drawing.
 
 #include <signorini/base/instantiate.h>
 #include <signorini/base/parallel.h>
@@ -63,7 +63,7 @@ std::string motion_of(const Plate &plate) {
          (plate.turns ? ", turning" : "");
 }
 
-/** Returns what is prescribed on a side: "gap 0 to 0.1, friction coefficient 0.3". */
+/** Returns the data of a side: "gap 0 to 0.1, friction coefficient 0.3". */
 template <int dim>
 std::string data_of(const Scene<dim> &scene, const unsigned int side,
                     const std::vector<Point<dim>> &points) {
@@ -127,7 +127,7 @@ std::string describe_cases(const std::vector<LoadCase> &cases) {
   return std::to_string(cases.size()) + (texts.empty() ? "" : ": " + join(texts, ", "));
 }
 
-/** Returns what acts on the whole body. */
+/** Returns the loads of the whole body. */
 template <int dim>
 SceneNotes notes_on(const Parameters &parameters, const Scene<dim> &scene, const Mesh<dim> &mesh) {
   SceneNotes notes;
@@ -173,7 +173,7 @@ double time_of_unknown(const Parameters &parameters, const Scene<dim> &scene) {
   return time;
 }
 
-/** Returns what a run may cost. */
+/** Returns the cost of a run. */
 template <int dim>
 std::string cost_of(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator) {
   constexpr double time_of_start = 0.3, time_of_mesh = 0.05;

@@ -229,7 +229,7 @@ void check_multigrid(const Given<Option> &solver, const std::string &allowed,
             "with it: " + allowed);
 }
 
-/** Refuses what friction cannot do. @throws InputError */
+/** Refuses settings that friction cannot have. @throws InputError */
 template <int dim>
 void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
   const Given<CaseSequence> &sequence = parameters.load_cases.sequence;

@@ -16,9 +16,9 @@
 #include <utility>
 
 namespace Signorini {
-std::string name_of(const SidePlace &place, const Scene<2> &scene) {
-  const Side<2> &side = scene.geometry.sides[place.side];
-  const Point<2> x = side.point(place.arc_length);
+std::string name_of(const SidePoint &at, const Scene<2> &scene) {
+  const Side<2> &side = scene.geometry.sides[at.side];
+  const Point<2> x = side.point(at.arc_length);
   std::ostringstream name;
   name << side.name() << " at (" << x[0] << ", " << x[1] << ")";
   return name.str();
@@ -434,7 +434,7 @@ void ContactTrace::sample() {
     face.d = upper.function;
     if (upper.largest > max_) {
       max_ = upper.largest;
-      place_of_largest_ = {face.side,
+      point_of_largest_ = {face.side,
                            data_.scene.geometry.sides[face.side].arc_length(face.point(upper.at))};
     }
   }
@@ -453,7 +453,7 @@ void ContactTrace::require() {
   const double tolerance = 1e-12 * (size_of_U_ + data_.scene.geometry.diameter());
   for (const NodeCondition &condition : conditions_)
     if (!obstacle_ && condition.is_normal() && condition.held() && condition.required > tolerance)
-      obstacle_ = condition.place;
+      obstacle_ = condition.at;
   for (const PenetrationFace &face : faces_) {
     const double largest = face.d.largest();
     const bool near_contact =

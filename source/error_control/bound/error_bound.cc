@@ -195,7 +195,7 @@ LocatedBound sum_up(const BoundData &data, const BestStress &best) {
   const StressBound &stress_data = best.bound;
   const ContactLift lift(data, best.stress.face_fields(data.multipliers.surface(), {}));
   result.penetration = lift.trace.max_penetration();
-  result.place_of_penetration = name_of(lift.trace.place_of_largest(), data.scene);
+  result.place_of_penetration = name_of(lift.trace.point_of_largest(), data.scene);
   result.missing = doubt(stress_data, lift);
   result.only_estimated = gap_of_proof(data, best);
   // On graded meshes the estimate has been compared with other steps.

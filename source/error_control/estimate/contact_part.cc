@@ -30,14 +30,15 @@ namespace {
 struct Stretch {
   /** The number of the side, that of its corners before the stretch, and the arc length where it
    * begins; in 3-D the number of the patch. */
-  unsigned int place, corners;
+  unsigned int side_or_patch, corners;
   double from;
   bool penetrates;
   /** The measure of what counts, and the integrals of modulus d² and 2 p_H d over it. */
   double measure, square, work;
 
   bool continues(const Stretch &before) const {
-    return place == before.place && corners == before.corners && penetrates == before.penetrates;
+    return side_or_patch == before.side_or_patch && corners == before.corners &&
+           penetrates == before.penetrates;
   }
   void operator+=(const Stretch &next) {
     measure += next.measure;
@@ -46,7 +47,7 @@ struct Stretch {
   }
   template <typename Archive>
   void serialize(Archive &archive, const unsigned int /*version*/) {
-    archive &place &corners &from &penetrates &measure &square &work;
+    archive &side_or_patch &corners &from &penetrates &measure &square &work;
   }
   /** Returns the least of |||w|||² + 2 ∫ p_H (d - w_n). */
   template <int dim>
@@ -148,7 +149,8 @@ double contact_part(const DisplacementSpace<dim> &space, const MultiplierSpace<d
       mine.push_back(stretch);
   std::vector<Stretch> all = collect(mine, surface.communicator());
   std::stable_sort(all.begin(), all.end(), [](const Stretch &a, const Stretch &b) {
-    return std::tie(a.place, a.from, a.penetrates) < std::tie(b.place, b.from, b.penetrates);
+    return std::tie(a.side_or_patch, a.from, a.penetrates) <
+           std::tie(b.side_or_patch, b.from, b.penetrates);
   });
   // Neighbours with the same sign are one stretch.
   double energy = 0.;

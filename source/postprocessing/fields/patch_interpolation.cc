@@ -10,23 +10,23 @@
 
 namespace Signorini {
 namespace {
-/** Returns the digits of a number, the lowest first: the place of a point in a grid. */
+/** Returns the digits of a number, the lowest first: the position of a point in a grid. */
 template <int dim>
 std::array<unsigned int, dim> digits(unsigned int number, const unsigned int base) {
-  std::array<unsigned int, dim> place;
-  for (unsigned int &digit : place) {
+  std::array<unsigned int, dim> position;
+  for (unsigned int &digit : position) {
     digit = number % base;
     number /= base;
   }
-  return place;
+  return position;
 }
 
 /** Returns the number with these digits. */
 template <int dim>
-unsigned int lexicographic(const std::array<unsigned int, dim> &place, const unsigned int base) {
+unsigned int lexicographic(const std::array<unsigned int, dim> &position, const unsigned int base) {
   unsigned int number = 0;
   for (unsigned int d = dim; d > 0; --d)
-    number = base * number + place[d - 1];
+    number = base * number + position[d - 1];
   return number;
 }
 
@@ -79,7 +79,7 @@ PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
 
 template <int dim>
 typename PatchInterpolation<dim>::ShapeTable PatchInterpolation<dim>::make_table(
-  const std::vector<Point<dim>> &points, const Place &place) const {
+  const std::vector<Point<dim>> &points, const GridPosition &position) const {
   ShapeTable table;
   std::vector<double> values(polynomials_.n());
   std::vector<Tensor<1, dim>> gradients(polynomials_.n());
@@ -90,7 +90,7 @@ typename PatchInterpolation<dim>::ShapeTable PatchInterpolation<dim>::make_table
   for (const Point<dim> &point : points) {
     Point<dim> point_in_ancestor;
     for (unsigned int d = 0; d < dim; ++d)
-      point_in_ancestor[d] = (point[d] + place[d]) / n_cells_;
+      point_in_ancestor[d] = (point[d] + position[d]) / n_cells_;
     polynomials_.evaluate(point_in_ancestor, values, gradients, second, third, fourth);
     table.emplace_back();
     for (unsigned int k = 0; k < values.size(); ++k)
@@ -101,59 +101,61 @@ typename PatchInterpolation<dim>::ShapeTable PatchInterpolation<dim>::make_table
 }
 
 template <int dim>
-void PatchInterpolation<dim>::read_values(const AncestorIterator &cell, const Place &place) {
+void PatchInterpolation<dim>::read_values(const AncestorIterator &cell,
+                                          const GridPosition &position) {
   for (unsigned int c = 0; c < cell->n_children(); ++c) {
-    Place child = digits<dim>(c, 2);
+    GridPosition child = digits<dim>(c, 2);
     for (unsigned int d = 0; d < dim; ++d)
-      child[d] += 2 * place[d];
+      child[d] += 2 * position[d];
     read_values(cell->child(c), child);
   }
   if (cell->has_children())
     return;
   cell->get_dof_values(U_.entries(), on_cell_);
-  const unsigned int first = space_.element().degree * lexicographic<dim>(place, degree_ + 1);
+  const unsigned int first = space_.element().degree * lexicographic<dim>(position, degree_ + 1);
   for (unsigned int i = 0; i < on_cell_.size(); ++i)
     nodal_values_[first + nodes_of_cell_[i].second][nodes_of_cell_[i].first] = on_cell_[i];
 }
 
 template <int dim>
-typename PatchInterpolation<dim>::Place
+typename PatchInterpolation<dim>::GridPosition
 PatchInterpolation<dim>::collect_values(const CellIterator &cell) {
   AncestorIterator ancestor = cell;
-  Place place = {};
+  GridPosition position = {};
   for (unsigned int g = 0; g < n_generations_; ++g) {
     const auto parent = ancestor->parent();
     unsigned int c = 0;
     while (parent->child_index(c) != ancestor->index())
       ++c;
     for (unsigned int d = 0; d < dim; ++d)
-      place[d] += digits<dim>(c, 2)[d] << g;
+      position[d] += digits<dim>(c, 2)[d] << g;
     ancestor = parent;
   }
   if (ancestor != ancestor_) {
-    read_values(ancestor, Place());
+    read_values(ancestor, GridPosition());
     ancestor_ = ancestor;
   }
-  return place;
+  return position;
 }
 
 template <int dim>
 void PatchInterpolation<dim>::interpolate(const CellIterator &cell,
                                           const std::vector<Point<dim>> &points) {
-  const Place place = collect_values(cell);
+  const GridPosition position = collect_values(cell);
   const bool is_usual = points == usual_points_;
   if (is_usual && !lines_.empty()) {
     std::array<const LineTable *, dim> lines;
     for (unsigned int d = 0; d < dim; ++d)
-      lines[d] = &lines_[place[d]];
+      lines[d] = &lines_[position[d]];
     evaluate_products<dim>(nodal_values_, lines, result_);
     return;
   }
   result_.values.assign(points.size(), Tensor<1, dim>());
   result_.gradients.assign(points.size(), Tensor<2, dim>());
   if (!is_usual)
-    cut_table_ = make_table(points, place);
-  const ShapeTable &shapes = is_usual ? tables_[lexicographic<dim>(place, n_cells_)] : cut_table_;
+    cut_table_ = make_table(points, position);
+  const ShapeTable &shapes =
+    is_usual ? tables_[lexicographic<dim>(position, n_cells_)] : cut_table_;
   for (unsigned int q = 0; q < points.size(); ++q)
     for (const Shape &shape : shapes[q]) {
       result_.values[q] += shape.value * nodal_values_[shape.node];
@@ -201,12 +203,12 @@ Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement
     const std::vector<Tensor<1, dim>> &values = interpolation.on_reference_cell(cell).values;
     for (unsigned int c = 0; c < parent->n_children(); ++c)
       for (const unsigned int v : parent->vertex_indices()) {
-        std::array<unsigned int, dim> place = digits<dim>(c, 2);
+        std::array<unsigned int, dim> position = digits<dim>(c, 2);
         for (unsigned int d = 0; d < dim; ++d)
-          place[d] += digits<dim>(v, 2)[d];
+          position[d] += digits<dim>(v, 2)[d];
         for (unsigned int d = 0; d < dim; ++d)
           carried[parent->child(c)->vertex_dof_index(v, d)] =
-            values[lexicographic<dim>(place, 3)][d];
+            values[lexicographic<dim>(position, 3)][d];
       }
   }
   carried.update_ghost_values();

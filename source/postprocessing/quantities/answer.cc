@@ -15,9 +15,9 @@
 
 namespace Signorini {
 namespace {
-/** Sets the place of growth if a maximum lies at a singular place and stands out. */
+/** Sets the edge of growth if a maximum lies at a singular edge and stands out. */
 template <int dim, typename Maximum>
-void set_growth(const std::vector<SingularPlace<dim>> &places,
+void set_growth(const std::vector<SingularEdge<dim>> &edges,
                 const MultiplierSpace<dim> &multipliers, const Multiplier &multiplier,
                 const AnswerVector &point, Maximum &largest) {
   // A constant stress has no singular part.
@@ -25,22 +25,22 @@ void set_growth(const std::vector<SingularPlace<dim>> &places,
   Point<dim> x;
   std::copy(point.begin(), point.end(), x.begin_raw());
   if (!largest.away || largest.value > (1. + rounding) * largest.away->value)
-    largest.grows_at = growth_at(x, places, multipliers, multiplier);
+    largest.grows_at = growth_at(x, edges, multipliers, multiplier);
 }
 
-/** Returns the largest pressure, and the place where it grows without limit. */
+/** Returns the largest pressure, and the edge where it grows without limit. */
 template <int dim>
 std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multipliers,
                                           const Multiplier &multiplier,
-                                          const std::vector<SingularPlace<dim>> &places) {
+                                          const std::vector<SingularEdge<dim>> &edges) {
   const Pressure &P = multiplier.normal();
   const std::optional<PressureMaximum> largest = peak_pressure(multipliers, P);
   if (!largest)
     return {};
   PeakPressure peak = {*largest, {}, {}};
-  if (!places.empty())
-    peak.away = peak_pressure(multipliers, P, places);
-  set_growth(places, multipliers, multiplier, largest->place.point, peak);
+  if (!edges.empty())
+    peak.away = peak_pressure(multipliers, P, edges);
+  set_growth(edges, multipliers, multiplier, largest->at.point, peak);
   return peak;
 }
 } // namespace
@@ -52,7 +52,7 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
   const QIterated<dim - 1> positions(QTrapezoid<1>(), dim == 2 ? 16 : 4);
   const ContactSurface<dim> &surface = multipliers.surface();
   TraceValues<dim> traces(space);
-  // A depth by its face, its value, and its place.
+  // A depth by its face, its value, and its position.
   using Depth = std::tuple<unsigned int, double, double, Point<dim>>;
   std::vector<Depth> largest;
   // Of equal ones, the first: rounding must not choose.
@@ -152,16 +152,16 @@ Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &sce
   answer.axisymmetric = scene.geometry.axisymmetric;
   if (answer.axisymmetric)
     remove_moments(answer);
-  const std::vector<SingularPlace<dim>> places = singular_places(scene);
-  answer.peak_pressure = describe_peak(multipliers, multiplier, places);
+  const std::vector<SingularEdge<dim>> edges = singular_edges(scene);
+  answer.peak_pressure = describe_peak(multipliers, multiplier, edges);
   if constexpr (dim == 2) {
     answer.zones = contact_zones(multipliers, P);
     answer.turn_of_normals = turn_of_normals(multipliers, P);
   }
   answer.penetration = max_penetration(space, multipliers, scene, U);
-  answer.von_mises = largest_von_mises(space, scene, U, places);
-  set_growth(places, multipliers, multiplier, answer.von_mises.point, answer.von_mises);
-  answer.reports = report_on_places<dim>(space, scene, U, places, multipliers, multiplier);
+  answer.von_mises = largest_von_mises(space, scene, U, edges);
+  set_growth(edges, multipliers, multiplier, answer.von_mises.point, answer.von_mises);
+  answer.reports = report_on_probes<dim>(space, scene, U, edges, multipliers, multiplier);
   return answer;
 }
 

@@ -29,8 +29,8 @@ CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &
   for (const CaseFactor &factor : case_factors())
     if (factor.kind && has_load(scene_, *factor.kind))
       responses_.push_back(respond(factor));
-  if (!scene_.report_places.empty())
-    singular_places_ = singular_places(scene_);
+  if (!scene_.probes.empty())
+    singular_edges_ = singular_edges(scene_);
 }
 
 CaseSolver::LoadResponse CaseSolver::respond(const CaseFactor &factor) const {
@@ -146,8 +146,8 @@ std::vector<std::pair<std::string, double>> CaseSolver::reactions(const Displace
   return reactions_.of(U, forces);
 }
 
-std::vector<PlaceReport> CaseSolver::report(const Displacement &U) const {
-  return report_on_places<2>(discretization_.space, scene_, U, singular_places_,
+std::vector<ProbeReport> CaseSolver::report(const Displacement &U) const {
+  return report_on_probes<2>(discretization_.space, scene_, U, singular_edges_,
                              discretization_.multipliers, P_);
 }
 

@@ -55,7 +55,7 @@ double root_end(const EndOfPressure &given) {
 }
 
 /** Returns a point of a side; on a closed one the end of the side stays its end. */
-BoundaryPlace place_on(const Side<2> &side, double s) {
+BoundaryPoint point_on(const Side<2> &side, double s) {
   if (side.is_closed() && (s < 0. || s > side.length()))
     s -= side.length() * std::floor(s / side.length());
   return {side.name(), s, side.point(s)};
@@ -93,7 +93,7 @@ ZoneEnd end_of_run(const Side<2> &side, const std::vector<PatchMean> &patches, c
   const double inner_edge = step > 0 ? patch.lower : patch.upper;
   const double edge = step > 0 ? patch.upper : patch.lower;
   if (!exists(last + step))
-    return {place_on(side, edge), 0.};
+    return {point_on(side, edge), 0.};
   const PatchMean &next = patches[last + step];
   double s = edge;
   if (exists(last - step) && patches[last - step].presses &&
@@ -105,7 +105,7 @@ ZoneEnd end_of_run(const Side<2> &side, const std::vector<PatchMean> &patches, c
                                       patch.mean / before.mean});
   }
   const PatchMean &holder = (edge - s) * step >= 0. ? patch : next;
-  return {place_on(side, s), holder.upper - holder.lower};
+  return {point_on(side, s), holder.upper - holder.lower};
 }
 
 /** Adds the zones of a side, where multipliers are constants. */
@@ -113,7 +113,7 @@ void add_zones(const Side<2> &side, const std::vector<PatchMean> &patches, const
                std::vector<ContactZone> &zones) {
   const auto presses = [](const PatchMean &patch) { return patch.presses; };
   if (is_round && std::all_of(patches.begin(), patches.end(), presses)) {
-    zones.push_back({{place_on(side, 0.), 0.}, {place_on(side, side.length()), 0.}, side.length()});
+    zones.push_back({{point_on(side, 0.), 0.}, {point_on(side, side.length()), 0.}, side.length()});
     return;
   }
   const int n_turns = is_round ? 3 : 1, n = patches.size() / n_turns;
@@ -123,7 +123,7 @@ void add_zones(const Side<2> &side, const std::vector<PatchMean> &patches, const
       const auto end = std::find_if_not(patches.begin() + first, patches.end(), presses);
       const int last = static_cast<int>(end - patches.begin()) - 1;
       ContactZone zone = {end_of_run(side, patches, first, -1), end_of_run(side, patches, last, 1)};
-      zone.length = zone.end.place.arc_length - zone.start.place.arc_length;
+      zone.length = zone.end.at.arc_length - zone.start.at.arc_length;
       if (zone.length < 0.) // It contains the start of a closed side.
         zone.length += side.length();
       zones.push_back(zone);
@@ -144,7 +144,7 @@ std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers, co
   else
     for (const PressedInterval &interval : pressed_intervals(multipliers, P)) {
       const auto end_at = [&](const PressedInterval::End &end) {
-        return ZoneEnd{place_on(sides[interval.side], end.s), end.uncertainty};
+        return ZoneEnd{point_on(sides[interval.side], end.s), end.uncertainty};
       };
       zones.push_back({end_at(interval.start), end_at(interval.end), interval.length()});
     }

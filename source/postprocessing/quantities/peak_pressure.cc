@@ -206,7 +206,7 @@ private:
 template <int dim>
 std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<dim> &multipliers,
                                              const Pressure &P,
-                                             const std::vector<SingularPlace<dim>> &outside_of) {
+                                             const std::vector<SingularEdge<dim>> &outside_of) {
   // Of equal peaks (a symmetric body may have two) the first one is taken, independent of rounding.
   constexpr double larger = 1. + 1e-9;
   const bool is_polynomial = !multipliers.is_piecewise_constant();

@@ -26,23 +26,23 @@ constexpr double max_singular_exponent = 1. - 1e-3;
 /** The share of the sides and of the distances between corners. */
 constexpr double share_of_sides = 0.1;
 
-/** Adds a place if stresses can be singular there: if the exponent is below one in one of the
+/** Adds an edge if stresses can be singular there: if the exponent is below one in one of the
  * states that contact may have. */
 template <int dim>
-void add_if_singular(const SingularPlace<dim> &place, const Scene<dim> &scene,
-                     std::vector<SingularPlace<dim>> &places) {
-  const Role first = scene.boundary[place.sides[0]].role,
-             second = scene.boundary[place.sides[1]].role;
+void add_if_singular(const SingularEdge<dim> &edge, const Scene<dim> &scene,
+                     std::vector<SingularEdge<dim>> &edges) {
+  const Role first = scene.boundary[edge.sides[0]].role,
+             second = scene.boundary[edge.sides[1]].role;
   const auto is_free = [](const Role role) { return role == Role::free || role == Role::traction; };
-  const double angle = opening(place.layers);
+  const double angle = opening(edge.layers);
   // This saves time with hundreds of corners: (W1) at convex corners, and where contact goes on
   // straight.
-  if (place.layers.size() == 1 &&
+  if (edge.layers.size() == 1 &&
       ((is_free(first) && is_free(second) && angle <= PI + 1e-6) ||
        (first == Role::contact && second == Role::contact && std::abs(angle - PI) < 1e-6)))
     return;
-  if (smallest_exponent(scene, place.ends[0], place.sides, place.layers) < max_singular_exponent)
-    places.push_back(place);
+  if (smallest_exponent(scene, edge.ends[0], edge.sides, edge.layers) < max_singular_exponent)
+    edges.push_back(edge);
 }
 
 /** Returns the unknown of a contact side that is nearest to a point; none on other sides. */
@@ -83,14 +83,14 @@ EdgeCondition present_condition(const Point<dim> &x, const unsigned int side,
           rubs ? multiplier.tangential()[0][*k] / multiplier.normal()[*k] : 0.};
 }
 
-/** Returns the exponent of a place that x lies next to, in the present state of contact. */
+/** Returns the exponent of an edge that x lies next to, in the present state of contact. */
 template <int dim>
-double present_exponent(const SingularPlace<dim> &place, const Point<dim> &x,
+double present_exponent(const SingularEdge<dim> &edge, const Point<dim> &x,
                         const MultiplierSpace<dim> &multipliers, const Multiplier &multiplier) {
-  const Point<dim> nearest = place.nearest(x);
-  return corner_exponent(place.layers,
-                         present_condition(nearest, place.sides[0], multipliers, multiplier),
-                         present_condition(nearest, place.sides[1], multipliers, multiplier));
+  const Point<dim> nearest = edge.nearest(x);
+  return corner_exponent(edge.layers,
+                         present_condition(nearest, edge.sides[0], multipliers, multiplier),
+                         present_condition(nearest, edge.sides[1], multipliers, multiplier));
 }
 
 /** Returns the block of Hooke's tensor in the plane of two axes. */
@@ -116,16 +116,16 @@ unsigned int axis_of(const Side<3> &side) {
 }
 
 template <int dim>
-Point<dim> SingularPlace<dim>::nearest(const Point<dim> &x) const {
+Point<dim> SingularEdge<dim>::nearest(const Point<dim> &x) const {
   const Tensor<1, dim> edge = ends[1] - ends[0];
   const double square = edge.norm_square();
   return ends[0] + (square > 0. ? std::clamp((x - ends[0]) * edge / square, 0., 1.) : 0.) * edge;
 }
 
-std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene) {
-  std::vector<SingularPlace<2>> places;
+std::vector<SingularEdge<2>> singular_edges(const Scene<2> &scene) {
+  std::vector<SingularEdge<2>> edges;
   if (scene.exact_displacement != nullptr)
-    return places;
+    return edges;
   std::vector<Corner> all = corners(scene.geometry);
   const std::size_t n_corners = all.size();
   for (const Corner &end : interface_ends(scene))
@@ -147,15 +147,15 @@ std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene) {
                           corner.sides,
                           layers_at(scene, corner),
                           share_of_sides * shortest},
-                         scene, places);
+                         scene, edges);
   }
-  return places;
+  return edges;
 }
 
-std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene) {
-  std::vector<SingularPlace<3>> places;
+std::vector<SingularEdge<3>> singular_edges(const Scene<3> &scene) {
+  std::vector<SingularEdge<3>> edges;
   if (scene.exact_displacement != nullptr)
-    return places;
+    return edges;
   const Geometry<3> &box = scene.geometry;
   for (unsigned int i = 0; i < box.sides.size(); ++i)
     for (unsigned int j = i + 1; j < box.sides.size(); ++j) {
@@ -172,27 +172,27 @@ std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene) {
       const SymmetricTensor<4, 2> hooke = in_plane(scene.material->relative_hooke(middle), axes);
       add_if_singular<3>(
         {ends, {{i, j}}, {make_layer(hooke, 0.5 * PI)}, share_of_sides * box.shortest_extent()},
-        scene, places);
+        scene, edges);
     }
-  return places;
+  return edges;
 }
 
 template <int dim>
-bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim> &x) {
-  return std::any_of(places.begin(), places.end(),
-                     [&x](const auto &place) { return place.contains(x); });
+bool any_contains(const std::vector<SingularEdge<dim>> &edges, const Point<dim> &x) {
+  return std::any_of(edges.begin(), edges.end(),
+                     [&x](const auto &edge) { return edge.contains(x); });
 }
 
 template <int dim>
-std::optional<GrowthPlace> growth_at(const Point<dim> &x,
-                                     const std::vector<SingularPlace<dim>> &places,
-                                     const MultiplierSpace<dim> &multipliers,
-                                     const Multiplier &multiplier) {
-  for (const SingularPlace<dim> &place : places)
-    if (place.contains(x))
-      if (const double exponent = present_exponent(place, x, multipliers, multiplier);
+std::optional<GrowthEdge> growth_at(const Point<dim> &x,
+                                    const std::vector<SingularEdge<dim>> &edges,
+                                    const MultiplierSpace<dim> &multipliers,
+                                    const Multiplier &multiplier) {
+  for (const SingularEdge<dim> &edge : edges)
+    if (edge.contains(x))
+      if (const double exponent = present_exponent(edge, x, multipliers, multiplier);
           exponent < max_singular_exponent)
-        return GrowthPlace{{{place.ends[0], place.ends[1]}}, place.radius, exponent};
+        return GrowthEdge{{{edge.ends[0], edge.ends[1]}}, edge.radius, exponent};
   return {};
 }
 
@@ -208,7 +208,7 @@ namespace {
 
 /** The results of a set of cells. */
 struct CellResults {
-  /** The largest stress of all points, and of those away from singular places. */
+  /** The largest stress of all points, and of those away from singular edges. */
   FieldMaximum all, away;
   /** The measure of the cells, and that of those with large strains and with large rotations. */
   double measure = 0., strained = 0., turned = 0.;
@@ -245,7 +245,7 @@ bool is_large(const SymmetricTensor<2, dim> &strain) {
  * skipped. */
 template <int dim>
 CellResults results_of(const Cells<dim> &cells, const SampledField<dim> &field,
-                       const std::vector<SingularPlace<dim>> &places) {
+                       const std::vector<SingularEdge<dim>> &edges) {
   const bool at_nodes = field.space.has_several_elements();
   FieldSampler<dim> sampler(field);
   StressIn3D<dim> stress(*field.scene.material);
@@ -269,7 +269,7 @@ CellResults results_of(const Cells<dim> &cells, const SampledField<dim> &field,
         };
         if (matters(results.all))
           take_larger({value, x, mesh}, results.all);
-        if (matters(results.away) && !any_contains(places, x))
+        if (matters(results.away) && !any_contains(edges, x))
           take_larger({value, x, mesh}, results.away);
       } catch (const InputError &) {
       }
@@ -280,10 +280,10 @@ CellResults results_of(const Cells<dim> &cells, const SampledField<dim> &field,
 /** Returns the results of all cells. Collective. */
 template <int dim>
 CellResults results_of_body(const SampledField<dim> &field,
-                            const std::vector<SingularPlace<dim>> &places) {
+                            const std::vector<SingularEdge<dim>> &edges) {
   CellResults mine = no_results<dim>(), all = mine;
   integrate_by_chunks<CellResults, dim>(
-    field.space, [&](const Cells<dim> &cells) { return results_of(cells, field, places); },
+    field.space, [&](const Cells<dim> &cells) { return results_of(cells, field, edges); },
     [&mine](const CellResults &part) { mine.add(part); });
   for (const CellResults &part :
        Utilities::MPI::all_gather(field.space.mesh().communicator(), mine))
@@ -294,18 +294,18 @@ CellResults results_of_body(const SampledField<dim> &field,
 
 template <int dim>
 VonMises largest_von_mises(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                           const Displacement &U, const std::vector<SingularPlace<dim>> &places) {
-  const CellResults results = results_of_body(SampledField<dim>(space, scene, U), places);
+                           const Displacement &U, const std::vector<SingularEdge<dim>> &edges) {
+  const CellResults results = results_of_body(SampledField<dim>(space, scene, U), edges);
   VonMises stress = {results.all, {}, {}};
-  if (!places.empty())
+  if (!edges.empty())
     stress.away = results.away;
   stress.strained_share = results.strained / results.measure;
   stress.turned_share = results.turned / results.measure;
   return stress;
 }
 
-template struct SingularPlace<2>;
-template struct SingularPlace<3>;
+template struct SingularEdge<2>;
+template struct SingularEdge<3>;
 INSTANTIATE_FUNCTION(any_contains);
 INSTANTIATE_FUNCTION(growth_at);
 INSTANTIATE_FUNCTION(largest_von_mises);

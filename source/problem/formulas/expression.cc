@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Formulas of the parameter file: muParser says whether a text is one, its tree evaluates it.
-// (FunctionParser accepts what nobody means: 1, 2 and x = 3 and 0.2<x<0.4.)
+// (FunctionParser accepts texts that nobody means: 1, 2 and x = 3 and 0.2<x<0.4.)
 
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
@@ -31,9 +31,9 @@ constexpr std::array<const char *, 3> coordinate_names = {{"x", "y", "z"}};
 constexpr std::size_t max_constants = 1000;
 
 /**
- * Finds what muParser accepts and nobody means: `1, 2` is 2, `x = 3` an assignment, and 0.2<x<0.4
- * is (0.2<x)<0.4.
- * @return what is wrong, or nothing.
+ * Finds a construction that muParser accepts and nobody means: `1, 2` is 2, `x = 3` an assignment,
+ * and 0.2<x<0.4 is (0.2<x)<0.4.
+ * @return the objection, or nothing.
  */
 std::string find_misuse(const std::string &text) {
   // The number of comparisons since the last operator that ends one, by depth of parentheses.
@@ -161,6 +161,7 @@ double Expression<dim>::operator()(const Point<dim> &x) const {
 template <int dim>
 void Expression<dim>::evaluate(const std::vector<Point<dim>> &points,
                                std::vector<double> &values) const {
+  AssertDimension(values.size(), points.size());
   if (constant_)
     values.assign(points.size(), *constant_);
   else

@@ -48,7 +48,7 @@ public:
   BoxRun on_branch(const Index number, const bool after) const {
     return with_fixed(number, parts_[number].value.upper() - (after ? 0. : 1.));
   }
-  /** Evaluates the branch on which all undecided switches are what they are at a point. @return
+  /** Evaluates the branch on which all undecided switches have their values at a point. @return
    * nothing if one of them does not change on @p line. */
   std::optional<BoxRun> beside(const KinkLine<dim> &line, const Point<dim> &x) const {
     Index number = 0;
@@ -115,7 +115,7 @@ public:
     }
     return {};
   }
-  /** Returns whether 8 samples in each direction show what the formula does: they are close enough
+  /** Returns whether 8 samples in each direction show the formula: they are close enough
    * for its slopes, and smooth. */
   bool is_smooth() const {
     constexpr unsigned int n = 8;
@@ -137,8 +137,9 @@ public:
           fourth =
             std::max(fourth, std::abs(samples[i] - 4. * samples[i + s] + 6. * samples[i + 2 * s] -
                                       4. * samples[i + 3 * s] + samples[i + 4 * s]));
-    // A parabola with its top in the box has a largest step of 0.65 of what the samples show. There
-    // the slopes of the whole box may be too large by any factor; those of its parts are not.
+    // A parabola with its top in the box has a largest step of 0.65 of the range that the samples
+    // show. There the slopes of the whole box may be too large by any factor; those of its parts
+    // are not.
     const double shown = *high - *low;
     if (fourth <= 0.05 * shown && largest_step(n) <= 0.7 * shown)
       return true;
@@ -196,8 +197,8 @@ private:
       are_small = steps_are_small(n, limit, halvings - 1, part_of(part, i, 2));
     return are_small;
   }
-  /** Returns the value of the argument at which a switch changes: what is rounded down changes at
-   * the upper one of two values. */
+  /** Returns the value of the argument at which a switch changes; an integer_step changes at the
+   * upper one of two values. */
   double level_of_switch(const Index i) const {
     return formula_.nodes[i].operation->kind == Kind::integer_step ? parts_[i].value.upper() : 0.;
   }
@@ -225,7 +226,7 @@ private:
   }
   void evaluate(const FormulaBox<dim> &box, const Index n_parts) {
     for (int d = 0; d < dim; ++d) {
-      // Without the boundary: what happens there has no area.
+      // Without the boundary, which has no area.
       const double margin = 1e-9 * (box.upper[d] - box.lower[d]);
       parts_[d].value = Interval(box.lower[d] + margin, box.upper[d] - margin);
     }
@@ -385,6 +386,7 @@ template <int dim>
 LineEffect FormulaTree<dim>::effect_of(const KinkLine<dim> &line, const FormulaBox<dim> &box,
                                        const std::vector<Point<dim>> &points,
                                        const double tolerance) const {
+  Assert(points.size() > 1, ExcMessage("Points lie on both sides of the line."));
   const BoxRun<dim> run(*formula_, box);
   if (run.root().undecided == 0 || run.bounds().width() <= tolerance)
     return LineEffect::none;

@@ -13,6 +13,8 @@
 namespace Signorini {
 double signed_distance(const std::vector<Side<2>> &sides, const std::size_t first,
                        const std::size_t last, const Point<2> &x) {
+  AssertIndexRange(first, last);
+  AssertIndexRange(last, sides.size() + 1);
   double nearest = std::numeric_limits<double>::max(), depth = 0., size = 0.;
   for (std::size_t i = first; i < last; ++i)
     size = std::max(size, sides[i].length());
@@ -131,6 +133,7 @@ void make_meshes(const std::vector<Geometry<2>> &bodies,
 } // namespace
 
 Geometry<2> unite(const std::vector<std::string> &names, const std::vector<Geometry<2>> &bodies) {
+  AssertDimension(names.size(), bodies.size());
   std::vector<Side<2>> sides;
   std::vector<unsigned int> first_side;
   Geometry<2> all;

@@ -41,26 +41,26 @@ BoxTree::BoxTree(const BoundingBox<2> &body, const Look &look, const IsSmooth &i
   open.push({0, body, {{0, 0}}});
   unsigned int n_deep_looks = 0;
   for (unsigned int n_looks = 0; !open.empty(); open.pop()) {
-    const Open here = open.front();
-    unsigned int d = next_direction(here, {{true, true}}, first_halvings);
+    const Open whole = open.front();
+    unsigned int d = next_direction(whole, {{true, true}}, first_halvings);
     const bool asks = d == 2;
     if (asks) {
-      const auto [varies, matters, hidden] = look(here.box);
+      const auto [varies, matters, hidden] = look(whole.box);
       if (n_looks++ < max_looks)
-        d = next_direction(here, varies, max_halvings);
+        d = next_direction(whole, varies, max_halvings);
       if (d == 2 && matters && n_looks < max_looks && n_deep_looks++ < max_deep_looks)
         d = next_direction(here, varies, deepest_halvings);
-      nodes_[here.node].is_rough = varies[0] || varies[1];
-      nodes_[here.node].hidden = hidden;
+      nodes_[whole.node].is_rough = varies[0] || varies[1];
+      nodes_[whole.node].hidden = hidden;
     }
     if (d == 2)
       continue;
-    nodes_[here.node] = {{Point<2>::unit_vector(d), here.box.center()[d]},
+    nodes_[whole.node] = {{Point<2>::unit_vector(d), whole.box.center()[d]},
                          static_cast<unsigned int>(nodes_.size()),
                          asks};
     for (unsigned int part = 0; part < 2; ++part) {
       Open half = {static_cast<unsigned int>(nodes_.size()),
-                   half_of(here.box, nodes_[here.node], part), here.halvings};
+                   half_of(whole.box, nodes_[whole.node], part), whole.halvings};
       ++half.halvings[d];
       nodes_.emplace_back();
       open.push(half);

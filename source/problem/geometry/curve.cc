@@ -50,6 +50,7 @@ Curve::Curve(const Point<2> &start, const Point<2> &end)
 
 Curve Curve::arc(const Point<2> &centre, const double radius, const double first, const double last,
                  const Body body) {
+  Assert(radius > 0., ExcMessage("The radius of an arc is positive."));
   const double orientation = body == Body::inside ? 1. : -1.;
   Curve curve({}, {}, {});
   curve.circle_ = Circle{centre, radius, first, orientation, last < first ? -1. : 1.};
@@ -91,6 +92,7 @@ Curve Curve::between(const Point<2> &start, const Point<2> &end,
 }
 
 Curve Curve::chain(const std::vector<Curve> &pieces) {
+  Assert(!pieces.empty(), ExcMessage("A chain has pieces."));
   Chain chain;
   for (const Curve &piece : pieces)
     if (Curve *const last = chain.pieces.empty() ? nullptr : &chain.pieces.back();
@@ -134,10 +136,12 @@ unsigned int Curve::n_pieces() const {
 }
 
 const Curve &Curve::piece(const unsigned int k) const {
+  AssertIndexRange(k, n_pieces());
   return chain_ ? chain_->pieces[k] : *this;
 }
 
 double Curve::start_of(const unsigned int k) const {
+  AssertIndexRange(k, n_pieces() + 1);
   return chain_ ? chain_->starts[k] : k * length_;
 }
 
@@ -172,7 +176,7 @@ std::vector<unsigned int> Curve::pieces_near(const Point<2> &x, const double dis
 std::optional<Point<2>> Curve::centre_at(const Point<2> &x) const {
   if (is_flat())
     return {};
-  const Curve &on = place(arc_length(x)).piece;
+  const Curve &on = locate(arc_length(x)).piece;
   return on.circle_ ? std::optional<Point<2>>(on.circle_->centre) : std::nullopt;
 }
 
@@ -196,7 +200,7 @@ Tensor<1, 2> Curve::Circle::direction(const double s) const {
   return Tensor<1, 2>({std::cos(angle), std::sin(angle)});
 }
 
-Curve::Place Curve::place(double s) const {
+Curve::Location Curve::locate(double s) const {
   if (!chain_)
     return {*this, s};
   if (chain_->is_closed)
@@ -206,17 +210,17 @@ Curve::Place Curve::place(double s) const {
   return {chain_->pieces[start - starts.begin()], s - *start};
 }
 
-Curve::Place Curve::place(const double s, const double towards) const {
+Curve::Location Curve::locate(const double s, const double towards) const {
   if (!chain_)
     return {*this, s};
   const double step =
     std::copysign(std::min(1e-9 * length_, 0.5 * std::abs(towards - s)), towards - s);
-  const Place beside = place(s + step);
+  const Location beside = locate(s + step);
   return {beside.piece, beside.s - step};
 }
 
 Point<2> Curve::point(const double s) const {
-  const auto [on, t] = place(s);
+  const auto [on, t] = locate(s);
   if (!on.circle_)
     return on.start_ + (t / on.length_) * (on.end_ - on.start_);
   // The chord from the start: small arcs keep their digits.
@@ -226,22 +230,22 @@ Point<2> Curve::point(const double s) const {
 }
 
 Tensor<1, 2> Curve::normal(const double s) const {
-  const auto [on, t] = place(s);
+  const auto [on, t] = locate(s);
   return on.circle_ ? on.circle_->orientation * on.circle_->direction(t) : on.normal_;
 }
 
 Tensor<1, 2> Curve::normal(const double s, const double towards) const {
-  const auto [on, t] = place(s, towards);
+  const auto [on, t] = locate(s, towards);
   return on.normal(t);
 }
 
 Tensor<1, 2> Curve::normal_at(const Point<2> &x, const Point<2> &inside) const {
-  const Curve &on = place(arc_length(inside)).piece;
+  const Curve &on = locate(arc_length(inside)).piece;
   return on.normal(on.arc_length(x));
 }
 
 Tensor<1, 2> Curve::tangent(const double s, const double towards) const {
-  const auto [on, t] = place(s, towards);
+  const auto [on, t] = locate(s, towards);
   return on.circle_ ? -on.circle_->turn * cross_product_2d(on.circle_->direction(t))
                     : (on.end_ - on.start_) / on.length_;
 }
@@ -280,6 +284,7 @@ double Curve::arc_length(const Point<2> &x) const {
 }
 
 std::optional<double> Curve::distance_along(const Point<2> &x, const Tensor<1, 2> &n) const {
+  Assert(std::abs(n.norm() - 1.) < 1e-9, ExcMessage("A direction has the length 1."));
   std::optional<double> nearest;
   const auto take = [&](const double d) {
     if (std::isfinite(d) && (!nearest || std::abs(d) < std::abs(*nearest)))
@@ -306,6 +311,7 @@ std::optional<double> Curve::distance_along(const Point<2> &x, const Tensor<1, 2
 
 std::vector<double> Curve::crossings(const Tensor<1, 2> &m, const double position,
                                      const double from, const double to) const {
+  Assert(std::abs(m.norm() - 1.) < 1e-9, ExcMessage("The normal of a line has the length 1."));
   std::vector<double> found;
   if (chain_) {
     const double apart = 1e-12 * length_;
@@ -314,7 +320,8 @@ std::vector<double> Curve::crossings(const Tensor<1, 2> &m, const double positio
     const auto last_turn = static_cast<int>(is_closed() ? std::floor(to / length_) : 0.);
     for (int turn = first_turn; turn <= last_turn; ++turn)
       for (int k = 0; k <= last; ++k) {
-        // What rounding takes from one piece it leaves to the other; the outer ones go on.
+        // The search on each piece reaches 1e-12 beyond its ends; that on the first and last piece
+        // reaches the ends of the search.
         const double start = turn * length_ + start_of(k), length = piece(k).length();
         const double lowest = k == 0 && !is_closed() ? from : std::max(from, start - apart);
         const double highest =

@@ -135,6 +135,7 @@ std::size_t Geometry<dim>::find_side(const std::string &name) const {
 
 template <int dim>
 unsigned int Geometry<dim>::body_of_side(const unsigned int side) const {
+  AssertIndexRange(side, sides.size());
   unsigned int body = 0;
   while (body + 1 < bodies.size() && bodies[body + 1].first_side <= side)
     ++body;
@@ -175,6 +176,7 @@ Geometry<2> bounded_by(std::vector<Side<2>> sides) {
 
 Geometry<2> make_rectangle(const Point<2> &lower_left, const Point<2> &upper_right,
                            const std::vector<unsigned int> &cells) {
+  AssertDimension(cells.size(), 2);
   using P = Point<2>;
   const P lower_right(upper_right[0], lower_left[1]);
   const P upper_left(lower_left[0], upper_right[1]);
@@ -199,6 +201,7 @@ Geometry<2> make_rectangle(const Point<2> &lower_left, const Point<2> &upper_rig
 
 Geometry<2> make_polygon(const std::vector<Point<2>> &vertices) {
   const auto n = static_cast<unsigned int>(vertices.size());
+  Assert(n > 2, ExcMessage("A polygon has three vertices at least."));
   std::vector<Side<2>> sides;
   for (unsigned int i = 0; i < n; ++i)
     sides.emplace_back("side" + std::to_string(i), Curve(vertices[i], vertices[(i + 1) % n]));
@@ -215,6 +218,7 @@ Geometry<2> make_polygon(const std::vector<Point<2>> &vertices) {
 
 Geometry<3> make_box(const Point<3> &lower, const Point<3> &upper,
                      const std::vector<unsigned int> &cells) {
+  AssertDimension(cells.size(), 3);
   const char *const names[] = {"left", "right", "front", "back", "bottom", "top"};
   Geometry<3> geometry;
   geometry.n_coarse_cells = double(cells[0]) * double(cells[1]) * double(cells[2]);
@@ -267,6 +271,7 @@ void attach_manifolds(const std::vector<Side<2>> &sides, const Point<2> &centre,
 
 Geometry<2> make_ring(const double inner_radius, const double outer_radius,
                       const Point<2> &centre) {
+  Assert(0. < inner_radius && inner_radius < outer_radius, ExcMessage("The radii are in order."));
   // The order is that of colorize = true.
   Geometry<2> geometry =
     bounded_by({{"inner", Curve::arc(centre, inner_radius, -PI, PI, Body::outside)},
@@ -375,6 +380,7 @@ std::vector<double> Kinks<dim>::cut(const Point<dim> &a, const Point<dim> &b) co
 template <int dim>
 std::vector<double> Kinks<dim>::crossings(const Side<dim> &side, const double from,
                                           const double to) const {
+  Assert(from <= to, ExcMessage("The part of a side ends behind its start."));
   const double margin = tolerance * (to - from);
   std::vector<double> cuts = {from, to};
   for (const KinkLine<dim> &line : lines_)

@@ -22,7 +22,7 @@ namespace Signorini {
 namespace {
 using Ends = std::pair<unsigned int, unsigned int>;
 
-/** Returns the maps of the cells with edges on arcs, by the numbers of the cells. */
+/** Returns the maps of the quadrilaterals with edges on arcs, by the numbers of the cells. */
 std::map<std::size_t, ArcCell> arc_cells(const CoarseMesh &mesh) {
   std::map<Ends, Point<2>> centres;
   for (const CoarseMesh::Edge &edge : mesh.edges)
@@ -33,6 +33,7 @@ std::map<std::size_t, ArcCell> arc_cells(const CoarseMesh &mesh) {
     std::array<Point<2>, 4> corners;
     std::array<std::optional<Point<2>>, 4> centres_of_edges;
     bool is_curved = false;
+    AssertDimension(mesh.cells[c].size(), 4);
     for (unsigned int i = 0; i < 4; ++i) {
       corners[i] = mesh.vertices[mesh.cells[c][i]];
       const auto centre = centres.find({mesh.cells[c][i], mesh.cells[c][(i + 1) % 4]});

@@ -159,7 +159,7 @@ private:
 };
 
 Data Scan::data_of(const std::vector<Expression<2>> &formulas, const Side<2> *const side) {
-  // What vanishes on a side vanishes up to rounding of its values in the body.
+  // The size of a formula on a side has 1e-6 of its size in the body as a floor.
   constexpr double rounding = 1e-6;
   constexpr unsigned int n = 64;
   std::vector<Point<2>> on_side;
@@ -319,7 +319,7 @@ void Scan::scan_side(const unsigned int number, std::vector<Point<2>> &breaks) {
     const double width = piece.length() / n_first, from = (k % n_first) * width;
     std::vector<Interval> parts, joined;
     halve(piece, data, {from, from + width, false}, 0, parts);
-    // The halves shrink towards a jump; what lies between two jumps is one interval again.
+    // The halves shrink towards a jump; the intervals between two jumps are one again.
     for (const Interval &part : parts)
       if (!joined.empty() && joined.back().is_shown && part.is_shown &&
           shows(piece, data, joined.back().from, part.to))

@@ -199,7 +199,7 @@ void read_friction(const Parameters &parameters, const SceneReader<dim> &reader,
   const ContactParameters &given = parameters.contact;
   const std::string found = "Friction = " + to_text(given.friction.value);
   scene.friction = given.friction;
-  // Where it is said, none stands above what the rest of the file says about friction.
+  // "Friction = none" overrides coefficients given elsewhere in the file.
   if (given.friction.is_given && scene.friction == Friction::none)
     return;
   refuse_foreign_entries(scene.friction == Friction::coulomb, {&given.friction_coefficient},

@@ -91,10 +91,10 @@ private:
   }
 
   /** Refuses large and far circles, whose gaps |x - c| - r lose digits. */
-  void check_length(const double length, const std::string &what, const Phrase::Part &part) const {
+  void check_length(const double length, const std::string &name, const Phrase::Part &part) const {
     const double diameter = geometry_.diameter();
     if (!(length <= max_distance * diameter))
-      refuse(quote(part.text) + " after '" + part.word + "', " + what + " of " +
+      refuse(quote(part.text) + " after '" + part.word + "', " + name + " of " +
                number_text(length) + " for a body of the size " + number_text(diameter),
              "at most " + number_text(max_distance) +
                " times its size; take a plane or a parabola that begins near the body");
@@ -149,7 +149,7 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
     throw error_at(given, "found ", texts.size(), " things, allowed: at most ", max_obstacles, ".");
   const double reach = max_gap * geometry.diameter();
   const std::vector<std::string> names = contact_side_names(scene);
-  // What names no side is for those that touch no other body.
+  // An obstacle without a side is for those that touch no other body.
   std::vector<std::string> rigid;
   for (const unsigned int side : scene.contact_sides())
     if (!scene.boundary[side].opposite)

@@ -194,7 +194,7 @@ Block<dim> read_block(const GeometryParameters &given) {
                      ", allowed: ", (dim == 2 ? "two" : "three"), " integers from 1 to 10000.");
     block.cells.push_back(static_cast<unsigned int>(n));
   }
-  // What is not given is that of the unit square or cube.
+  // A corner that is not given is that of the unit square or cube.
   if (given.lower_left.changed)
     block.lower = read_point<dim>(given.lower_left, given.lower_left);
   for (unsigned int d = 0; d < dim; ++d)
@@ -238,6 +238,7 @@ Geometry<3> make_geometry(const GeometryParameters &given) {
 
 Geometry<2> make_geometry_of_bodies(const Parameters &parameters) {
   const std::vector<std::string> names = split_words(parameters.geometry.bodies);
+  AssertDimension(names.size(), parameters.bodies.size());
   std::vector<Geometry<2>> bodies;
   for (std::size_t k = 0; k < names.size(); ++k) {
     GeometryParameters body = parameters.bodies[k];

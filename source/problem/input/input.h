@@ -17,7 +17,7 @@ using SideTexts = std::vector<std::pair<std::string, std::string>>;
 
 /**
  * A text taken apart at the words that it may contain: "circle 0,1 radius 2" has the form "circle
- * radius" and the parts "0,1" and "2" of these words. The first part is what stands before them,
+ * radius" and the parts "0,1" and "2" of these words. The first part is the text before them,
  * "..." in the form; "0,1 fillet 2" has the form "... fillet".
  */
 struct Phrase {
@@ -105,10 +105,10 @@ void check_size(const Geometry<dim> &geometry, const std::string &where);
 
 /** Reads the places of Output/Report. @throws InputError */
 template <int dim>
-std::vector<ReportPlace<dim>> read_report_places(const Given<std::string> &given,
-                                                 const Geometry<dim> &geometry);
+std::vector<Probe<dim>> read_probes(const Given<std::string> &given, const Geometry<dim> &geometry);
 
-/** Refuses entries that are given, unless they belong to what is found. @throws InputError */
+/** Refuses entries that are given, unless they @p belong to the choice that is @p found. @throws
+ * InputError */
 void refuse_foreign_entries(bool belong, const std::vector<const Entry *> &entries,
                             const std::string &owner, const std::string &found);
 

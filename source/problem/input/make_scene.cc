@@ -150,7 +150,7 @@ Scene<2> make_scene(const Parameters &parameters) {
   for (const unsigned int side : scene.contact_sides())
     scene.kinks.add_ends_on(scene.geometry.sides[side]);
   scene.load_cases = read_load_cases(parameters.load_cases, scene);
-  scene.report_places = read_report_places(parameters.output.report, scene.geometry);
+  scene.probes = read_probes(parameters.output.report, scene.geometry);
   return scene;
 }
 
@@ -165,7 +165,7 @@ Scene<3> make_scene(const Parameters &parameters) {
                       ": the clamped, prescribed and roller sides leave ", join(names, " and "),
                       " of the body free; in 3-D, hold the body with Clamped, Displacement or "
                       "Rollers.");
-  scene.report_places = read_report_places(parameters.output.report, scene.geometry);
+  scene.probes = read_probes(parameters.output.report, scene.geometry);
   return scene;
 }
 

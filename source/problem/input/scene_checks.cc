@@ -34,7 +34,7 @@ Points<dim> unit_points(const unsigned int n_gauss, const bool with_ends = false
   return Quadrature<dim>(Quadrature<1>(line)).get_points();
 }
 
-/** Returns points inside of a side and, for what is evaluated at nodes, at its ends. */
+/** Returns points inside of a side and, for data that is evaluated at nodes, at its ends. */
 Points<2> sample_side(const Side<2> &side, const bool with_ends) {
   // A side of very many pieces has short ones.
   const unsigned int n_gauss = side.n_pieces() > 100 ? 1 : 12;
@@ -166,7 +166,7 @@ double opposite_motion(const Scene<dim> &scene, const unsigned int i, const Poin
 }
 
 /**
- * Checks that an exact displacement satisfies what the scene prescribes on a side: u = 0, u·n = 0,
+ * Checks that an exact displacement satisfies the condition on a side: u = 0, u·n = 0,
  * u = u_D, or u·n <= g.
  * @throws InputError
  */
@@ -220,7 +220,7 @@ void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim
     double largest = 0.;
     for (const Expression<dim> &modulus : moduli)
       largest = std::max(largest, std::abs(modulus(x)));
-    // The material checks signs, and refuses what is no number.
+    // The material checks signs, and refuses values that are no numbers.
     if (largest > max_magnitude || (largest > 0. && largest < min_magnitude))
       refuse_value(moduli[0].where(), number_text(largest), x,
                    "moduli from " + number_text(min_magnitude) + " to " +

@@ -90,7 +90,7 @@ SideTexts read_list_for(const std::vector<std::string> &called, const std::strin
   return entries;
 }
 
-// Rigid plates: their sides and directions, and what drives them.
+// Rigid plates: their sides, directions and loads.
 
 namespace {
 /** Reads "dx, dy", perhaps with the word "turning" behind it. */

@@ -199,8 +199,9 @@ std::map<Ends, const FileElement *> find_lines(const FileMesh &mesh,
     const auto has = [&](const unsigned int start, const unsigned int end) {
       return std::binary_search(edges.begin(), edges.end(), HalfEdge{start, end, 0, nullptr});
     };
-    const auto refuse = [&](const std::string &what) {
-      throw input_error(mesh.place(line.line), "the line ", line.tag, edge_text(mesh, a, b), what);
+    const auto refuse = [&](const std::string &reason) {
+      throw input_error(mesh.place(line.line), "the line ", line.tag, edge_text(mesh, a, b),
+                        reason);
     };
     if (!has(a, b) && !has(b, a)) {
       // Curves that helped to construct a body have no names.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Gmsh's program as a converter, in a process of its own: what it does cannot harm this one.
+// Gmsh's program as a converter, in a process of its own, so that it cannot harm this one.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
@@ -218,7 +218,7 @@ int run_gmsh(const std::string &folder, std::vector<std::string> arguments) {
   return status;
 }
 
-/** Returns what became of Gmsh, with its first complaint. */
+/** Returns the reason why Gmsh made no mesh, with its first complaint. */
 std::string describe_failure(const int status, const std::filesystem::path &log) {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   if (signal == SIGXCPU || signal == SIGALRM)

@@ -31,11 +31,11 @@ public:
     return position_ == text_.size();
   }
 
-  /** Returns the next word; @p what is its meaning in messages. @throws InputError at the end of
+  /** Returns the next word; @p meaning is that in messages. @throws InputError at the end of
    * the file. */
-  std::string_view word(const char *what) {
+  std::string_view word(const char *meaning) {
     if (is_at_end())
-      throw input_error(name_, ": the file ends where ", what, " should be.");
+      throw input_error(name_, ": the file ends where ", meaning, " should be.");
     const std::size_t start = position_;
     while (position_ < text_.size() && !is_blank(text_[position_]))
       ++position_;
@@ -44,34 +44,34 @@ public:
 
   /** Returns the next word as a number. @throws InputError if it is none. */
   template <typename Number>
-  Number number(const char *what) {
-    const std::string_view found = word(what);
+  Number number(const char *meaning) {
+    const std::string_view found = word(meaning);
     Number value = 0;
     const auto [end, error] = std::from_chars(found.data(), found.data() + found.size(), value);
     if (error != std::errc() || end != found.data() + found.size())
-      refuse(found, std::string(what) + (std::is_unsigned_v<Number>   ? " (0, 1, 2, ...)"
-                                         : std::is_integral_v<Number> ? " (an integer)"
-                                                                      : " (a number)"));
+      refuse(found, std::string(meaning) + (std::is_unsigned_v<Number>   ? " (0, 1, 2, ...)"
+                                            : std::is_integral_v<Number> ? " (an integer)"
+                                                                         : " (a number)"));
     return value;
   }
 
   /** Returns how many of something follow: a number that the rest of the file can hold. */
-  std::size_t count(const char *what) {
-    const auto n = number<std::size_t>(what);
+  std::size_t count(const char *meaning) {
+    const auto n = number<std::size_t>(meaning);
     if (n > text_.size() - position_)
-      refuse("found the number " + std::to_string(n) + " as " + what +
+      refuse("found the number " + std::to_string(n) + " as " + meaning +
              ", but the rest of the file has " + std::to_string(text_.size() - position_) +
              " characters.");
     return n;
   }
 
   /** Returns the next words between quotation marks. */
-  std::string quoted(const char *what) {
+  std::string quoted(const char *meaning) {
     if (!is_before_quoted())
-      refuse(word(what), what);
+      refuse(word(meaning), meaning);
     const std::size_t end = text_.find_first_of("\"\n", position_ + 1);
     if (end == std::string::npos || text_[end] == '\n')
-      refuse(text_.substr(position_, end - position_), what);
+      refuse(text_.substr(position_, end - position_), meaning);
     const std::string found = text_.substr(position_ + 1, end - position_ - 1);
     position_ = end + 1;
     return found;
@@ -135,7 +135,7 @@ const std::map<unsigned int, std::pair<unsigned int, unsigned int>> element_type
   {15, {1, 1}}, {1, {2, 2}}, {8, {3, 2}},  {2, {3, 3}},
   {9, {6, 3}},  {3, {4, 4}}, {16, {8, 4}}, {10, {9, 4}}};
 
-/** What other elements are, by Gmsh's number of their type. */
+/** The names of other elements, by Gmsh's number of their type. */
 const std::map<unsigned int, std::string> other_elements = {{4, "a tetrahedron"},
                                                             {5, "a hexahedron"},
                                                             {6, "a prism"},
@@ -205,9 +205,9 @@ public:
 
 private:
   template <typename Number>
-  void skip(const unsigned int n, const char *what) {
+  void skip(const unsigned int n, const char *meaning) {
     for (unsigned int i = 0; i < n; ++i)
-      scanner_.number<Number>(what);
+      scanner_.number<Number>(meaning);
   }
 
   void read_format() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Every parameter: its name, its default (from parameters.h), its unit, what is allowed, what for.
+// Every parameter: its name, its default (from parameters.h), its unit, the values allowed, its
+// use.
 
 #include "declarations.h"
 

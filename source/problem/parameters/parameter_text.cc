@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The syntax of a parameter file, line by line, so that every message can name its line.
-// (ParameterHandler loses what is set twice, and the line of a missing 'end'.)
+// (ParameterHandler loses an entry that is set twice, and the line of a missing 'end'.)
 
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
@@ -165,7 +165,7 @@ std::string read_whole_file(const std::string &file_name, const std::string &whe
   const std::string name = where + shorten_path(file_name);
   std::error_code error;
   const fs::file_status status = fs::status(file_name, error);
-  // Pipes and some devices would wait for what never comes.
+  // Reading from pipes and some devices might never end.
   if (fs::is_other(status))
     throw input_error(name, ": this is a device or a pipe, allowed: a file of text on a disk.");
   std::ifstream stream(file_name, std::ios::binary);

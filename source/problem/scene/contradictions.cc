@@ -181,20 +181,20 @@ std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const
          "meet";
 }
 
-/** A place at which two sides meet. */
+/** A point at which two sides meet. */
 template <int dim>
 using Meeting = std::pair<Point<dim>, std::array<unsigned int, 2>>;
 
 /** Returns why the bodies of a pair would overlap at a common point of a side and a contact side,
  * or nothing: where the other body is held, too, at the point across. Elsewhere that gives way. */
-std::string contradiction_of_pair(const Scene<2> &scene, const Meeting<2> &here,
+std::string contradiction_of_pair(const Scene<2> &scene, const Meeting<2> &meeting,
                                   const unsigned int side, const unsigned int contact,
                                   const std::vector<Meeting<2>> &all, const double size) {
   const std::optional<unsigned int> opposite = scene.boundary[contact].opposite;
   if (!opposite)
     return "";
   const auto &sides = scene.geometry.sides;
-  const Point<2> &x = here.first;
+  const Point<2> &x = meeting.first;
   const Tensor<1, 2> n = sides[contact].normal(sides[contact].arc_length(x));
   const Point<2> y = sides[*opposite].across(x, n);
   const std::optional<double> u_n = given_along(scene, side, x, n);
@@ -225,14 +225,14 @@ std::string find_contradiction(const Scene<dim> &scene) {
       size = std::max(size, given_displacement(scene.boundary[i], x).norm());
   std::string contradiction;
   const auto all = meetings(scene.geometry);
-  for (const auto &here : all)
-    for (const auto &[i, j] :
-         {std::pair{here.second[0], here.second[1]}, std::pair{here.second[1], here.second[0]}}) {
+  for (const auto &meeting : all)
+    for (const auto &[i, j] : {std::pair{meeting.second[0], meeting.second[1]},
+                               std::pair{meeting.second[1], meeting.second[0]}}) {
       if (contradiction.empty())
-        contradiction = contradiction_at(scene, here.first, i, j, size);
+        contradiction = contradiction_at(scene, meeting.first, i, j, size);
       if constexpr (dim == 2)
         if (contradiction.empty())
-          contradiction = contradiction_of_pair(scene, here, i, j, all, size);
+          contradiction = contradiction_of_pair(scene, meeting, i, j, all, size);
     }
   return contradiction;
 }

@@ -66,15 +66,16 @@ std::vector<Corner> corners(const Geometry<2> &geometry) {
   std::vector<Corner> found;
   for (const SideEnd &first : leaving) {
     // Where the body touches itself, it lies between a side and the next one.
-    std::vector<Corner> here;
+    std::vector<Corner> candidates;
     for (const SideEnd &second : arriving)
       if (first.position.distance(second.position) < 1e-8 * geometry.diameter() &&
           geometry.body_of_side(first.side) == geometry.body_of_side(second.side))
-        here.push_back(
+        candidates.push_back(
           {first.position, opening(first, second), {{first.side, second.side}}, first.direction});
-    const auto next = std::min_element(
-      here.begin(), here.end(), [](const Corner &a, const Corner &b) { return a.angle < b.angle; });
-    if (next != here.end())
+    const auto next =
+      std::min_element(candidates.begin(), candidates.end(),
+                       [](const Corner &a, const Corner &b) { return a.angle < b.angle; });
+    if (next != candidates.end())
       found.push_back(*next);
   }
   return found;
@@ -181,6 +182,7 @@ std::vector<WedgeLayer> layers_at(const Scene<2> &scene, const Corner &corner) {
 template <int dim>
 std::vector<EdgeCondition> possible_conditions(const Scene<dim> &scene, const unsigned int side,
                                                const Point<dim> &x) {
+  AssertIndexRange(side, scene.boundary.size());
   const BoundaryCondition<dim> &condition = scene.boundary[side];
   const Role role = condition.role;
   if (role == Role::clamped || role == Role::displacement)

@@ -115,6 +115,7 @@ void add_parts(const Curve &first, const unsigned int k, const Curve &other, con
 } // namespace
 
 std::vector<FacingPart> facing_parts(const Curve &first, const Curve &second, const double least) {
+  Assert(least >= 0. && least < 1., ExcMessage("A cosine lies between 0 and 1."));
   std::vector<FacingPart> all, parts;
   for (unsigned int k = 0; k < first.n_pieces(); ++k)
     for (unsigned int j = 0; j < second.n_pieces(); ++j)
@@ -145,6 +146,7 @@ std::vector<FacingPart> facing_parts(const Curve &first, const Curve &second, co
 
 FacingPart overlap_of(const Curve &first, const Curve &second) {
   const std::vector<FacingPart> parts = facing_parts(first, second, 0.);
+  Assert(!parts.empty(), ExcMessage("The curves face each other."));
   // Around a closed curve, all but the longest gap.
   std::size_t begin = 0;
   double longest = 0.;

@@ -55,10 +55,12 @@ Obstacle Obstacle::plane(const Point<2> &point, const Tensor<1, 2> &normal) {
 
 Obstacle Obstacle::parabola(const Point<2> &point, const Tensor<1, 2> &normal,
                             const double curvature) {
+  Assert(normal.norm() > 0., ExcMessage("The normal of an obstacle is not zero."));
   return Obstacle(Parabola{point, normal / normal.norm(), curvature});
 }
 
 Obstacle Obstacle::circle(const Point<2> &centre, const double radius, const Body body) {
+  Assert(radius > 0., ExcMessage("The radius of an obstacle is positive."));
   return Obstacle(Circle{centre, radius, body});
 }
 

@@ -87,6 +87,7 @@ bool ExpressionFunction<dim>::is_constant() const {
 
 template <int dim>
 double ExpressionFunction<dim>::value(const Point<dim> &x, const unsigned int component) const {
+  AssertIndexRange(component, this->n_components);
   const unsigned int first = region_at_ ? region_at_(x) * this->n_components : 0;
   const double value = values_[first + component](x);
   check(value, component, x);
@@ -96,6 +97,7 @@ double ExpressionFunction<dim>::value(const Point<dim> &x, const unsigned int co
 template <int dim>
 void ExpressionFunction<dim>::value_list(const Points &points, std::vector<double> &values,
                                          const unsigned int component) const {
+  AssertDimension(values.size(), points.size());
   if (region_at_) {
     for (std::size_t q = 0; q < points.size(); ++q)
       values[q] = value(points[q], component);
@@ -128,6 +130,7 @@ Tensor<1, dim> ExpressionFunction<dim>::gradient(const Point<dim> &x,
 template <int dim>
 void ExpressionFunction<dim>::gradient_list(const Points &points, Gradients &gradients,
                                             const unsigned int component) const {
+  AssertDimension(gradients.size(), points.size());
   if (gradients_.empty())
     values_[component].formula().gradients(points.data(), points.size(), gradients.data());
   std::vector<double> derivatives(points.size());

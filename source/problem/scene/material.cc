@@ -191,6 +191,7 @@ template <int dim>
 std::shared_ptr<const Material<dim>> make_piecewise(
   const std::vector<std::shared_ptr<const Material<dim>>> &materials,
   const std::function<unsigned int(const Point<dim> &)> &index_at, const Point<dim> &reference) {
+  AssertIndexRange(index_at(reference), materials.size());
   return std::make_shared<Piecewise<dim>>(materials, index_at, reference);
 }
 
@@ -206,6 +207,7 @@ template <int dim>
 std::shared_ptr<const Material<dim>> make_general(const std::vector<Expression<dim>> &entries,
                                                   const std::vector<Expression<dim>> &across,
                                                   const Point<dim> &reference) {
+  Assert(across.empty() || across.size() == 3, ExcDimensionMismatch(across.size(), 3));
   AssertDimension(entries.size(), n_strains<dim> * (n_strains<dim> + 1) / 2);
   const Tensor<2, dim> axes = unit_symmetric_tensor<dim>();
   return std::make_shared<General<dim>>(entries, across, axes, reference);
@@ -216,6 +218,7 @@ std::shared_ptr<const Material<2>> make_orthotropic(const std::vector<Expression
                                                     const std::vector<Expression<2>> &across,
                                                     const Point<2> &reference) {
   AssertDimension(moduli.size(), 4);
+  Assert(across.empty() || across.size() == 2, ExcDimensionMismatch(across.size(), 2));
   const Expression<2> zero("0", {}, "");
   const double angle = degrees * numbers::PI / 180.;
   return std::make_shared<General<2>>(

@@ -67,7 +67,8 @@ public:
       for (const auto &[j, of_j] : row)
         matrix(i, j) += weight * of_i * of_j;
   }
-  /** Adds what a side of this role forbids at a point to a body, or to two bodies that touch. */
+  /** Adds the conditions of a side with this role at a point to a body, or to two bodies that
+   * touch. */
   void forbid(const Role role, const Point<dim> &x, const Tensor<1, dim> &n, const double weight,
               const unsigned int body = 0,
               const std::optional<unsigned int> &other = std::nullopt) {
@@ -83,7 +84,7 @@ public:
   double size;
 };
 
-/** Adds what a side of this role forbids; two points suffice for a segment, three for a circle. */
+/** Adds the conditions of a side; two points suffice for a segment, three for a circle. */
 void add_side_conditions(const Geometry<2> &geometry, const unsigned int number,
                          const BoundaryCondition<2> &condition, Conditions<2> &conditions) {
   const Side<2> &side = geometry.sides[number];
@@ -106,7 +107,7 @@ void add_side_conditions(const Side<3> &side, const Role role, Conditions<3> &co
       conditions.forbid(role, side.point({r, t}), side.normal({r, t}), 1.);
 }
 
-/** Adds what a plate forbids to its body, which moves as a whole. */
+/** Adds the conditions of a plate on its body, which moves as a whole. */
 void add_plate_conditions(const Plate &plate, const unsigned int body, Conditions<2> &conditions) {
   if (!plate.drifts)
     conditions.forbid_velocity(plate.centre, plate.across(), 1., body);
@@ -189,6 +190,7 @@ std::string RigidMotion::direction() const {
 }
 
 RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<double> &weights) {
+  AssertDimension(motions.size(), weights.size());
   RigidMotion sum = motions.front();
   for (std::size_t b = 0; b < sum.bodies.size(); ++b) {
     BodyMotion &part = sum.bodies[b];
@@ -270,8 +272,9 @@ std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates 
   return motions;
 }
 
-// Sides of a box are parallel to its axes: what they leave free is spanned by translations along
-// the axes and rotations about axes through any point on the lines of symmetry of the held sides.
+// Sides of a box are parallel to its axes: the motions that they leave free are spanned by
+// translations along the axes and rotations about axes through any point on the lines of symmetry
+// of the held sides.
 std::vector<std::string> free_rigid_motions(const Scene<3> &scene) {
   Conditions<3> conditions(scene.geometry);
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
@@ -284,7 +287,7 @@ std::vector<std::string> free_rigid_motions(const Scene<3> &scene) {
   return names;
 }
 
-// Generalised displacements: what plates and pins could do.
+// Generalised displacements: the motions of plates and pins.
 
 namespace {
 /** The motions of all plates, travels and rotations times the size of the body, or of a body. */
@@ -300,8 +303,8 @@ Coordinates coordinates_of(const std::vector<PlateMotion> &motions, const double
   return x;
 }
 
-/** Returns a basis of the same span: first all translations that lie in it, then what turns the
- * body. */
+/** Returns a basis of the same span: first all translations that lie in it, then the motion that
+ * turns the body. */
 std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions) {
   // Motions of several bodies are separate already.
   if (motions.empty() || motions.front().bodies.size() > 1)
@@ -378,6 +381,7 @@ std::vector<FreeMotion> single_motions(const std::vector<Plate> &plates, const d
 } // namespace
 
 double FreeMotion::work_of_plates(const std::vector<Plate> &plates_of_scene) const {
+  AssertDimension(plates.size(), plates_of_scene.size());
   double work = 0.;
   for (std::size_t p = 0; p < plates.size(); ++p)
     work += plates_of_scene[p].work(plates[p]);

@@ -54,6 +54,7 @@ bool Scene<dim>::has_pairs() const {
 
 template <int dim>
 Tensor<1, dim> Scene<dim>::contact_direction(const unsigned int side, const Point<dim> &x) const {
+  AssertIndexRange(side, boundary.size());
   const auto s = geometry.sides[side].coordinates(x);
   if constexpr (dim == 2)
     if (const auto m = boundary[side].directions.at(s[0]))
@@ -79,6 +80,7 @@ bool Scene<dim>::has_exact_pressure() const {
 
 template <int dim>
 Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions) {
+  AssertDimension(motions.size(), scene.plates.size());
   if constexpr (dim == 2)
     for (std::size_t p = 0; p < scene.plates.size(); ++p)
       scene.boundary[scene.plates[p].side].data = plate_displacement(scene.plates[p], motions[p]);

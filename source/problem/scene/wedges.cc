@@ -138,7 +138,8 @@ std::array<Complex, 2> violation(const EdgeCondition &edge, const EdgeState &sta
   return {{state[1], state[3] + edge.friction * state[2]}};
 }
 
-/** The determinant (W7) of the conditions on the second edge for what the first one admits. */
+/** The determinant (W7) of the conditions on the second edge for the states that the first one
+ * admits. */
 struct LayeredFunction {
   const std::vector<WedgeLayer> &layers;
   const EdgeCondition &first, &second;
@@ -169,6 +170,7 @@ double opening(const std::vector<WedgeLayer> &layers) {
 
 double corner_exponent(const std::vector<WedgeLayer> &layers, const EdgeCondition &first,
                        const EdgeCondition &second) {
+  Assert(!layers.empty(), ExcMessage("A wedge has a material."));
   if (layers.size() == 1 && first.friction == 0. && second.friction == 0.)
     return corner_exponent(layers[0].angle, first.support, second.support, layers[0].kappa);
   double kappa = 1.;

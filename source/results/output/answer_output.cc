@@ -125,8 +125,8 @@ public:
 
   void add_reports() {
     for (std::size_t i = 0; i < level_.answer.reports.size(); ++i) {
-      const PlaceReport &report = level_.answer.reports[i];
-      std::string label = report.place;
+      const ProbeReport &report = level_.answer.reports[i];
+      std::string label = report.probe;
       if (label.size() + 2 >= label_width) {
         stream_ << "  " << label << "\n";
         label.clear();
@@ -146,9 +146,9 @@ public:
         add(k == 0 && !is_point ? label : "",
             name + " " + maximum_text(report.extremes[k], summary_.reports[i][k]));
       }
-      for (const GrowthPlace &place : report.growth)
-        add("", (is_point ? "grows without limit" : "left out") + growth_text(place) +
-                  ", closer than " + digits(place.radius));
+      for (const GrowthEdge &edge : report.growth)
+        add("", (is_point ? "grows without limit" : "left out") + growth_text(edge) +
+                  ", closer than " + digits(edge.radius));
     }
   }
 
@@ -179,7 +179,7 @@ public:
     if (!deepest)
       return;
     const double depth = rounded(deepest->value, size_);
-    const std::string text = digits(std::abs(depth)) + " " + at(deepest->place);
+    const std::string text = digits(std::abs(depth)) + " " + at(deepest->at);
     if (depth == 0.)
       add("Penetration", "none");
     else if (depth < 0.)
@@ -217,8 +217,8 @@ private:
   bool presses_at(const Penetration &penetration) const {
     const Answer &answer = level_.answer;
     const auto contains = [&](const ContactZone &zone) {
-      const double s = penetration.place.arc_length - zone.start.place.arc_length;
-      return zone.start.place.side == penetration.place.side && s >= -zone.start.uncertainty &&
+      const double s = penetration.at.arc_length - zone.start.at.arc_length;
+      return zone.start.at.side == penetration.at.side && s >= -zone.start.uncertainty &&
              s <= zone.length + zone.end.uncertainty;
     };
     return answer.dimension == 3 ? answer.peak_pressure.has_value()
@@ -244,8 +244,8 @@ private:
   }
   void add_zones(const std::string &label, const std::vector<ContactZone> &zones) {
     for (const auto &[start, end, length] : zones) {
-      const std::string side = start.place.side;
-      const bool all_around = start.place.point.distance(end.place.point) < 1e-10 * length;
+      const std::string side = start.at.side;
+      const bool all_around = start.at.point.distance(end.at.point) < 1e-10 * length;
       add(label, (all_around ? "all around " + side
                              : side + " from " + end_text(start) + " to " + end_text(end)) +
                    ", length " + digits(length));
@@ -263,15 +263,15 @@ private:
                           : "");
   }
   /** Returns " at the corner (0, 0) like r^-0.455". */
-  std::string growth_text(const GrowthPlace &place) const {
+  std::string growth_text(const GrowthEdge &edge) const {
     std::ostringstream text;
-    const auto &[first, second] = place.ends;
+    const auto &[first, second] = edge.ends;
     if (first.size() == 2)
       text << " at the corner " << scaled_text(first, size_);
     else
       text << " at the edge from " << scaled_text(first, size_) << " to "
            << scaled_text(second, size_);
-    text << " like r^" << std::setprecision(2) << place.exponent - 1.;
+    text << " like r^" << std::setprecision(2) << edge.exponent - 1.;
     return text.str();
   }
   /** Returns "u_x = 0.1, u_y = ...", without the coordinates. */
@@ -282,28 +282,28 @@ private:
         texts.push_back(name + " = " + scaled_text(value, name[0] == 'u' ? size_ : 0.));
     return join(texts);
   }
-  std::string at(const BoundaryPlace &place) const {
-    return "on " + place.side + " at " + scaled_text(place.point, size_);
+  std::string at(const BoundaryPoint &point) const {
+    return "on " + point.side + " at " + scaled_text(point.point, size_);
   }
   std::string end_text(const ZoneEnd &end) const {
-    return scaled_text(end.place.point, size_) +
+    return scaled_text(end.at.point, size_) +
            (end.uncertainty > 0. ? " +- " + digits(end.uncertainty) : "");
   }
   /** Returns "settled like r^-0.5 (-1 % from the level before)". */
-  std::string trend_text(const Trend &trend, const std::optional<GrowthPlace> &growth) const {
+  std::string trend_text(const Trend &trend, const std::optional<GrowthEdge> &growth) const {
     return word_for(trend.kind) + (growth ? growth_text(*growth) : "") +
            (trend.change ? " (" + signed_percent(*trend.change) + " from the " +
                              level_.sizes.word() + " before)"
                          : "");
   }
   std::string maximum_text(const FieldMaximum &maximum, const Trend &trend,
-                           const std::optional<GrowthPlace> &growth = {}) const {
+                           const std::optional<GrowthEdge> &growth = {}) const {
     return digits(maximum.value) + " at " + scaled_text(maximum.point, size_) + ", " +
            trend_text(trend, growth);
   }
   std::string maximum_text(const PressureMaximum &maximum, const Trend &trend,
-                           const std::optional<GrowthPlace> &growth = {}) const {
-    return digits(maximum.value) + " " + at(maximum.place) + ", " + trend_text(trend, growth) +
+                           const std::optional<GrowthEdge> &growth = {}) const {
+    return digits(maximum.value) + " " + at(maximum.at) + ", " + trend_text(trend, growth) +
            "; mean of its patch " + digits(maximum.mean) + " (" +
            signed_percent(maximum.mean / maximum.value - 1.) + ")";
   }
@@ -318,6 +318,7 @@ private:
 
 void print_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
                   const std::filesystem::path &directory) {
+  Assert(!levels.empty(), ExcMessage("The answer is that of a level."));
   const Answer &finest = levels.back().answer;
   stream << "Answer of " << levels.back().sizes.word() << " " << levels.back().sizes.level
          << (finest.axisymmetric      ? ", all around the axis"

@@ -12,7 +12,7 @@
 namespace Signorini {
 namespace {
 const AnswerVector &point_of(const PressureMaximum &peak) {
-  return peak.place.point;
+  return peak.at.point;
 }
 const AnswerVector &point_of(const FieldMaximum &stress) {
   return stress.point;
@@ -78,7 +78,7 @@ AnswerSummary::AnswerSummary(const std::vector<LevelRecord> &levels)
       trends_over<PeakPressure>(levels, [](const Answer &a) { return a.peak_pressure; }))
   , von_mises(trends_over<VonMises>(levels, [](const Answer &a) { return a.von_mises; })) {
   for (std::size_t i = 0; i < level.answer.reports.size(); ++i) {
-    const PlaceReport &report = level.answer.reports[i];
+    const ProbeReport &report = level.answer.reports[i];
     reports.emplace_back();
     for (std::size_t k = 0; k < report.extremes.size(); ++k) {
       std::vector<std::optional<FieldMaximum>> values;
@@ -95,7 +95,7 @@ AnswerSummary::AnswerSummary(const std::vector<LevelRecord> &levels)
     seconds += each.times.total();
 }
 
-std::vector<std::pair<std::string, double>> values_at_point(const PlaceReport &report,
+std::vector<std::pair<std::string, double>> values_at_point(const ProbeReport &report,
                                                             const unsigned int dimension) {
   std::vector<std::pair<std::string, double>> values;
   const std::vector<std::string> names = split_list(report_header(dimension), ',');

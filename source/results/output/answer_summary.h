@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace Signorini {
-/** The trend of a maximum over the levels, and that of the maximum away from all SingularPlace. */
+/** The trend of a maximum over the levels, and that of the maximum away from all SingularEdge. */
 struct MaximumTrends {
   Trend all, away;
 };
@@ -31,6 +31,6 @@ struct AnswerSummary {
 
 /** Returns the coordinates, displacements and stresses of a report at a single point, with their
  * names; nothing for other reports. */
-std::vector<std::pair<std::string, double>> values_at_point(const PlaceReport &report,
+std::vector<std::pair<std::string, double>> values_at_point(const ProbeReport &report,
                                                             unsigned int dimension);
 } // namespace Signorini

@@ -43,7 +43,7 @@ struct Unfinished {
 /** Writes and flushes. @return whether every byte was written. */
 bool try_to_write(const std::filesystem::path &path,
                   const std::function<void(std::ostream &)> &write) {
-  // What has the name, say a pipe or a link, must not be written to.
+  // A pipe or a link with this name must not be written to.
   unlink(path.c_str());
   std::ofstream file(path, std::ios::binary);
   try {
@@ -66,7 +66,8 @@ bool is_taken_name(const std::filesystem::path &path) {
 }
 
 /** Makes the directory and those above it, as far as they are missing. A path may lead up again by
- * "..", so that not every directory on it is above the last. @return what was made, in this order.
+ * "..", so that not every directory on it is above the last. @return the directories that were
+ * made, in this order.
  */
 std::vector<std::filesystem::path> make_directories(const std::filesystem::path &directory) {
   std::vector<std::filesystem::path> made;
@@ -231,7 +232,7 @@ extern "C" void end_by_signal(const int number) {
     unlink(path);
   const std::string *const description = current_description;
   if (description != nullptr && !description->empty()) {
-    // What may be called here excludes streams and the making of strings.
+    // A signal handler may neither use streams nor make strings.
     const char digits[] = {static_cast<char>('0' + number / 10),
                            static_cast<char>('0' + number % 10)};
     const std::string_view two_digits(digits, 2);

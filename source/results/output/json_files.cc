@@ -25,11 +25,11 @@ using Json = nlohmann::ordered_json;
 
 // The library finds the functions to_json() by the types of their arguments.
 
-static void to_json(Json &json, const BoundaryPlace &place) {
-  json = {{"side", place.side}};
-  if (place.point.size() == 2)
-    json["arc_length"] = place.arc_length;
-  json["point"] = place.point;
+static void to_json(Json &json, const BoundaryPoint &point) {
+  json = {{"side", point.side}};
+  if (point.point.size() == 2)
+    json["arc_length"] = point.arc_length;
+  json["point"] = point.point;
 }
 
 static void to_json(Json &json, const SideForce &force) {
@@ -43,7 +43,7 @@ static void to_json(Json &json, const SideForce &force) {
 }
 
 static void to_json(Json &json, const ZoneEnd &end) {
-  json = end.place;
+  json = end.at;
   json["uncertainty"] = end.uncertainty;
 }
 
@@ -63,7 +63,7 @@ static void to_json(Json &json, const FrictionSummary &friction) {
 
 static void to_json(Json &json, const PressureMaximum &peak) {
   json = {{"value", peak.value}};
-  json.update(Json(peak.place));
+  json.update(Json(peak.at));
   json["mean"] = peak.mean;
 }
 
@@ -71,14 +71,14 @@ static void to_json(Json &json, const FieldMaximum &stress) {
   json = {{"value", stress.value}, {"point", stress.point}};
 }
 
-static void to_json(Json &json, const GrowthPlace &place) {
+static void to_json(Json &json, const GrowthEdge &edge) {
   json = Json::object();
-  if (place.ends[0].size() == 2)
-    json["point"] = place.ends[0];
+  if (edge.ends[0].size() == 2)
+    json["point"] = edge.ends[0];
   else
-    json["ends"] = place.ends;
-  json["radius"] = place.radius;
-  json["exponent"] = place.exponent;
+    json["ends"] = edge.ends;
+  json["radius"] = edge.radius;
+  json["exponent"] = edge.exponent;
 }
 
 static void to_json(Json &json, const PlateRecord &plate) {
@@ -95,7 +95,7 @@ static void to_json(Json &json, const PlateRecord &plate) {
 
 static void to_json(Json &json, const Penetration &penetration) {
   json = {{"value", penetration.value}};
-  json.update(Json(penetration.place));
+  json.update(Json(penetration.at));
 }
 
 static void to_json(Json &json, const ErrorBound &bound) {
@@ -125,8 +125,8 @@ Json with_trend(Json maximum, const Trend &trend) {
   return maximum;
 }
 
-/** Returns a PeakPressure or VonMises with its trend, the place where it grows without limit, and
- * the maximum away from such places. */
+/** Returns a PeakPressure or VonMises with its trend, the edge where it grows without limit, and
+ * the maximum away from such edges. */
 template <typename Maximum>
 Json maximum_of(const Maximum &maximum, const MaximumTrends &trends) {
   Json json = with_trend(maximum, trends.all);
@@ -136,9 +136,10 @@ Json maximum_of(const Maximum &maximum, const MaximumTrends &trends) {
 }
 
 /** Returns a report with the trends of its fields. */
-Json report_of(const PlaceReport &report, const std::vector<Trend> &trends,
+Json report_of(const ProbeReport &report, const std::vector<Trend> &trends,
                const unsigned int dimension) {
-  Json json = {{"place", report.place}};
+  AssertDimension(report.extremes.size(), trends.size());
+  Json json = {{"place", report.probe}};
   for (std::size_t k = 0; k < report.extremes.size(); ++k)
     json[to_text(static_cast<ReportField>(k))] = with_trend(report.extremes[k], trends[k]);
   json["growth"] = report.growth;
@@ -150,6 +151,7 @@ Json report_of(const PlaceReport &report, const std::vector<Trend> &trends,
 
 void write_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
                   const StudyVerdict &verdict) {
+  Assert(!levels.empty(), ExcMessage("The answer is that of a level."));
   const AnswerSummary summary(levels);
   const LevelRecord &finest = summary.level;
   const Answer &answer = finest.answer;

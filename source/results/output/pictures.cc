@@ -19,7 +19,7 @@ std::string shell_word(const std::string &text) {
   return word + "'";
 }
 
-/** Returns the last line, which says what failed. */
+/** Returns the last line, which has the reason of a failure. */
 std::string last_line(const std::string &text) {
   const std::string trimmed = trim(text);
   return trimmed.substr(trimmed.rfind('\n') + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// scene.json: what is known of a scene before it is solved.
+// scene.json: a scene before it is solved.
 
 #include <signorini/base/instantiate.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
@@ -12,28 +12,29 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 /** Returns the coordinates of equally spaced points of a side, its ends included. */
-std::vector<double> places_on(const Side<2> &side) {
+std::vector<double> coordinates_on(const Side<2> &side) {
   constexpr unsigned int n_intervals = 64;
-  std::vector<double> places(n_intervals + 1);
+  std::vector<double> found(n_intervals + 1);
   for (unsigned int i = 0; i <= n_intervals; ++i)
-    places[i] = i * side.length() / n_intervals;
-  return places;
+    found[i] = i * side.length() / n_intervals;
+  return found;
 }
-std::vector<Point<2>> places_on(const Side<3> &side) {
+std::vector<Point<2>> coordinates_on(const Side<3> &side) {
   constexpr unsigned int n_intervals = 8;
-  std::vector<Point<2>> places;
+  std::vector<Point<2>> found;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     for (unsigned int j = 0; j <= n_intervals; ++j)
-      places.emplace_back(i * side.lengths()[0] / n_intervals, j * side.lengths()[1] / n_intervals);
-  return places;
+      found.emplace_back(i * side.lengths()[0] / n_intervals, j * side.lengths()[1] / n_intervals);
+  return found;
 }
 } // namespace
 
 template <int dim>
 SideSamples<dim> sample_side(const Scene<dim> &scene, const unsigned int side) {
+  AssertIndexRange(side, scene.boundary.size());
   const FunctionPointer<dim> &data = scene.boundary[side].data;
   SideSamples<dim> samples;
-  for (const auto &s : places_on(scene.geometry.sides[side])) {
+  for (const auto &s : coordinates_on(scene.geometry.sides[side])) {
     samples.points.push_back(scene.geometry.sides[side].point(s));
     samples.normals.push_back(scene.geometry.sides[side].normal(s));
     samples.values.emplace_back();

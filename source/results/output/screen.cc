@@ -57,9 +57,9 @@ void warn_of_large_gradients(const LevelRecord &finest, std::ostream &screen) {
   if (finest.displacement_errors || finest.pressure_errors)
     return;
   const VonMises &found = finest.answer.von_mises;
-  const auto warn = [&](const double share, const std::string &what) {
+  const auto warn = [&](const double share, const std::string &objection) {
     if (share > tolerated_share)
-      screen << "Warning: " << std::round(100. * share) << " % of the body " << what
+      screen << "Warning: " << std::round(100. * share) << " % of the body " << objection
              << ", does not describe this.\n";
   };
   warn(found.strained_share, "is strained by more than " + number_text(100. * large_strain) +

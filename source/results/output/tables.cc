@@ -120,6 +120,7 @@ std::string screen_legend(const bool graded) {
 }
 
 std::string error_table(const std::vector<LevelRecord> &levels) {
+  Assert(!levels.empty(), ExcMessage("The table has a row for each level."));
   constexpr int error_width = 10, error_order_width = 5;
   std::vector<ErrorColumn> columns;
   for (const ErrorColumn &column : error_columns)
@@ -155,10 +156,13 @@ std::string error_table(const std::vector<LevelRecord> &levels) {
 
 void print_columns(std::ostream &stream, const std::vector<std::vector<std::string>> &rows,
                    const std::size_t n_left) {
+  Assert(!rows.empty(), ExcMessage("The first row has the titles."));
   std::vector<std::size_t> widths(rows[0].size());
   for (const std::vector<std::string> &row : rows)
-    for (std::size_t k = 0; k < row.size(); ++k)
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      AssertIndexRange(k, widths.size());
       widths[k] = std::max(widths[k], row[k].size());
+    }
   for (const std::vector<std::string> &row : rows) {
     for (std::size_t k = 0; k + 1 < row.size(); ++k)
       stream << (k < n_left ? std::left : std::right) << std::setw(static_cast<int>(widths[k]))
@@ -250,7 +254,7 @@ Columns<CaseResult> case_columns(const std::vector<CaseResult> &cases) {
       if (column.name != "q_l2" && column.name != "critical_friction_factor")
         columns.push_back(column);
   }
-  // Names of places may contain commas.
+  // Names of probes may contain commas.
   for (const Column<Case> &column : named_columns(cases, extremes_of, "\"", "\""))
     columns.push_back(column);
   return columns;

@@ -152,7 +152,7 @@ constexpr double max_locking_number = 0.25;
 /** The number of levels with the same estimate that shows that refinement does not help. */
 constexpr std::size_t n_stagnant_levels = 3;
 
-/** Returns where the error is largest, and what makes it smaller. */
+/** Returns where the error is largest, and the remedy. */
 std::string remedy_for(const LevelRecord &level) {
   if (level.sizes.is_graded())
     return "take a Target error below Tolerated error, raise Maximum unknowns, or see where the "

@@ -44,7 +44,7 @@ double rounding(const LevelRecord &level) {
   return std::max(level.linear.rounding_error, level.certificate.rounding);
 }
 
-// What is known about the error of the finest level, in words.
+// The error of the finest level in words.
 
 namespace {
 /** Returns "0.85 %"; a share that may be rounding has no digits. */
@@ -94,6 +94,7 @@ std::optional<double> relative_error(const LevelRecord &level) {
 }
 
 std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
+  Assert(!levels.empty(), ExcMessage("The accuracy is that of a level."));
   const LevelRecord &finest = levels.back();
   std::ostringstream text;
   if (finest.friction && !finest.friction->is_regular.value_or(true))

@@ -77,7 +77,7 @@ void uneven_pressure(Checks &checks) {
   checks.near("its line of action", *found.through, Vector3({x_moment / 3., 1., 0.}), 1e-13);
   const auto peak = peak_pressure(box.multipliers, P);
   checks.near("peak of 1 + x, at the edge, and the mean of its patch",
-              {peak->value, peak->place.point[0], peak->mean}, {2., 1., 1.875}, 1e-13);
+              {peak->value, peak->at.point[0], peak->mean}, {2., 1., 1.875}, 1e-13);
   checks.that("no pressure, no peak", !peak_pressure(box.multipliers, Pressure(P.size())));
 
   // A paraboloid: mean of (x - c)² over a patch of length H is (middle - c)² + H²/12. In the corner

@@ -64,7 +64,7 @@ void check_scene(Checks &checks, const Expectation &expected, const bool is_know
   const FrictionSummary &friction = *found.levels.back().friction;
   if (expected.scene == "TS" || expected.scene == "KS") {
     const ZoneEnd &end = friction.stick_zones.at(0).end;
-    checks.near("stick ends at 1/sqrt(2)", end.place.arc_length, xi, 2. * end.uncertainty);
+    checks.near("stick ends at 1/sqrt(2)", end.at.arc_length, xi, 2. * end.uncertainty);
     checks.between("uncertainty", end.uncertainty, 0., 1e-3);
     checks.near("stick and slip", friction.stick_length + friction.slip_length, 1., 1e-12);
   }

@@ -63,8 +63,8 @@ void check_missed_contact(Checks &checks) {
     checks.that("found and resolved", result.verdict.outcome == Outcome::certified);
     const std::vector<ContactZone> &zones = step.answer.zones;
     checks.near("one zone", zones.size(), 1, 0.);
-    checks.near("its middle",
-                0.5 * (zones.at(0).start.place.point[0] + zones[0].end.place.point[0]), 1.23, 1e-4);
+    checks.near("its middle", 0.5 * (zones.at(0).start.at.point[0] + zones[0].end.at.point[0]),
+                1.23, 1e-4);
     checks.between("its length", step.contact.length, 1e-3, 0.02);
     force = force == 0. ? step.contact.normal_force : force;
     checks.near("the same force", step.contact.normal_force / force, 1., 1e-4);

@@ -113,10 +113,10 @@ void test_overlap(Checks &checks) {
     const OneLevel level(text + "Boundary/Contact = " + contact + "\n", 2);
     const LevelSolution<2> solution = level.solve();
     const ContactZone &zone = solution.record.answer.zones.at(0);
-    checks.near("zone of the overlap",
-                {zone.start.place.point[0], zone.end.place.point[0], zone.length,
-                 solution.record.contact.length},
-                {-0.5, 0.5, 1., 1.}, 1e-12);
+    checks.near(
+      "zone of the overlap",
+      {zone.start.at.point[0], zone.end.at.point[0], zone.length, solution.record.contact.length},
+      {-0.5, 0.5, 1., 1.}, 1e-12);
   }
   // The start of the disc's side lies in the overlap.
   const std::string disc =

@@ -33,13 +33,13 @@ double von_mises_at(const double r) {
   return std::sqrt(0.5 * ((a - b) * (a - b) + (b - c) * (b - c) + (c - a) * (c - a)));
 }
 
-double extreme(const PlaceReport &report, const ReportField field) {
+double extreme(const ProbeReport &report, const ReportField field) {
   return report.extremes.at(static_cast<std::size_t>(field)).value;
 }
 
-void check_place(Checks &checks, const PlaceReport &report, const double r,
+void check_place(Checks &checks, const ProbeReport &report, const double r,
                  const double tolerance) {
-  checks.about(report.place);
+  checks.about(report.probe);
   checks.near("von Mises", extreme(report, ReportField::von_mises), von_mises_at(r), tolerance);
   checks.near("tension", extreme(report, ReportField::largest_principal), hoop(r), tolerance);
   checks.near("compression", extreme(report, ReportField::smallest_principal), radial(r),
@@ -53,7 +53,7 @@ void check_ring(Checks &checks, const std::vector<std::string> &mesh, const doub
   std::vector<std::string> overrides = mesh;
   overrides.push_back("Output/Report=side3 | 0.9,1.2 | 0.6,0.8 to 1.2,1.6 | 0,0 radius 1.0000001");
   const StudyResult<2> result = solve(ring, overrides);
-  const std::vector<PlaceReport> &reports = result.levels.back().answer.reports;
+  const std::vector<ProbeReport> &reports = result.levels.back().answer.reports;
   check_place(checks, reports.at(0), 1., tolerance);
   check_place(checks, reports.at(1), 1.5, tolerance);
   check_place(checks, reports.at(3), 1., tolerance);
@@ -80,8 +80,8 @@ void check_block(Checks &checks, const std::string &entries, const std::string &
       "Boundary/Rollers = left\nBoundary/Contact = bottom\nBoundary/Traction = right: 0.3; 0 | "
       "top: 0; -0.5\n",
     levels(1, 3, {"Output/Report=" + report, "Material/Plane state=stress"}));
-  for (const PlaceReport &place : result.levels.back().answer.reports) {
-    checks.about(place.place);
+  for (const ProbeReport &place : result.levels.back().answer.reports) {
+    checks.about(place.probe);
     checks.near("tension", extreme(place, ReportField::largest_principal), 0.3, 1e-12);
     checks.near("compression", extreme(place, ReportField::smallest_principal), -0.5, 1e-12);
     checks.near("von Mises", extreme(place, ReportField::von_mises), 0.7, 1e-12);
@@ -95,8 +95,8 @@ void check_space(Checks &checks) {
              "Boundary/Rollers = left front bottom\nBoundary/Contact = top\n"
              "Boundary/Traction = right: 0.3; 0; 0 | back: 0; -0.5; 0\nContact/Gap = 10\n",
              levels(1, 2, {"Output/Report=right | 0.5,0.5,0.3 | 0.5,0.5,0.5 radius 0.3"}));
-  for (const PlaceReport &place : result.levels.back().answer.reports) {
-    checks.about("space, " + place.place);
+  for (const ProbeReport &place : result.levels.back().answer.reports) {
+    checks.about("space, " + place.probe);
     checks.near("tension", extreme(place, ReportField::largest_principal), 0.3, 1e-10);
     checks.near("compression", extreme(place, ReportField::smallest_principal), -0.5, 1e-10);
   }
@@ -110,8 +110,8 @@ void check_corner(Checks &checks) {
           "Boundary/Clamped = side4\nBoundary/Contact = side0\nContact/Gap = 10\n"
           "Load/Body force = 0; -0.01\n",
           {"Discretization/Strategy=hp", "Output/Report=side2 | 1,1 | 1,0.5 to 1,1"});
-  for (const PlaceReport &place : result.levels.back().answer.reports) {
-    checks.about("corner, " + place.place);
+  for (const ProbeReport &place : result.levels.back().answer.reports) {
+    checks.about("corner, " + place.probe);
     checks.near("places of growth", place.growth.size(), 1., 0.);
     checks.near("exponent", place.growth.at(0).exponent, 0.544483737, 1e-6);
     const AnswerVector &x = place.extremes.at(0).point;

@@ -63,14 +63,14 @@ void peak(Checks &checks) {
   const PressureMaximum inner =
     of(coarse, coarse.values([](const double x) { return -x * std::pow(1. - x, 3); }));
   checks.near("a polynomial of degree four", inner.value, 27. / 256., 1e-15);
-  checks.near("its place", inner.place.point[0], 0.25, 1e-7);
+  checks.near("its place", inner.at.point[0], 0.25, 1e-7);
   const auto primitive = [](const double x) {
     return -std::pow(1. - x, 4) / 4. + std::pow(1. - x, 5) / 5.;
   };
   checks.near("mean of its patch", inner.mean, 3. * (primitive(1. / 3.) - primitive(0.)), 1e-15);
   const PressureMaximum end = of(coarse, coarse.values([](const double x) { return x - 2.; }));
   checks.near("peak at the end of a side", end.value, 2., 1e-14);
-  checks.near("there", end.place.point[0], 0., 1e-15);
+  checks.near("there", end.at.point[0], 0., 1e-15);
   // -p = 1 + t^2 (1 - t^2) on both faces, -1 <= t <= 1, with four equal peaks at t^2 = 1/2.
   const Polynomials swinging(square(2), 0, 8);
   const PressureMaximum first = of(swinging, swinging.values([](const double x) {
@@ -78,7 +78,7 @@ void peak(Checks &checks) {
     return -(1. + t * t * (1. - t * t));
   }));
   checks.near("equal peaks", first.value, 1.25, 1e-14);
-  checks.near("the first of them", first.place.point[0], 0.25 * (1. - std::sqrt(0.5)), 1e-7);
+  checks.near("the first of them", first.at.point[0], 0.25 * (1. - std::sqrt(0.5)), 1e-7);
   checks.that("no pressure, no peak",
               !peak_pressure(coarse.multipliers, Pressure(coarse.multipliers.n_multipliers())));
 }
@@ -116,9 +116,9 @@ void zones(Checks &checks) {
   const auto of_answer = contact_zones(where.multipliers, P);
   const ContactSummary summary = summarise_contact(where.multipliers, P);
   checks.that("the answer has the same zones", of_answer.size() == 1 &&
-                                                 of_answer[0].start.place.side == "bottom" &&
+                                                 of_answer[0].start.at.side == "bottom" &&
                                                  summary.active == 4);
-  checks.near("lengths", {of_answer[0].length, of_answer[0].end.place.point[0], summary.length},
+  checks.near("lengths", {of_answer[0].length, of_answer[0].end.at.point[0], summary.length},
               {d, d, d}, 1e-15);
   checks.near("largest P", summary.max_pressure, 0.6 - (0.25 - r), 1e-15);
 }
@@ -137,8 +137,8 @@ void zones_around(Checks &checks) {
   checks.that("pressed at one node", intervals(ring, "OOOPOOOOOOOOOOOO").size() == 4);
   const auto all = contact_zones(ring.multipliers, ring.values([](double) { return -1.; }));
   checks.that("all around", all.size() == 1 && std::abs(all[0].length - around) < 1e-12);
-  checks.near("from its start to its start",
-              all[0].start.place.point.distance(all[0].end.place.point), 0., 1e-12);
+  checks.near("from its start to its start", all[0].start.at.point.distance(all[0].end.at.point),
+              0., 1e-12);
 }
 
 /** -p = 1 + 3 x²: the force 2 and the moment 1/2 + 3/4 about the origin. */
@@ -165,8 +165,8 @@ void graded(Checks &checks) {
   checks.near("B1: its place", last.answer.peak_pressure->place.arc_length, 0., 1e-12);
   checks.that("B1: one zone", last.answer.zones.size() == 1);
   const ContactZone &zone = last.answer.zones[0];
-  checks.that("B1: it starts with the side", zone.start.place.arc_length == 0.);
-  checks.near("B1: and ends at xi", zone.end.place.arc_length, xi, zone.end.uncertainty);
+  checks.that("B1: it starts with the side", zone.start.at.arc_length == 0.);
+  checks.near("B1: and ends at xi", zone.end.at.arc_length, xi, zone.end.uncertainty);
   checks.between("B1: up to", zone.end.uncertainty, 0., 2e-3);
   checks.near("B1: contact length", last.contact.length, zone.length, 1e-15);
 }

@@ -65,8 +65,8 @@ void zones(Checks &checks) {
                       return -0.5 * rho * rho * (t * std::sqrt(1. - t * t) + std::asin(t));
                     }));
     checks.that("Hertz: one zone", found.size() == 1);
-    checks.near("Hertz: start", found[0].start.place.arc_length, m - rho, 0.1 * H);
-    checks.near("Hertz: end", found[0].end.place.arc_length, m + rho, 0.1 * H);
+    checks.near("Hertz: start", found[0].start.at.arc_length, m - rho, 0.1 * H);
+    checks.near("Hertz: end", found[0].end.at.arc_length, m + rho, 0.1 * H);
     checks.near("Hertz: length of a patch", found[0].start.uncertainty, H, 1e-15);
     checks.near("Hertz: length", found[0].length, 2. * rho, 0.2 * H);
   }

@@ -64,7 +64,7 @@ void check_ends_of_lists(Checks &checks) {
   checks.near("kinks", given.discretization.kinks_at_y.value, std::vector<double>{0.25}, 0.);
   checks.near("width", scene.geometry.upper[0], 3., 1e-15);
   checks.near("sides, reports, cases",
-              std::vector<double>{1. * scene.geometry.sides.size(), 1. * scene.report_places.size(),
+              std::vector<double>{1. * scene.geometry.sides.size(), 1. * scene.probes.size(),
                                   1. * scene.load_cases.size()},
               std::vector<double>{5., 2., 2.}, 0.);
 }

@@ -279,8 +279,8 @@ void test_roller(Checks &checks) {
                 is_graded ? 1e-6 : 1e-2);
     checks.near("through its axis", (*contact.through)[0], 0., 1e-6);
     checks.near("symmetric zone",
-                finest.answer.zones.at(0).start.place.point[0] +
-                  finest.answer.zones.at(0).end.place.point[0],
+                finest.answer.zones.at(0).start.at.point[0] +
+                  finest.answer.zones.at(0).end.at.point[0],
                 0., is_graded ? 1e-3 : 1e-7);
   }
 }

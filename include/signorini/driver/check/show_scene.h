@@ -5,9 +5,9 @@
 
 namespace Signorini {
 /**
- * Shows a scene without solving it: prints its sides with their roles and data, and what the run
- * may cost, writes scene.json, and draws it. Earlier results stay in the directory. Collective.
- * @throws InputError for what contradicts itself, and for levels that do not fit into memory.
+ * Shows a scene without solving it: prints its sides with their roles and data, and the cost of
+ * a run, writes scene.json, and draws it. Earlier results stay in the directory. Collective.
+ * @throws InputError for contradictions, and for levels that do not fit into memory.
  */
 template <int dim>
 void show_scene(const Parameters &parameters, Scene<dim> scene, MPI_Comm communicator,

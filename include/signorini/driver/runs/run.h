@@ -35,7 +35,7 @@ private:
   std::ostream silence_;
 };
 
-/** A parameter file with what the command line adds to it. */
+/** A parameter file with the additions of the command line. */
 struct RunInput {
   /** The name of the file as given, and as messages show it. */
   std::string file_name, name;

@@ -101,7 +101,7 @@ struct ContactBound {
   dealii::Vector<double> cell_energies;
   /** The middle of the contact face where the face's term, the work of the lift at its nodes and
    * the energy of its cell are largest together. */
-  SidePlace dominant_part;
+  SidePoint dominant_part;
 
   /** Returns c² = |||w|||² + 2 contact_term. */
   double square() const {

@@ -19,7 +19,7 @@
 
 namespace Signorini {
 /** A place on the boundary. */
-struct SidePlace {
+struct SidePoint {
   /** The number of the side in the geometry. */
   unsigned int side = 0;
   /** The arc length from the start of the side (length). */
@@ -27,7 +27,7 @@ struct SidePlace {
 };
 
 /** Returns the name of a place, such as "bottom at (0.25, 0)". */
-std::string name_of(const SidePlace &place, const Scene<2> &scene);
+std::string name_of(const SidePoint &at, const Scene<2> &scene);
 
 /** A polynomial of t in [0,1]: the chord between the values at the ends, and t (1 - t) times
  * another one. Monomials lose digits, a hundred times rounding at degree six; the ends are exact,
@@ -144,7 +144,7 @@ struct NodeCondition {
   Tensor<1, 2> direction;
   Component component;
   Point<2> point;
-  SidePlace place;
+  SidePoint at;
   /** The value d at the node, or, next to a face on which d is larger inside and nothing presses,
    * that value: where contact was missed, a w_h that is wide costs much less energy than a function
    * inside of the face. */
@@ -219,16 +219,16 @@ public:
     return std::any_of(faces_.begin(), faces_.end(),
                        [](const PenetrationFace &face) { return face.mixes(); });
   }
-  /** Returns max (d)_+ over all samples; place_of_largest() returns its place. */
+  /** Returns max (d)_+ over all samples; point_of_largest() returns its place. */
   double max_penetration() const {
     return max_;
   }
-  const SidePlace &place_of_largest() const {
-    return place_of_largest_;
+  const SidePoint &point_of_largest() const {
+    return point_of_largest_;
   }
   /** Returns a place where u_n - g > 0 and another side holds the body: no w of finite energy
    * removes that. */
-  const std::optional<SidePlace> &obstacle() const {
+  const std::optional<SidePoint> &obstacle() const {
     return obstacle_;
   }
 
@@ -263,7 +263,7 @@ private:
   std::vector<NodeCondition> conditions_;
   bool prescribes_all_ = true;
   double max_ = 0.;
-  SidePlace place_of_largest_;
-  std::optional<SidePlace> obstacle_;
+  SidePoint point_of_largest_;
+  std::optional<SidePoint> obstacle_;
 };
 } // namespace Signorini

@@ -46,8 +46,8 @@ public:
   const FieldValues<dim> &on_reference_cell(const CellIterator &cell);
 
 private:
-  /** The place of a cell among the descendants of its ancestor: 0..2^k-1 per direction. */
-  using Place = std::array<unsigned int, dim>;
+  /** The position of a cell among the descendants of its ancestor: 0..2^k-1 per direction. */
+  using GridPosition = std::array<unsigned int, dim>;
 
   /** A shape function of the ancestor at a quadrature point of a descendant; the gradient is that
    * in the reference coordinates of the descendant. */
@@ -59,16 +59,16 @@ private:
   /** The shape functions by point, without those that vanish: at a node nearly all do. */
   using ShapeTable = std::vector<std::vector<Shape>>;
 
-  ShapeTable make_table(const std::vector<Point<dim>> &points, const Place &place) const;
+  ShapeTable make_table(const std::vector<Point<dim>> &points, const GridPosition &position) const;
   /** Fills result_ with values, and gradients in reference coordinates. */
   void interpolate(const CellIterator &cell, const std::vector<Point<dim>> &points);
   /**
    * Fills nodal_values_ for the ancestor of a cell.
-   * @return the place of the cell.
+   * @return the position of the cell.
    */
-  Place collect_values(const CellIterator &cell);
+  GridPosition collect_values(const CellIterator &cell);
   /** Fills nodal_values_ from the descendants of an ancestor. */
-  void read_values(const AncestorIterator &cell, const Place &place);
+  void read_values(const AncestorIterator &cell, const GridPosition &position);
 
   const DisplacementSpace<dim> &space_;
   const Displacement &U_;
@@ -82,7 +82,7 @@ private:
   std::vector<std::pair<unsigned int, unsigned int>> nodes_of_cell_;
   TensorProductPolynomials<dim> polynomials_;
   std::vector<Point<dim>> usual_points_;
-  /** The tables of all places, lexicographically; empty where lines_ take their place. */
+  /** The tables of all positions, lexicographically; empty where lines_ replace them. */
   std::vector<ShapeTable> tables_;
   /** The polynomials along the cells of a direction, in 3-D if the usual rule is a tensor product.
    */

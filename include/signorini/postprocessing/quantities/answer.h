@@ -5,7 +5,7 @@
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
-#include <signorini/postprocessing/quantities/place_report.h>
+#include <signorini/postprocessing/quantities/probe_report.h>
 #include <signorini/postprocessing/quantities/side_forces.h>
 #include <signorini/postprocessing/quantities/von_mises.h>
 
@@ -16,7 +16,7 @@ namespace Signorini {
 /** The largest u_h.m - g, positive where the body penetrates (length). */
 struct Penetration {
   double value = 0.;
-  BoundaryPlace place;
+  BoundaryPoint at;
 };
 
 /** The engineering results of one level. Pressures are positive in compression. */
@@ -45,8 +45,8 @@ struct Answer {
    * pair, or of the obstacle, where they press: the angle by which they are not opposite. */
   double turn_of_normals = 0.;
   VonMises von_mises;
-  /** The places of Output/Report. */
-  std::vector<PlaceReport> reports;
+  /** The probes of Output/Report. */
+  std::vector<ProbeReport> reports;
 
   static Columns<Answer> columns();
 };

@@ -46,7 +46,7 @@ struct MeshAt {
 };
 
 /** A point of a body's boundary. */
-struct BoundaryPlace {
+struct BoundaryPoint {
   std::string side;
   /** The arc length from the start of the side (length); for 2-D only. */
   double arc_length = 0.;

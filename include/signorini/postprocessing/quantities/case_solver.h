@@ -4,7 +4,7 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/space/resultant.h>
 #include <signorini/postprocessing/quantities/friction.h>
-#include <signorini/postprocessing/quantities/place_report.h>
+#include <signorini/postprocessing/quantities/probe_report.h>
 #include <signorini/postprocessing/quantities/side_forces.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/solvers/methods/contact_method.h>
@@ -43,8 +43,8 @@ struct CaseResult {
   /** The forces of clamped, prescribed and roller sides on the body, "left_x", ... (force per
    * thickness). */
   std::vector<std::pair<std::string, double>> reactions;
-  /** The places of Output/Report. */
-  std::vector<PlaceReport> reports;
+  /** The probes of Output/Report. */
+  std::vector<ProbeReport> reports;
   unsigned int iterations = 0;
   double kkt = 0.;
   bool converged = false;
@@ -88,7 +88,7 @@ public:
   /** Returns the reactions of the last case, whose displacement is given. */
   std::vector<std::pair<std::string, double>> reactions(const Displacement &U) const;
   /** Returns the report of the last case, whose displacement is given. Collective. */
-  std::vector<PlaceReport> report(const Displacement &U) const;
+  std::vector<ProbeReport> report(const Displacement &U) const;
 
 private:
   /** The response to one kind of load. */
@@ -129,8 +129,8 @@ private:
   dealii::Vector<double> G_;
   std::vector<LoadResponse> responses_;
   ReactionFunctionals reactions_;
-  /** The singular places, for reports. */
-  std::vector<SingularPlace<2>> singular_places_;
+  /** The singular edges, for reports. */
+  std::vector<SingularEdge<2>> singular_edges_;
   LoadCase last_;
   Multiplier P_;
   dealii::Vector<double> q_;

@@ -21,7 +21,7 @@ std::vector<ZoneBracket> zone_brackets(const MultiplierSpace<2> &multipliers,
 
 /** One end of a contact zone. */
 struct ZoneEnd {
-  BoundaryPlace place;
+  BoundaryPoint at;
   /** The distance of the exact end, in order of magnitude: the length of the patch in which it
    * lies, or with polynomials half of the distance between the nodes around it. It is zero where
    * the zone ends with its side. */

@@ -11,7 +11,7 @@ namespace Signorini {
 /** A largest contact pressure, positive in compression (force/area). */
 struct PressureMaximum {
   double value = 0.;
-  BoundaryPlace place;
+  BoundaryPoint at;
   /** The mean of -p_H over the patch on which the peak lies. */
   double mean = 0.;
   /** The patch on which the peak lies. */
@@ -20,16 +20,16 @@ struct PressureMaximum {
 
 /** The largest contact pressure. */
 struct PeakPressure : PressureMaximum {
-  /** The place where the exact value is infinite, if there is one: the value then depends only on
+  /** The edge where the exact value is infinite, if there is one: the value then depends only on
    * how fine the mesh is. */
-  std::optional<GrowthPlace> grows_at;
-  /** The largest pressure away from all SingularPlace, where there are any and something presses.
+  std::optional<GrowthEdge> grows_at;
+  /** The largest pressure away from all SingularEdge, where there are any and something presses.
    */
   std::optional<PressureMaximum> away;
 };
 
 /**
- * Returns the maximum, outside of given places, of a pressure that is recovered from the means over
+ * Returns the maximum, outside of given edges, of a pressure that is recovered from the means over
  * patches; empty if nothing presses. Where both neighbours of a patch press, the recovered pressure
  * is the parabola with the means of the three patches, elsewhere RecoveredPressure. Both are of
  * second order. Where patches have polynomials, the maximum is the largest value of -p_H on the
@@ -40,7 +40,7 @@ struct PeakPressure : PressureMaximum {
  * the material is its own mirror image.
  */
 template <int dim>
-std::optional<PressureMaximum>
-peak_pressure(const MultiplierSpace<dim> &multipliers, const Pressure &P,
-              const std::vector<SingularPlace<dim>> &outside_of = {});
+std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<dim> &multipliers,
+                                             const Pressure &P,
+                                             const std::vector<SingularEdge<dim>> &outside_of = {});
 } // namespace Signorini

@@ -15,8 +15,8 @@
 #include <vector>
 
 namespace Signorini {
-/** A place where stresses grow without limit, for records. */
-struct GrowthPlace {
+/** An edge where stresses grow without limit, for records. */
+struct GrowthEdge {
   /** The ends of an edge of a 3-D body; equal for a corner of a 2-D body. */
   std::array<AnswerVector, 2> ends;
   /** The distance from which on largest values elsewhere are taken (length). */
@@ -36,7 +36,7 @@ struct GrowthPlace {
  * box, at which stresses behave like r^{λ - 1} with λ < 1 (corner_exponent()) in at least one state
  * of contact. */
 template <int dim>
-struct SingularPlace {
+struct SingularEdge {
   /** The ends of the edge; equal in 2-D. */
   std::array<Point<dim>, 2> ends;
   std::array<unsigned int, 2> sides;
@@ -46,32 +46,32 @@ struct SingularPlace {
    * is shorter (length). It is the same on all levels. */
   double radius;
 
-  /** Returns the point of the place that is nearest to @p x. */
+  /** Returns the point of the edge that is nearest to @p x. */
   Point<dim> nearest(const Point<dim> &x) const;
   bool contains(const Point<dim> &x) const {
     return nearest(x).distance(x) < radius;
   }
 };
 
-/** Returns the singular places. There are none where the exact solution is known: it may be smooth
+/** Returns the singular edges. There are none where the exact solution is known: it may be smooth
  * at every corner. Across an edge of a box the exponent is that of plane strain. */
-std::vector<SingularPlace<2>> singular_places(const Scene<2> &scene);
-std::vector<SingularPlace<3>> singular_places(const Scene<3> &scene);
+std::vector<SingularEdge<2>> singular_edges(const Scene<2> &scene);
+std::vector<SingularEdge<3>> singular_edges(const Scene<3> &scene);
 
 /** Returns the axis of a box along the normal of a side. */
 unsigned int axis_of(const Side<3> &side);
 
-/** Returns whether @p x lies at one of the places. */
+/** Returns whether @p x lies at one of the edges. */
 template <int dim>
-bool any_contains(const std::vector<SingularPlace<dim>> &places, const Point<dim> &x);
+bool any_contains(const std::vector<SingularEdge<dim>> &edges, const Point<dim> &x);
 
-/** Returns the place where a value at @p x is part of unlimited growth: @p x lies next to it, and
+/** Returns the edge where a value at @p x is part of unlimited growth: @p x lies next to it, and
  * the state of contact there makes λ < 1. The result is empty if there is none. */
 template <int dim>
-std::optional<GrowthPlace> growth_at(const Point<dim> &x,
-                                     const std::vector<SingularPlace<dim>> &places,
-                                     const MultiplierSpace<dim> &multipliers,
-                                     const Multiplier &multiplier);
+std::optional<GrowthEdge> growth_at(const Point<dim> &x,
+                                    const std::vector<SingularEdge<dim>> &edges,
+                                    const MultiplierSpace<dim> &multipliers,
+                                    const Multiplier &multiplier);
 
 /** The largest value of a field, and where it is. */
 struct FieldMaximum {
@@ -99,10 +99,10 @@ MeshAt mesh_at(const DisplacementSpace<dim> &space,
 
 /** The largest von Mises stress. */
 struct VonMises : FieldMaximum {
-  /** The place where the exact value is infinite, if there is one: the value then depends only on
+  /** The edge where the exact value is infinite, if there is one: the value then depends only on
    * how fine the mesh is. */
-  std::optional<GrowthPlace> grows_at;
-  /** The largest stress away from all SingularPlace, where there are any. */
+  std::optional<GrowthEdge> grows_at;
+  /** The largest stress away from all SingularEdge, where there are any. */
   std::optional<FieldMaximum> away;
   /** The share of the body (area, volume) in cells with a principal strain above large_strain in
    * their middle, and that in cells that turn by more than large_rotation there. */
@@ -118,10 +118,9 @@ constexpr double large_rotation = 0.1;
 /**
  * Returns the largest stress at the points of FieldSampler::at_nodes() of every cell. Points at
  * which the material's data has no value are left out. Collective.
- * @param places away is taken outside of them.
+ * @param edges away is taken outside of them.
  */
 template <int dim>
 VonMises largest_von_mises(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                           const Displacement &U,
-                           const std::vector<SingularPlace<dim>> &places = {});
+                           const Displacement &U, const std::vector<SingularEdge<dim>> &edges = {});
 } // namespace Signorini

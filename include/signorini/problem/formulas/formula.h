@@ -35,7 +35,7 @@ struct FormulaBox {
   }
 };
 
-/** What a formula does in a box. */
+/** Bounds of a formula in a box. */
 template <int dim>
 struct Enclosure {
   /** Bounds of the values at all points of the box but those of a set without area. */
@@ -88,7 +88,7 @@ public:
 
   Enclosure<dim> enclose(const FormulaBox<dim> &box) const;
 
-  /** Returns whether few points show what the formula does in a box: it varies by at most
+  /** Returns whether few points show the formula in a box: it varies by at most
    * @p tolerance, or no switch but those of the given @p lines is undecided, and on all sides of
    * these lines 8 samples in each direction are close enough for its largest slope and have small
    * fourth differences. Where these are smaller still, the slopes in parts of the box count. */

@@ -33,8 +33,8 @@ struct KinkLine {
 };
 
 /**
- * The halves of a box, halves of these, and so on, down to boxes in which a few points show what
- * data does. It is the whole plane where nothing hides; boxes at the rim have no outer end.
+ * The halves of a box, halves of these, and so on, down to boxes in which a few points show the
+ * data. It is the whole plane where nothing hides; boxes at the rim have no outer end.
  */
 class BoxTree {
 public:
@@ -62,7 +62,7 @@ public:
     double hidden = 0.;
   };
 
-  /** The first boxes are 1/4 of the body wide, the smallest 1/4096, or, where what they hold
+  /** The first boxes are 1/4 of the body wide, the smallest 1/4096, or, where their data
    * matters, 6e-8. At most max_deep_looks of them are smaller than 1/4096. */
   static constexpr unsigned int first_halvings = 2, max_halvings = 12, deepest_halvings = 24,
                                 max_deep_looks = 4000;
@@ -83,8 +83,7 @@ public:
   /** Returns whether the data asks for a line through the interior of a box. @param skipped the
    * number of halvings that do not count. */
   bool divides(const BoundingBox<2> &box, unsigned int skipped = 0, unsigned int node = 0) const;
-  /** Returns whether a few points show what data does in one of the smallest boxes that meet a
-   * box. */
+  /** Returns whether a few points show the data in one of the smallest boxes that meet a box. */
   bool shows_some(const BoundingBox<2> &box) const;
   /** Returns whether few points do not show it in one of them. */
   bool hides_some(const BoundingBox<2> &box) const;

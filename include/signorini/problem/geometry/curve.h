@@ -164,15 +164,15 @@ private:
   };
   struct Chain;
   /** A piece and an arc length on it. */
-  struct Place {
+  struct Location {
     const Curve &piece;
     double s;
   };
 
   /** Returns the place of s; between two pieces on the one behind. */
-  Place place(double s) const;
+  Location locate(double s) const;
   /** Returns the place of s; between two pieces on the one in the direction of @p towards. */
-  Place place(double s, double towards) const;
+  Location locate(double s, double towards) const;
 
   Point<2> start_;
   Point<2> end_;

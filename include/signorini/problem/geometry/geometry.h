@@ -115,8 +115,8 @@ struct Geometry {
   /** Whether the body is one of revolution: x is the distance from its axis, and integrals are
    * those over the whole circumference. For 2-D only. */
   bool axisymmetric = false;
-  /** The length of a plane body across its plane, for which forces are told; what is computed is
-   * per unit of it. */
+  /** The length of a plane body across its plane, for which forces are told; computed
+   * forces are per unit of it. */
   double thickness = 1.;
   /** Whether the segments from inner_point() to the boundary lie in the body. */
   bool star_shaped = true;
@@ -129,7 +129,7 @@ struct Geometry {
   std::vector<std::string> regions;
   /** Returns the index of the region at a point; empty without regions. */
   std::function<unsigned int(const Point<dim> &)> region_at;
-  /** What the user should know about the mesh; mostly empty. */
+  /** A remark on the mesh for the user; mostly empty. */
   std::string note;
   /** The lower corner of the bounding box, and the opposite one. */
   Point<dim> lower;
@@ -154,8 +154,8 @@ struct Geometry {
   unsigned int body_of(const Cell &cell) const {
     return bodies.empty() ? 0 : cell->material_id();
   }
-  /** Returns what dx and ds are multiplied by: the circumference 2 pi x of a body of revolution,
-   * otherwise 1. */
+  /** Returns the factor of dx and ds: the circumference 2 pi x of a body of revolution, otherwise
+   * 1. */
   double circumference(const Point<dim> &x) const {
     return axisymmetric ? 2. * numbers::PI * x[0] : 1.;
   }

@@ -8,7 +8,7 @@ namespace Signorini {
 /** Returns the dimension, 2 or 3, that the parameters give or that a scene of the catalogue has. */
 unsigned int dimension_of(const Parameters &parameters);
 
-/** Returns the text of the mesh file that Geometry/File names, or of what Gmsh makes of it.
+/** Returns the text of the mesh file that Geometry/File names, or that Gmsh makes of it.
  * @throws InputError */
 std::string read_mesh_file(const GeometryParameters &given);
 

@@ -57,8 +57,8 @@ enum class Strategy {
   automatic,
   /** Each mesh is the one before with every cell split, as in the paper. */
   nested,
-  /** Each mesh is graded to what is singular in the solution on the one before, with degrees that
-   * rise away from there. */
+  /** Each mesh is graded to the singularities of the solution on the one before, with degrees that
+   * rise away from them. */
   hp
 };
 

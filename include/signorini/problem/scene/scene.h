@@ -6,7 +6,7 @@
 #include <signorini/problem/parameters/options.h>
 #include <signorini/problem/scene/foundation.h>
 #include <signorini/problem/scene/material.h>
-#include <signorini/problem/scene/report_place.h>
+#include <signorini/problem/scene/probe.h>
 
 #include <deal.II/base/function.h>
 #include <deal.II/base/tensor.h>
@@ -196,8 +196,8 @@ struct Scene {
   FunctionPointer<dim> exact_displacement;
   /** The shift of the foundations of all sides that `data` contains (length). */
   Tensor<1, dim> foundation_position;
-  /** The places for which stresses are wanted. */
-  std::vector<ReportPlace<dim>> report_places;
+  /** The probes of Output/Report. */
+  std::vector<Probe<dim>> probes;
   /** Where data is not smooth, with boxes for the body force; and the same with boxes for the
    * moduli, nothing where these are constant on cells. */
   Kinks<dim> kinks, law_kinks;
@@ -240,7 +240,7 @@ struct CaseFactor {
   double LoadCase::*number;
   /** The kind of load that it multiplies; none of other numbers. */
   std::optional<LoadKind> kind;
-  /** What a scene lacks in which it changes nothing: "no body force". */
+  /** The lack of a scene in which it changes nothing: "no body force". */
   std::string lacking;
 };
 

@@ -47,7 +47,7 @@ constexpr double max_corner_exponent = 3.;
  * angle, may add r^n or r^n log r with an integer n >= 1. The exponent does not include these.
  *
  * @param angle the opening inside the body, 0 < angle <= 2 pi (radians).
- * @param kappa Kolosov's constant, at least 1: see kolosov_constant().
+ * @param kappa Kolosov's constant, at least 1: that of make_layer().
  */
 double corner_exponent(double angle, EdgeSupport first, EdgeSupport second, double kappa);
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace Signorini {
-/** What friction does at one point. */
+/** Friction at one point. */
 struct FrictionPoint {
   /** The tangential traction q_H, and the largest one that is allowed; in space |q_H|. */
   double q_H = 0., s_H = 0.;

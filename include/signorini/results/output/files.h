@@ -60,8 +60,8 @@ void write_file(const std::filesystem::path &path,
                 const std::function<void(std::ostream &)> &write);
 
 /**
- * Removes the files of a directory whose names satisfy @p is_removed; with a file goes what is left
- * of an attempt to write it. @throws WritingError if one cannot be removed.
+ * Removes the files of a directory whose names satisfy @p is_removed; with a file go the
+ * remains of an attempt to write it. @throws WritingError if one cannot be removed.
  */
 void remove_files(const std::filesystem::path &directory, const NameTest &is_removed);
 
@@ -92,7 +92,7 @@ void describe_interruption(const std::string &where);
 
 /**
  * Replaces a closed stdin, stdout or stderr by one that fails: otherwise the next file that is
- * opened would take its number and receive what is printed. Writing beyond the limit of `ulimit -f`
+ * opened would take its number and receive the output. Writing beyond the limit of `ulimit -f`
  * becomes an error of the stream, too. Call it first of all.
  */
 void make_standard_streams_safe();

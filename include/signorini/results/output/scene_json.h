@@ -24,7 +24,7 @@ struct SideSamples {
 template <int dim>
 SideSamples<dim> sample_side(const Scene<dim> &scene, unsigned int side);
 
-/** What acts on the whole body. */
+/** The loads of the whole body. */
 struct SceneNotes {
   /** Sentences for the picture. */
   std::vector<std::string> lines;

@@ -34,6 +34,7 @@ struct VtuCells {
   template <int spacedim>
   void add(const unsigned int n, const std::vector<Point<spacedim>> &points,
            const std::vector<VtuFields> &fields) {
+    AssertDimension(points.size(), fields.size());
     if (names.empty())
       for (const auto &[name, value] : fields[0])
         names.emplace_back(name);

@@ -60,7 +60,7 @@ enum class Outcome {
   equations_certified,
   /** The equations are solved, and the estimated error is tolerated, on a graded mesh. */
   accuracy_estimated,
-  /** The equations are solved, but the error may be larger than what is tolerated. */
+  /** The equations are solved, but the error may be larger than the tolerated one. */
   not_resolved,
   /** The equations are not solved. */
   not_certified

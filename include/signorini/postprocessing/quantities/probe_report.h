@@ -9,44 +9,44 @@
 #include <vector>
 
 namespace Signorini {
-/** What a report tells of a place: the von Mises stress, the largest and the smallest principal
- * stress (force/area), and |u| (length). */
+/** The fields that a report has of a probe: the von Mises stress, the largest and the smallest
+ * principal stress (force/area), and |u| (length). */
 enum class ReportField { von_mises, largest_principal, smallest_principal, displacement };
 constexpr std::size_t n_report_fields = 4;
 
 /** Returns "von_mises", ... */
 std::string to_text(ReportField field);
 
-/** The values at a place of Output/Report. */
-struct PlaceReport {
-  std::string place;
+/** The values at a probe. */
+struct ProbeReport {
+  std::string probe;
   /** The extreme value of each field; of the smallest principal stress the smallest. Empty where
-   * the mesh has no point at the place. */
+   * the mesh has no point in the probe. */
   std::vector<FieldMaximum> extremes;
-  /** The corners and edges at the place where stresses grow without limit. Points next to them are
-   * left out of the extremes, unless the place is a single point. */
-  std::vector<GrowthPlace> growth;
+  /** The corners and edges in the probe where stresses grow without limit. Points next to them are
+   * left out of the extremes, unless the probe is a single point. */
+  std::vector<GrowthEdge> growth;
   /** For a point and for points along a line: those in the body, with the distance from the start,
    * the coordinates, u, the stresses xx, yy, zz, xy (in space also xz, yz), and the four fields. */
   std::vector<std::vector<double>> rows;
 };
 
-/** Returns the extremes of all places with names for a table: "von_mises at 1,2 radius 3". */
-std::vector<std::pair<std::string, double>> named_extremes(const std::vector<PlaceReport> &reports);
+/** Returns the extremes of all probes with names for a table: "von_mises at 1,2 radius 3". */
+std::vector<std::pair<std::string, double>> named_extremes(const std::vector<ProbeReport> &reports);
 
-/** Returns the names of the columns of PlaceReport::rows, separated by commas. */
+/** Returns the names of the columns of ProbeReport::rows, separated by commas. */
 std::string report_header(unsigned int dimension);
 
 /**
- * Reports on the places of a scene, at the points of FieldSampler::at_nodes(), and at the points of
+ * Reports on the probes of a scene, at the points of FieldSampler::at_nodes(), and at the points of
  * lines. Points where the material's data has no value are left out. Collective.
- * @param singular the singular places, @p P the pressure that decides whether they grow.
+ * @param singular the singular edges, @p P the pressure that decides whether they grow.
  * @throws InputError for a point or a line outside of the body.
  */
 template <int dim>
-std::vector<PlaceReport> report_on_places(const DisplacementSpace<dim> &space,
+std::vector<ProbeReport> report_on_probes(const DisplacementSpace<dim> &space,
                                           const Scene<dim> &scene, const Displacement &U,
-                                          const std::vector<SingularPlace<dim>> &singular,
+                                          const std::vector<SingularEdge<dim>> &singular,
                                           const MultiplierSpace<dim> &multipliers,
                                           const Multiplier &multiplier);
 } // namespace Signorini

@@ -7,7 +7,7 @@
 #include <signorini/base/text.h>
 #include <signorini/discretization/space/cell_values.h>
 #include <signorini/postprocessing/fields/field_sampler.h>
-#include <signorini/postprocessing/quantities/place_report.h>
+#include <signorini/postprocessing/quantities/probe_report.h>
 
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/grid_tools_cache.h>
@@ -22,10 +22,10 @@ using Values = std::array<double, n_report_fields>;
 /** The fields of which the smallest value is wanted have the sign -1. */
 constexpr Values signs = {{1., 1., -1., 1.}};
 
-/** The contribution of a part of the body to a place; of the fields with their signs. */
-struct PlacePart {
+/** The contribution of a part of the body to a probe; of the fields with their signs. */
+struct ProbePart {
   std::vector<FieldMaximum> largest;
-  std::vector<GrowthPlace> growth;
+  std::vector<GrowthEdge> growth;
   std::vector<std::vector<double>> rows;
 
   void add(const std::vector<FieldMaximum> &values) {
@@ -35,15 +35,15 @@ struct PlacePart {
       for (std::size_t i = 0; i < values.size(); ++i)
         take_larger(values[i], largest[i]);
   }
-  void add(const GrowthPlace &place) {
+  void add(const GrowthEdge &edge) {
     if (std::none_of(growth.begin(), growth.end(),
-                     [&](const GrowthPlace &known) { return known.ends == place.ends; }))
-      growth.push_back(place);
+                     [&](const GrowthEdge &known) { return known.ends == edge.ends; }))
+      growth.push_back(edge);
   }
-  void add(const PlacePart &other) {
+  void add(const ProbePart &other) {
     add(other.largest);
-    for (const GrowthPlace &place : other.growth)
-      add(place);
+    for (const GrowthEdge &edge : other.growth)
+      add(edge);
     rows.insert(rows.end(), other.rows.begin(), other.rows.end());
   }
   template <typename Archive>
@@ -51,81 +51,80 @@ struct PlacePart {
     archive &largest &growth &rows;
   }
 };
-using PlaceParts = std::vector<PlacePart>;
+using ProbeParts = std::vector<ProbePart>;
 
-void add(const PlaceParts &parts, PlaceParts &sum) {
+void add(const ProbeParts &parts, ProbeParts &sum) {
   sum.resize(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i)
     sum[i].add(parts[i]);
 }
 
-/** Reads the fields of a solution for places. */
+/** Reads the fields of a solution for probes. */
 template <int dim>
-class PlaceReader {
+class ProbeReader {
 public:
   using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-  PlaceReader(const SampledField<dim> &field, const std::vector<SingularPlace<dim>> &singular,
+  ProbeReader(const SampledField<dim> &field, const std::vector<SingularEdge<dim>> &singular,
               const MultiplierSpace<dim> &multipliers, const Multiplier &multiplier)
     : field_(field)
     , singular_(singular)
     , multipliers_(multipliers)
     , multiplier_(multiplier) {}
 
-  /** Returns what a chunk of cells contributes to the places. */
-  PlaceParts read_cells(const Cells<dim> &cells) const {
+  /** Returns what a chunk of cells contributes to the probes. */
+  ProbeParts read_cells(const Cells<dim> &cells) const {
     FieldSampler<dim> sampler(field_);
-    const std::vector<ReportPlace<dim>> &places = field_.scene.report_places;
-    PlaceParts parts(places.size());
+    const std::vector<Probe<dim>> &probes = field_.scene.probes;
+    ProbeParts parts(probes.size());
     for (const Cell &cell : cells) {
-      if (std::none_of(places.begin(), places.end(),
-                       [&](const auto &place) { return may_contain(place, cell); }))
+      if (std::none_of(probes.begin(), probes.end(),
+                       [&](const auto &probe) { return may_contain(probe, cell); }))
         continue;
       const std::vector<FieldSample<dim>> &samples = sampler.at_nodes(cell);
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        const bool in_region = is_in_region(places[i], cell);
+      for (std::size_t i = 0; i < probes.size(); ++i) {
+        const bool in_region = is_in_region(probes[i], cell);
         for (const FieldSample<dim> &sample : samples)
-          if (in_region || contains(places[i], cell, sample))
+          if (in_region || contains(probes[i], cell, sample))
             add_sample(cell, sample, parts[i]);
       }
     }
     return parts;
   }
 
-  /** Returns what the cells of this rank contribute to the points of a place. */
-  PlacePart read_points(const ReportPlace<dim> &place, const GridTools::Cache<dim> &cache) const {
+  /** Returns what the cells of this rank contribute to the points of a probe. */
+  ProbePart read_points(const Probe<dim> &probe, const GridTools::Cache<dim> &cache) const {
     FieldSampler<dim> sampler(field_);
-    PlacePart part;
-    for (const Point<dim> &x : place.points) {
+    ProbePart part;
+    for (const Point<dim> &x : probe.points) {
       const auto [found, unit] = GridTools::find_active_cell_around_point(cache, x);
       if (found.state() != IteratorState::valid || !found->is_locally_owned())
         continue;
       const Cell cell(&cache.get_triangulation(), found->level(), found->index(),
                       &field_.space.dofs());
       const FieldSample<dim> sample = sampler.at(cell, unit);
-      add_row(place.points.front(), x, cell, sample, part);
-      add_sample(cell, sample, part, place.points.size() == 1);
+      add_row(probe.points.front(), x, cell, sample, part);
+      add_sample(cell, sample, part, probe.points.size() == 1);
     }
     return part;
   }
 
 private:
-  bool is_in_region(const ReportPlace<dim> &place, const Cell &cell) const {
-    return place.region && field_.scene.geometry.region_at(cell->center()) == *place.region;
+  bool is_in_region(const Probe<dim> &probe, const Cell &cell) const {
+    return probe.region && field_.scene.geometry.region_at(cell->center()) == *probe.region;
   }
-  /** Returns false where a cell is far from a place. */
-  bool may_contain(const ReportPlace<dim> &place, const Cell &cell) const {
-    if (place.radius > 0.)
-      return cell->center().distance(place.centre) <= place.radius + cell->diameter();
-    return is_in_region(place, cell) || (!place.sides.empty() && cell->at_boundary());
+  /** Returns false where a cell is far from a probe. */
+  bool may_contain(const Probe<dim> &probe, const Cell &cell) const {
+    if (probe.radius > 0.)
+      return cell->center().distance(probe.centre) <= probe.radius + cell->diameter();
+    return is_in_region(probe, cell) || (!probe.sides.empty() && cell->at_boundary());
   }
-  static bool contains(const ReportPlace<dim> &place, const Cell &cell,
-                       const FieldSample<dim> &sample) {
+  static bool contains(const Probe<dim> &probe, const Cell &cell, const FieldSample<dim> &sample) {
     for (const unsigned int f : cell->face_indices())
       if (cell->at_boundary(f) && std::abs(sample.unit[f / 2] - f % 2) < 1e-12 &&
-          std::count(place.sides.begin(), place.sides.end(), cell->face(f)->boundary_id()) > 0)
+          std::count(probe.sides.begin(), probe.sides.end(), cell->face(f)->boundary_id()) > 0)
         return true;
-    return sample.x.distance(place.centre) <= place.radius;
+    return sample.x.distance(probe.centre) <= probe.radius;
   }
 
   Stress3D stress_of(const Cell &cell, const FieldSample<dim> &sample) const {
@@ -136,10 +135,10 @@ private:
     return {{von_mises(stress), principal[0], principal[2], sample.u.norm()}};
   }
 
-  /** @param always whether a sample next to a place of growth counts, too. */
-  void add_sample(const Cell &cell, const FieldSample<dim> &sample, PlacePart &part,
+  /** @param always whether a sample next to an edge of growth counts, too. */
+  void add_sample(const Cell &cell, const FieldSample<dim> &sample, ProbePart &part,
                   const bool always = false) const {
-    const std::optional<GrowthPlace> growth =
+    const std::optional<GrowthEdge> growth =
       growth_at(sample.x, singular_, multipliers_, multiplier_);
     if (growth)
       part.add(*growth);
@@ -156,7 +155,7 @@ private:
   }
 
   void add_row(const Point<dim> &start, const Point<dim> &x, const Cell &cell,
-               const FieldSample<dim> &sample, PlacePart &part) const {
+               const FieldSample<dim> &sample, ProbePart &part) const {
     try {
       const Stress3D stress = stress_of(cell, sample);
       std::vector<double> row = {x.distance(start)};
@@ -173,25 +172,25 @@ private:
   }
 
   const SampledField<dim> &field_;
-  const std::vector<SingularPlace<dim>> &singular_;
+  const std::vector<SingularEdge<dim>> &singular_;
   const MultiplierSpace<dim> &multipliers_;
   const Multiplier &multiplier_;
 };
 
-/** Returns what the whole body contributes to the places. Collective. */
+/** Returns what the whole body contributes to the probes. Collective. */
 template <int dim>
-PlaceParts parts_of_all(const SampledField<dim> &field, const PlaceReader<dim> &reader) {
-  const std::vector<ReportPlace<dim>> &places = field.scene.report_places;
+ProbeParts parts_of_all(const SampledField<dim> &field, const ProbeReader<dim> &reader) {
+  const std::vector<Probe<dim>> &probes = field.scene.probes;
   const Mesh<dim> &mesh = field.space.mesh();
-  PlaceParts mine(places.size()), all;
-  integrate_by_chunks<PlaceParts, dim>(
+  ProbeParts mine(probes.size()), all;
+  integrate_by_chunks<ProbeParts, dim>(
     field.space, [&](const Cells<dim> &cells) { return reader.read_cells(cells); },
-    [&mine](const PlaceParts &parts) { add(parts, mine); });
+    [&mine](const ProbeParts &parts) { add(parts, mine); });
   const GridTools::Cache<dim> cache(mesh.triangulation(), mesh.mapping());
-  for (std::size_t i = 0; i < places.size(); ++i)
-    if (!places[i].points.empty())
-      mine[i] = reader.read_points(places[i], cache);
-  for (const PlaceParts &parts : Utilities::MPI::all_gather(mesh.communicator(), mine))
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    if (!probes[i].points.empty())
+      mine[i] = reader.read_points(probes[i], cache);
+  for (const ProbeParts &parts : Utilities::MPI::all_gather(mesh.communicator(), mine))
     add(parts, all);
   return all;
 }
@@ -204,11 +203,11 @@ std::string to_text(const ReportField field) {
 }
 
 std::vector<std::pair<std::string, double>>
-named_extremes(const std::vector<PlaceReport> &reports) {
+named_extremes(const std::vector<ProbeReport> &reports) {
   std::vector<std::pair<std::string, double>> numbers;
-  for (const PlaceReport &report : reports)
+  for (const ProbeReport &report : reports)
     for (std::size_t k = 0; k < report.extremes.size(); ++k)
-      numbers.emplace_back(to_text(static_cast<ReportField>(k)) + " at " + report.place,
+      numbers.emplace_back(to_text(static_cast<ReportField>(k)) + " at " + report.probe,
                            report.extremes[k].value);
   return numbers;
 }
@@ -221,23 +220,23 @@ std::string report_header(const unsigned int dimension) {
 }
 
 template <int dim>
-std::vector<PlaceReport> report_on_places(const DisplacementSpace<dim> &space,
+std::vector<ProbeReport> report_on_probes(const DisplacementSpace<dim> &space,
                                           const Scene<dim> &scene, const Displacement &U,
-                                          const std::vector<SingularPlace<dim>> &singular,
+                                          const std::vector<SingularEdge<dim>> &singular,
                                           const MultiplierSpace<dim> &multipliers,
                                           const Multiplier &multiplier) {
-  const std::vector<ReportPlace<dim>> &places = scene.report_places;
-  if (places.empty())
+  const std::vector<Probe<dim>> &probes = scene.probes;
+  if (probes.empty())
     return {};
   const SampledField<dim> field(space, scene, U);
-  const PlaceParts all =
-    parts_of_all(field, PlaceReader<dim>(field, singular, multipliers, multiplier));
-  std::vector<PlaceReport> reports;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!places[i].points.empty() && all[i].rows.empty())
-      throw input_error(places[i].where, ": found ", quote(places[i].name),
+  const ProbeParts all =
+    parts_of_all(field, ProbeReader<dim>(field, singular, multipliers, multiplier));
+  std::vector<ProbeReport> reports;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (!probes[i].points.empty() && all[i].rows.empty())
+      throw input_error(probes[i].where, ": found ", quote(probes[i].name),
                         ", which is outside of the body, allowed: points of the body.");
-    reports.push_back({places[i].name, all[i].largest, all[i].growth, all[i].rows});
+    reports.push_back({probes[i].name, all[i].largest, all[i].growth, all[i].rows});
     for (std::size_t k = 0; k < reports[i].extremes.size(); ++k)
       reports[i].extremes[k].value *= signs[k];
     std::sort(reports[i].rows.begin(), reports[i].rows.end());
@@ -245,5 +244,5 @@ std::vector<PlaceReport> report_on_places(const DisplacementSpace<dim> &space,
   return reports;
 }
 
-INSTANTIATE_FUNCTION(report_on_places);
+INSTANTIATE_FUNCTION(report_on_probes);
 } // namespace Signorini

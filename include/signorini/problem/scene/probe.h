@@ -10,10 +10,10 @@
 #include <vector>
 
 namespace Signorini {
-/** A place for which a user wants the largest stresses and displacements: some sides, a region, a
- * disc (in space a ball), a point or a line. */
+/** Points for which a user wants the largest stresses and displacements: those of some sides, of a
+ * region, of a disc (in space a ball), a point or a line. */
 template <int dim>
-struct ReportPlace {
+struct Probe {
   /** The text that describes it, and the entry for messages. */
   std::string name, where;
   std::vector<unsigned int> sides;
