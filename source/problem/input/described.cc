@@ -15,46 +15,42 @@
 
 namespace Signorini {
 namespace {
-/** Reads the entries of one parameter file that hold expressions. */
+/** Reads the components of a vector, separated by ';'. @p text is all of the entry or a part of it.
+ */
 template <int dim>
-class SceneReader {
-public:
-  /** Reads the components of a vector, separated by ';'. @p text is all of the entry or a part of
-   * it. */
-  std::vector<Expression<dim>> components(const std::string &text, const unsigned int n,
-                                          const Entry &entry) const {
-    const std::vector<std::string> parts = split_list(text, ';');
-    if (parts.size() != n)
-      throw error_at(entry, "found ", parts.size(), " component(s) in ", quote(text),
-                     ", allowed: ", n,
-                     (n == 1 ? " expression." : " expressions separated by ';'."));
-    std::vector<Expression<dim>> expressions;
-    expressions.reserve(n);
-    for (const std::string &part : parts)
-      expressions.emplace_back(part, *entry.constants, entry.where());
-    return expressions;
-  }
-  std::vector<Expression<dim>> components(const Given<std::string> &given,
-                                          const unsigned int n) const {
-    return components(given.value, n, given);
-  }
+std::vector<Expression<dim>> read_components(const std::string &text, const unsigned int n,
+                                             const Entry &entry) {
+  const std::vector<std::string> parts = split_list(text, ';');
+  if (parts.size() != n)
+    throw error_at(entry, "found ", parts.size(), " component(s) in ", quote(text),
+                   ", allowed: ", n, (n == 1 ? " expression." : " expressions separated by ';'."));
+  std::vector<Expression<dim>> expressions;
+  expressions.reserve(n);
+  for (const std::string &part : parts)
+    expressions.emplace_back(part, *entry.constants, entry.where());
+  return expressions;
+}
+template <int dim>
+std::vector<Expression<dim>> read_components(const Given<std::string> &given,
+                                             const unsigned int n) {
+  return read_components<dim>(given.value, n, given);
+}
 
-  /** Reads a function that is data of the problem. */
-  FunctionPointer<dim> function(const std::string &text, const unsigned int n,
-                                const Entry &entry) const {
-    return std::make_shared<ExpressionFunction<dim>>(components(text, n, entry));
-  }
-};
+/** Reads a function that is data of the problem. */
+template <int dim>
+FunctionPointer<dim> read_function(const std::string &text, const unsigned int n,
+                                   const Entry &entry) {
+  return std::make_shared<ExpressionFunction<dim>>(read_components<dim>(text, n, entry));
+}
 
 template <int dim>
 std::shared_ptr<const Material<dim>> read_one_material(const MaterialParameters &given,
-                                                       const SceneReader<dim> &reader,
                                                        const Geometry<dim> &geometry) {
   // Reads n expressions with plausible values on the body; entries across the plane may be empty.
   const auto moduli = [&](const Given<std::string> &entry, const unsigned int n) {
     if (&entry == &given.moduli_across && entry.value.empty())
       return std::vector<Expression<dim>>();
-    std::vector<Expression<dim>> expressions = reader.components(entry, n);
+    std::vector<Expression<dim>> expressions = read_components<dim>(entry, n);
     check_moduli(expressions, geometry);
     return expressions;
   };
@@ -67,15 +63,14 @@ std::shared_ptr<const Material<dim>> read_one_material(const MaterialParameters 
       return make_orthotropic(moduli(given.orthotropic_moduli, 4), given.orientation,
                               moduli(given.moduli_across, 2), reference);
   return make_isotropic<dim>(moduli(given.youngs_modulus, 1).front(),
-                             reader.components(given.poissons_ratio, 1).front(), given.plane_state,
-                             reference);
+                             read_components<dim>(given.poissons_ratio, 1).front(),
+                             given.plane_state, reference);
 }
 
 /** Reads the material; where the body has regions, an entry may have a text for each of them:
  * "steel: 210000 | rubber: 5". */
 template <int dim>
 std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &given,
-                                                   const SceneReader<dim> &reader,
                                                    const Geometry<dim> &geometry) {
   const MaterialLaw law = given.law;
   const std::string found = "Law = " + to_text(law);
@@ -105,18 +100,17 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
         (parts[region].*entry).value = value;
     }
   if (!differ)
-    return read_one_material(given, reader, geometry);
+    return read_one_material(given, geometry);
   std::vector<std::shared_ptr<const Material<dim>>> materials;
   materials.reserve(regions.size());
   for (const std::string &region : regions)
-    materials.push_back(read_one_material(parts[region], reader, geometry));
+    materials.push_back(read_one_material(parts[region], geometry));
   return make_piecewise(materials, geometry.region_at, geometry.inner_point());
 }
 
 /** Gives sides their roles; a side has one role only. */
 template <int dim>
-void read_boundary(const BoundaryParameters &given, const LoadParameters &load,
-                   const SceneReader<dim> &reader, Scene<dim> &scene) {
+void read_boundary(const BoundaryParameters &given, const LoadParameters &load, Scene<dim> &scene) {
   const std::vector<std::string> sides = scene.geometry.side_names();
   scene.boundary.resize(sides.size());
   // The entry that named each side; null for a side without a role.
@@ -159,7 +153,7 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load,
   for (const auto &[list, role] :
        {std::pair{&given.displacement, Role::displacement}, {&given.traction, Role::traction}})
     for (const auto &[name, text] : read_side_list(list->value, list->where(), sides))
-      assign(name, role, *list).data = reader.function(text, dim, *list);
+      assign(name, role, *list).data = read_function<dim>(text, dim, *list);
   if constexpr (dim == 2) {
     scene.plates = read_plates(given.plates, load, scene.geometry);
     for (const Plate &plate : scene.plates)
@@ -175,7 +169,7 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load,
 
 /** Reads the gaps of all contact sides: rigid obstacles or expressions. */
 template <int dim>
-void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Scene<dim> &scene) {
+void read_gaps(const Parameters &parameters, Scene<dim> &scene) {
   const ContactParameters &given = parameters.contact;
   SideTexts gaps;
   if constexpr (dim == 2) {
@@ -187,15 +181,14 @@ void read_gaps(const Parameters &parameters, const SceneReader<dim> &reader, Sce
                          scene.geometry.side_names());
   for (const auto &[side, text] : gaps)
     scene.boundary[scene.geometry.find_side(side)].data =
-      std::make_shared<GapFunction<dim>>(reader.components(text, 1, given.gap));
+      std::make_shared<GapFunction<dim>>(read_components<dim>(text, 1, given.gap));
   if constexpr (dim == 2)
     close_pairs(parameters.boundary.contact.where(), scene);
 }
 
 /** Reads the law of friction of all contact sides: one expression for all, or one per side. */
 template <int dim>
-void read_friction(const Parameters &parameters, const SceneReader<dim> &reader,
-                   Scene<dim> &scene) {
+void read_friction(const Parameters &parameters, Scene<dim> &scene) {
   const ContactParameters &given = parameters.contact;
   const std::string found = "Friction = " + to_text(given.friction.value);
   scene.friction = given.friction;
@@ -216,10 +209,8 @@ void read_friction(const Parameters &parameters, const SceneReader<dim> &reader,
     if (entry.value.empty())
       throw error_at(entry, "found nothing with ", found,
                      ", allowed: an expression for all contact sides, or one per side.");
-    for (const auto &[side, text] : read_list_for(contact_side_names(scene), entry.value,
-                                                  entry.where(), scene.geometry.side_names()))
-      scene.boundary[scene.geometry.find_side(side)].*data =
-        reader.function(text, n_components, entry);
+    for (const auto &[side, text] : read_contact_list(entry, scene))
+      scene.boundary[side].*data = read_function<dim>(text, n_components, entry);
   };
   read(scene.friction == Friction::coulomb ? given.friction_coefficient : given.friction_bound,
        &BoundaryCondition<dim>::friction, 1);
@@ -229,20 +220,16 @@ void read_friction(const Parameters &parameters, const SceneReader<dim> &reader,
 
 /** Reads one expression for all contact sides, or one per side. */
 template <int dim>
-void read_exact_pressure(const Given<std::string> &given, const SceneReader<dim> &reader,
-                         Scene<dim> &scene) {
+void read_exact_pressure(const Given<std::string> &given, Scene<dim> &scene) {
   if (given.value.empty())
     return;
-  for (const auto &[side, text] : read_list_for(contact_side_names(scene), given.value,
-                                                given.where(), scene.geometry.side_names()))
-    scene.boundary[scene.geometry.find_side(side)].exact_pressure =
-      std::make_shared<ExpressionFunction<dim>>(reader.components(text, 1, given),
-                                                std::vector<Expression<dim>>());
+  for (const auto &[side, text] : read_contact_list(given, scene))
+    scene.boundary[side].exact_pressure = std::make_shared<ExpressionFunction<dim>>(
+      read_components<dim>(text, 1, given), std::vector<Expression<dim>>());
 }
 
 template <int dim>
-void read_exact_displacement(const ExactSolutionParameters &given, const SceneReader<dim> &reader,
-                             Scene<dim> &scene) {
+void read_exact_displacement(const ExactSolutionParameters &given, Scene<dim> &scene) {
   if (given.displacement.value.empty()) {
     if (!given.displacement_gradient.value.empty())
       throw error_at(given.displacement_gradient, "it needs ", given.displacement.name,
@@ -251,15 +238,14 @@ void read_exact_displacement(const ExactSolutionParameters &given, const SceneRe
   }
   std::vector<Expression<dim>> gradients;
   if (!given.displacement_gradient.value.empty())
-    gradients = reader.components(given.displacement_gradient, dim * dim);
+    gradients = read_components<dim>(given.displacement_gradient, dim * dim);
   scene.exact_displacement = std::make_shared<ExpressionFunction<dim>>(
-    reader.components(given.displacement, dim), gradients);
+    read_components<dim>(given.displacement, dim), gradients);
 }
 
 /** Reads the body force: one for all, or one for each region. */
 template <int dim>
-void read_body_force(const Given<std::string> &given, const SceneReader<dim> &reader,
-                     Scene<dim> &scene) {
+void read_body_force(const Given<std::string> &given, Scene<dim> &scene) {
   if (dim == 3 && !given.changed)
     return;
   const std::vector<std::string> &regions = scene.geometry.regions;
@@ -272,7 +258,7 @@ void read_body_force(const Given<std::string> &given, const SceneReader<dim> &re
                                       : SideTexts{{"", given.value}}) {
     auto &force =
       forces[differs ? std::find(regions.begin(), regions.end(), region) - regions.begin() : 0];
-    force = reader.components(text, dim, given);
+    force = read_components<dim>(text, dim, given);
     for (const Expression<dim> &component : force)
       is_zero = is_zero && component.is_constant() && component(Point<dim>()) == 0.;
   }
@@ -287,7 +273,6 @@ void read_body_force(const Given<std::string> &given, const SceneReader<dim> &re
 
 template <int dim>
 Scene<dim> make_described_scene(const Parameters &parameters) {
-  const SceneReader<dim> reader;
   Scene<dim> scene;
   scene.name = "described";
   scene.title = "described by expressions";
@@ -301,13 +286,13 @@ Scene<dim> make_described_scene(const Parameters &parameters) {
   refuse_foreign_entries(!scene.geometry.axisymmetric, {&parameters.geometry.thickness},
                          "a plane body",
                          "Plane state = " + to_text(parameters.material.plane_state.value));
-  scene.material = read_material(parameters.material, reader, scene.geometry);
-  read_boundary(parameters.boundary, parameters.load, reader, scene);
-  read_gaps(parameters, reader, scene);
-  read_friction(parameters, reader, scene);
-  read_exact_pressure(parameters.exact.pressure, reader, scene);
-  read_body_force(parameters.load.body_force, reader, scene);
-  read_exact_displacement(parameters.exact, reader, scene);
+  scene.material = read_material(parameters.material, scene.geometry);
+  read_boundary(parameters.boundary, parameters.load, scene);
+  read_gaps(parameters, scene);
+  read_friction(parameters, scene);
+  read_exact_pressure(parameters.exact.pressure, scene);
+  read_body_force(parameters.load.body_force, scene);
+  read_exact_displacement(parameters.exact, scene);
   check_described_scene(parameters, scene);
   return scene;
 }

@@ -69,6 +69,17 @@ std::vector<std::string> contact_side_names(const Scene<dim> &scene) {
 SideTexts read_list_for(const std::vector<std::string> &called, const std::string &text,
                         const std::string &where, const std::vector<std::string> &sides);
 
+/** Reads the same for the contact sides. @return their numbers, with their texts. */
+template <int dim>
+std::vector<std::pair<unsigned int, std::string>> read_contact_list(const Given<std::string> &given,
+                                                                    const Scene<dim> &scene) {
+  std::vector<std::pair<unsigned int, std::string>> texts;
+  for (const auto &[name, text] : read_list_for(contact_side_names(scene), given.value,
+                                                given.where(), scene.geometry.side_names()))
+    texts.emplace_back(scene.geometry.find_side(name), text);
+  return texts;
+}
+
 /** Reads Boundary/Plates with Load/Plate force, Plate moment and Plate travel. @throws InputError.
  */
 std::vector<Plate> read_plates(const Given<std::string> &given, const LoadParameters &load,

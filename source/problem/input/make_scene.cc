@@ -124,14 +124,13 @@ unsigned int dimension_of(const Parameters &parameters) {
 
 /** Reads the number of equal patches of all contact sides, or of each of them. */
 static void read_patches(const Given<std::string> &given, Scene<2> &scene) {
-  for (const auto &[side, text] : read_list_for(contact_side_names(scene), given.value,
-                                                given.where(), scene.geometry.side_names())) {
+  for (const auto &[side, text] : read_contact_list(given, scene)) {
     constexpr double most = 16384.;
     std::vector<double> n;
     if (!read_numbers(given, text, n) || n.size() != 1 || !(n[0] >= 0. && n[0] <= most) ||
         n[0] != std::floor(n[0]))
       throw error_at(given, "found ", quote(text), ", allowed: an integer from 0 to ", most, ".");
-    scene.boundary[scene.geometry.find_side(side)].n_patches = static_cast<unsigned int>(n[0]);
+    scene.boundary[side].n_patches = static_cast<unsigned int>(n[0]);
   }
 }
 
