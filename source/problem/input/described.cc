@@ -74,14 +74,12 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
                                                    const Geometry<dim> &geometry) {
   const MaterialLaw law = given.law;
   const std::string found = "Law = " + to_text(law);
-  refuse_foreign_entries(law == MaterialLaw::isotropic,
-                         {&given.youngs_modulus, &given.poissons_ratio, &given.plane_state},
-                         "Law = isotropic", found);
-  refuse_foreign_entries(law == MaterialLaw::general, {&given.hooke_tensor}, "Law = general",
-                         found);
-  refuse_foreign_entries(law == MaterialLaw::orthotropic,
-                         {&given.orthotropic_moduli, &given.orientation}, "Law = orthotropic",
-                         found);
+  const std::pair<MaterialLaw, std::vector<const Entry *>> of_laws[] = {
+    {MaterialLaw::isotropic, {&given.youngs_modulus, &given.poissons_ratio, &given.plane_state}},
+    {MaterialLaw::general, {&given.hooke_tensor}},
+    {MaterialLaw::orthotropic, {&given.orthotropic_moduli, &given.orientation}}};
+  for (const auto &[owner, entries] : of_laws)
+    refuse_foreign_entries(law == owner, entries, "Law = " + to_text(owner), found);
   refuse_foreign_entries(law != MaterialLaw::isotropic, {&given.moduli_across}, "Law = orthotropic",
                          found);
   const std::vector<std::string> &regions = geometry.regions;

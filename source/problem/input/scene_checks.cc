@@ -88,33 +88,21 @@ void check_finite(const FunctionPointer<dim> &function, const Points<dim> &point
       check_magnitude(function->value(x, c), c, x, where);
 }
 
-/** Refuses a positive pressure: contact cannot pull. */
+/** Refuses values of a function that are above a share of the largest one times @p sign, 1 or -1,
+ * under a @p name. */
 template <int dim>
-void check_pressure(const FunctionPointer<dim> &pressure, const Points<dim> &points,
-                    const std::string &where) {
-  if (pressure == nullptr)
+void check_sign(const FunctionPointer<dim> &function, const Points<dim> &points,
+                const std::string &where, const double sign, const double share,
+                const std::string &name, const std::string &allowed) {
+  if (function == nullptr)
     return;
-  check_finite(pressure, points, where);
+  check_finite(function, points, where);
   double largest = 0.;
   for (const Point<dim> &x : points)
-    largest = std::max(largest, std::abs(pressure->value(x)));
+    largest = std::max(largest, std::abs(function->value(x)));
   for (const Point<dim> &x : points)
-    if (pressure->value(x) > 1e-6 * largest)
-      refuse_value(where, "the tension " + number_text(pressure->value(x)), x,
-                   "p = sigma_n <= 0, negative in compression");
-}
-
-/** Refuses a negative coefficient or bound of friction. */
-template <int dim>
-void check_friction(const FunctionPointer<dim> &friction, const Points<dim> &points,
-                    const std::string &where) {
-  if (friction == nullptr)
-    return;
-  check_finite(friction, points, where);
-  for (const Point<dim> &x : points)
-    if (friction->value(x) < 0.)
-      refuse_value(where, "the negative value " + number_text(friction->value(x)), x,
-                   "0 or more on the whole side");
+    if (sign * function->value(x) > share * largest)
+      refuse_value(where, name + number_text(function->value(x)), x, allowed);
 }
 
 /**
@@ -246,10 +234,14 @@ void check_described_scene(const Parameters &parameters, const Scene<dim> &scene
     const BoundaryCondition<dim> &condition = scene.boundary[i];
     const Side<dim> &side = scene.geometry.sides[i];
     check_finite(condition.data, sample_side(side, condition.role != Role::traction), "");
-    check_exact_on_side(exact, scene, i, sample_side(side, false));
-    check_friction(condition.friction, sample_side(side, false), friction);
-    check_finite(condition.shift, sample_side(side, false), "");
-    check_pressure(condition.exact_pressure, sample_side(side, false), exact.pressure.where());
+    const Points<dim> inside = sample_side(side, false);
+    check_exact_on_side(exact, scene, i, inside);
+    check_sign(condition.friction, inside, friction, -1., 0., "the negative value ",
+               "0 or more on the whole side");
+    check_finite(condition.shift, inside, "");
+    // Contact cannot pull.
+    check_sign(condition.exact_pressure, inside, exact.pressure.where(), 1., 1e-6, "the tension ",
+               "p = sigma_n <= 0, negative in compression");
   }
 }
 

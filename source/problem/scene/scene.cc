@@ -6,6 +6,7 @@
 #include <signorini/problem/scene/scene.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 namespace Signorini {
@@ -103,27 +104,14 @@ template struct Scene<3>;
 // Scenes with scaled loads and moved foundations.
 
 namespace {
-/** The function factor f. */
-class ScaledFunction final : public Function<2> {
-public:
-  ScaledFunction(FunctionPointer<2> function, const double factor)
-    : Function<2>(function->n_components)
-    , function_(std::move(function))
-    , factor_(factor) {}
-
-  double value(const Point<2> &x, const unsigned int component) const override {
-    return factor_ * function_->value(x, component);
-  }
-
-private:
-  FunctionPointer<2> function_;
-  double factor_;
-};
-
+/** Returns the function factor f. */
 FunctionPointer<2> scale(const FunctionPointer<2> &function, const double factor) {
   if (function == nullptr || factor == 1.)
     return function;
-  return std::make_shared<ScaledFunction>(function, factor);
+  std::vector<std::function<double(const Point<2> &)>> components;
+  for (unsigned int c = 0; c < function->n_components; ++c)
+    components.emplace_back([=](const Point<2> &x) { return factor * function->value(x, c); });
+  return std::make_shared<FunctionFromFunctionObjects<2>>(components);
 }
 
 /** Returns the tangential motion of a foundation: @p given, and the part of a shift across the

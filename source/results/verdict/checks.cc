@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Whether the answer of one level solves its equations.
 
+#include <signorini/base/message.h>
 #include <signorini/results/verdict/judge.h>
 
 #include <algorithm>
@@ -22,11 +23,10 @@ std::string causes_of_rounding(const LevelRecord &level) {
   const double translation = level.certificate.translation;
   if (translation < large_translation || level.certificate.rounding < level.linear.rounding_error)
     return causes_of_condition;
-  std::ostringstream text;
-  text << "the body is moved as a whole by " << translation
-       << " times as much as it is deformed: subtract that translation from the prescribed "
-          "displacements, and its normal component from the gap.";
-  return text.str();
+  return concatenate(
+    "the body is moved as a whole by ", translation,
+    " times as much as it is deformed: subtract that translation from the prescribed "
+    "displacements, and its normal component from the gap.");
 }
 
 /** Returns the name of the method that has searched for contact. */
@@ -93,10 +93,8 @@ std::string check_overflow(const LevelRecord &level, const Judge &) {
 std::string check_rounding(const LevelRecord &level, const Judge &) {
   if (rounding(level) <= max_rounding)
     return "";
-  std::ostringstream text;
-  text << "rounding changes displacements or forces by the relative amount " << rounding(level)
-       << " (allowed: 1e-6), because " << causes_of_rounding(level);
-  return text.str();
+  return concatenate("rounding changes displacements or forces by the relative amount ",
+                     rounding(level), " (allowed: 1e-6), because ", causes_of_rounding(level));
 }
 
 /** Checks the KKT residual of the dual problem against the tolerance. */
@@ -234,12 +232,10 @@ std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &ju
   const double strain_energy = std::pow(*finest.bound->absolute / *finest.bound->relative, 2);
   if (off <= tolerated * std::abs(J) || !(off > rounding * strain_energy))
     return "";
-  std::ostringstream text;
-  text << "The energy of level " << finest.sizes.level << " is known up to "
-       << 100. * off / std::abs(J)
-       << " % only (guaranteed; allowed with this Tolerated error: " << 100. * tolerated << " %); "
-       << remedy_for(finest);
-  return text.str();
+  return concatenate("The energy of level ", finest.sizes.level, " is known up to ",
+                     100. * off / std::abs(J),
+                     " % only (guaranteed; allowed with this Tolerated error: ", 100. * tolerated,
+                     " %); ", remedy_for(finest));
 }
 
 /** Returns whether a target that the user has not set is missed by an error that is guaranteed and
@@ -293,14 +289,13 @@ std::string check_errors_of_cases(const std::vector<LevelRecord> &levels, const 
   const double allowed = judge.demands.tolerated_error;
   if (!finest.load_cases || finest.load_cases->max_estimate <= allowed)
     return "";
-  std::ostringstream text;
-  text << "The error of load case " << finest.load_cases->worst << " is about "
-       << 100. * finest.load_cases->max_estimate
-       << " % (energy norm, estimated; cases.csv has those of all cases; Tolerated error: "
-       << 100. * allowed << " %); "
-       << (finest.sizes.is_graded() ? "set Strategy = nested" : "raise Finest level")
-       << ", or solve the case as a scene whose own loads are those of the case.";
-  return text.str();
+  return concatenate(
+    "The error of load case ", finest.load_cases->worst, " is about ",
+    100. * finest.load_cases->max_estimate,
+    " % (energy norm, estimated; cases.csv has those of all cases; Tolerated error: ",
+    100. * allowed, " %); ",
+    (finest.sizes.is_graded() ? "set Strategy = nested" : "raise Finest level"),
+    ", or solve the case as a scene whose own loads are those of the case.");
 }
 
 /** Checks that no other pressures solve the dual problem on the finest level. */
@@ -334,13 +329,12 @@ std::string check_brackets(const std::vector<LevelRecord> &levels, const Judge &
   const double allowed = rounding * (std::abs(*highest->bound->energy_lower) + strain_energy);
   if (!(*highest->bound->energy_lower - *lowest->bound->energy_upper > allowed))
     return "";
-  std::ostringstream text;
-  text << "The energy is at least " << *highest->bound->energy_lower << " by the bound of level "
-       << highest->sizes.level << " and at most " << *lowest->bound->energy_upper
-       << " by that of level " << lowest->sizes.level
-       << ": they contradict each other, and one of them is lost to rounding or to data that vary "
-          "between the points where they are sampled.";
-  return text.str();
+  return concatenate(
+    "The energy is at least ", *highest->bound->energy_lower, " by the bound of level ",
+    highest->sizes.level, " and at most ", *lowest->bound->energy_upper, " by that of level ",
+    lowest->sizes.level,
+    ": they contradict each other, and one of them is lost to rounding or to data that vary "
+    "between the points where they are sampled.");
 }
 
 /** Checks that on the finest level bilinear elements are not too stiff for a nearly incompressible
@@ -352,14 +346,12 @@ std::string check_locking(const std::vector<LevelRecord> &levels, const Judge &j
   const double excluded = is_guaranteed(finest) ? 0.1 * max_locking_number : 1e-6;
   if (number <= max_locking_number || relative_error(finest).value_or(1.) <= excluded)
     return "";
-  std::ostringstream text;
-  text << "The body is nearly incompressible, and bilinear elements lock on a mesh as coarse as "
-          "level "
-       << finest.sizes.level << ": the locking number is " << number << ", allowed: at most "
-       << max_locking_number << "; "
-       << (judge.demands.has_b_bar ? "set Discretization/Element = Q1 B-bar, or refine."
-                                   : "refine.");
-  return text.str();
+  return concatenate(
+    "The body is nearly incompressible, and bilinear elements lock on a mesh as coarse as "
+    "level ",
+    finest.sizes.level, ": the locking number is ", number, ", allowed: at most ",
+    max_locking_number, "; ",
+    (judge.demands.has_b_bar ? "set Discretization/Element = Q1 B-bar, or refine." : "refine."));
 }
 
 /** Checks, without a bound, that the estimated error falls. */
