@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <set>
 #include <sstream>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -129,33 +128,11 @@ std::string without_comments(std::string text) {
 
 /** A script is a program: refuses words by which it runs others, or reads and writes files. */
 void check_script(const std::string &text, const std::string &where) {
-  static const std::set<std::string> refused = {"SystemCall",
-                                                "System",
-                                                "NonBlockingSystemCall",
-                                                "OnelabRun",
-                                                "ExternalProcess",
-                                                "Include",
-                                                "Merge",
-                                                "MergeWithBoundingBox",
-                                                "ShapeFromFile",
-                                                "Save",
-                                                "Print",
-                                                "Printf",
-                                                "Plugin",
-                                                "General",
-                                                "CreateDir",
-                                                "Error",
-                                                "Sleep",
-                                                "ListFromFile",
-                                                "FileExists",
-                                                "GetEnv",
-                                                "ParseString",
-                                                "CurrentDirectory",
-                                                "CurrentDir",
-                                                "GmshExecutableName",
-                                                "Solver",
-                                                "PostProcessing",
-                                                "Structured"};
+  static const std::vector<std::string> refused = split_words(
+    "SystemCall System NonBlockingSystemCall OnelabRun ExternalProcess Include Merge "
+    "MergeWithBoundingBox ShapeFromFile Save Print Printf Plugin General CreateDir Error "
+    "Sleep ListFromFile FileExists GetEnv ParseString CurrentDirectory CurrentDir "
+    "GmshExecutableName Solver PostProcessing Structured");
   std::size_t line = 1;
   std::string word;
   for (const char c : without_comments(text) + "\n") {
@@ -163,7 +140,7 @@ void check_script(const std::string &text, const std::string &where) {
       word += c;
       continue;
     }
-    if (refused.count(word) > 0)
+    if (std::count(refused.begin(), refused.end(), word) > 0)
       throw input_error(
         where, "found ", quote(word), " in line ", line,
         ", allowed: shapes, sizes and physical groups; statements that run programs "

@@ -129,6 +129,7 @@ check "  all combinations" [ "$(column contact_force product/sweep.csv | tr ' ' 
 check "  their directories" [ -s product/2_0.1/certificate.json ]
 run 1 block.prm --sweep "Material/Poisson's ratio=0, 0.7" --output partly
 check "  what is wrong for one value only" [ "$(column verdict partly/sweep.csv)" = 'certified wrong input ' ]
+check "  its message names the option" grep -q "^signorini: --sweep: Material/Poisson's ratio: found 0.7 at" stderr
 run 0 block.prm --sweep 'depth=0.1, 0.2' --sweep 'Geometry/Upper right=1,1 | 1,depth+1' --output commas
 check "  values with commas" [ "$(column depth commas/sweep.csv)" = '0.1 0.1 0.2 0.2 ' ]
 refuse "but 'Subsection/Parameter=value, value, ...' is expected" block.prm --sweep Constants/depth

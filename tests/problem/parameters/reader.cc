@@ -106,6 +106,11 @@ void test_overrides(Checks &checks) {
   checks.that("others stay as in the file", !parameters.solver.warm_start);
   const SolverParameters &solver = parameters.solver;
   checks.that("place of an override", solver.tolerance.where() == "--set: Solver/Tolerance");
+  const Parameters swept =
+    parse_parameters(text, "a.prm", {"Solver/Tolerance=1e-7"}, "", {"Solver/Tolerance=1e-9"});
+  checks.that("a value of a sweep comes last, with its option",
+              swept.solver.tolerance == 1e-9 &&
+                swept.solver.tolerance.where() == "--sweep: Solver/Tolerance");
   checks.that("place in the file", solver.warm_start.where() == "a.prm:3: Solver/Warm start");
   checks.that("place of a default", solver.relaxation.where() == "a.prm: Solver/Relaxation");
   checks.that("changed", solver.tolerance.changed && !solver.relaxation.changed);

@@ -34,7 +34,7 @@ std::vector<Assignment> scan_parameter_text(const std::string &text, const std::
 
 /** Splits `Subsection/Parameter=value` of an option of the command line, `--set` or `--sweep`.
  * @throws InputError without '='. */
-Assignment scan_override(const std::string &argument, const std::string &option);
+Assignment scan_override(const std::string &argument, const std::string &option = "--set");
 
 /** Reads a whole file. @throws InputError if it cannot be read, is not a file (devices and pipes
  * may never end) or has more than @p max_size bytes. Messages begin with @p where and call the
