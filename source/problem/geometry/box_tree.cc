@@ -49,7 +49,7 @@ BoxTree::BoxTree(const BoundingBox<2> &body, const Look &look, const IsSmooth &i
       if (n_looks++ < max_looks)
         d = next_direction(whole, varies, max_halvings);
       if (d == 2 && matters && n_looks < max_looks && n_deep_looks++ < max_deep_looks)
-        d = next_direction(here, varies, deepest_halvings);
+        d = next_direction(whole, varies, deepest_halvings);
       nodes_[whole.node].is_rough = varies[0] || varies[1];
       nodes_[whole.node].hidden = hidden;
     }
