@@ -52,6 +52,14 @@ struct OneLevel {
   const Signorini::MultiplierSpace<2> &multipliers() const {
     return discretization.multipliers;
   }
+  /** The body displaced by U, and pressed by P. */
+  Signorini::DisplacedBody<2> body(const Signorini::Displacement &U) const {
+    return {space(), scene, U};
+  }
+  Signorini::BodyInContact<2> body(const Signorini::Displacement &U,
+                                   const Signorini::Multiplier &P) const {
+    return {body(U), multipliers(), P};
+  }
   Signorini::SolverChoice solvers() const {
     return choose_solvers(parameters, scene, 0);
   }
@@ -67,9 +75,8 @@ struct OneLevel {
 
   /** Returns the distance to the interpolation on T^{2h}. */
   Signorini::ErrorEstimate estimate(const Signorini::Displacement &U) const {
-    return estimate_error(
-      space(), scene, U,
-      {internal_forces(space(), scene, U).energy_norm, norm_of_rigid_motion(space(), scene, U)});
+    return estimate_error(body(U),
+                          {internal_forces(body(U)).energy_norm, norm_of_rigid_motion(body(U))});
   }
 
   Signorini::Parameters parameters;

@@ -17,14 +17,14 @@ namespace {
  * the values of U there, as long as it returns true. Prescribed displacements vanish in most cells.
  */
 template <int dim, typename Work>
-void for_each_cell(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                   const Displacement &U, const Work &work) {
-  CellStiffness<dim> stiffness(space, scene);
+void for_each_cell(const DisplacedBody<dim> &body, const Work &work) {
+  const DisplacementSpace<dim> &space = body.space;
+  CellStiffness<dim> stiffness(space, body.scene);
   dealii::Vector<double> on_cell;
   for (const auto &cell : space.dofs().active_cell_iterators())
     if (cell->is_locally_owned()) {
       on_cell.reinit(cell->get_fe().n_dofs_per_cell());
-      cell->get_dof_values(U, on_cell);
+      cell->get_dof_values(body.U, on_cell);
       if (!on_cell.all_zero() && !work(cell, stiffness(cell), on_cell))
         return;
     }
@@ -32,12 +32,12 @@ void for_each_cell(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
 } // namespace
 
 template <int dim>
-InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                                    const Displacement &U) {
+InternalForces<dim> internal_forces(const DisplacedBody<dim> &body) {
+  const DisplacementSpace<dim> &space = body.space;
   InternalForces<dim> result = {space.make_vector(), space.make_vector()};
   dealii::Vector<double> forces, magnitudes;
   double energy = 0.;
-  for_each_cell(space, scene, U, [&](const auto &cell, const FullMatrix<double> &K, auto &on_cell) {
+  for_each_cell(body, [&](const auto &cell, const FullMatrix<double> &K, auto &on_cell) {
     forces.reinit(on_cell.size());
     magnitudes.reinit(on_cell.size());
     K.vmult(forces, on_cell);
@@ -58,7 +58,7 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const S
     energy += K.matrix_norm_square(on_cell);
     return true;
   });
-  const double unit = stiffness_unit(space, *scene.material);
+  const double unit = stiffness_unit(space, *body.scene.material);
   for (DualVector *const vector : {&result.forces, &result.magnitudes}) {
     vector->compress(VectorOperation::add);
     *vector *= unit;
@@ -69,10 +69,10 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const S
 }
 
 template <int dim>
-std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
-                                           const Scene<dim> &scene, const Displacement &U) {
+std::optional<double> norm_of_rigid_motion(const DisplacedBody<dim> &body) {
+  const DisplacementSpace<dim> &space = body.space;
   constexpr double unit_roundoff = std::numeric_limits<double>::epsilon();
-  const double motion = U.linfty_norm(), size = space.mesh().size();
+  const double motion = body.U.linfty_norm(), size = space.mesh().size();
   // Of a body that moves far, the strains are not known: they are less than rounding of U.
   if (unit_roundoff * motion > 1e-12 * size)
     return {};
@@ -81,17 +81,16 @@ std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
     std::max(1e3 * unit_roundoff, 1e-10 * size / std::max(motion, 0.1 * size));
   dealii::Vector<double> forces;
   bool rigid = true;
-  for_each_cell(space, scene, U,
-                [&](const auto &, const FullMatrix<double> &K, const auto &on_cell) {
-                  forces.reinit(on_cell.size());
-                  K.vmult(forces, on_cell);
-                  rigid = forces.linfty_norm() <= tolerance * K.linfty_norm() * motion;
-                  return rigid;
-                });
+  for_each_cell(body, [&](const auto &, const FullMatrix<double> &K, const auto &on_cell) {
+    forces.reinit(on_cell.size());
+    K.vmult(forces, on_cell);
+    rigid = forces.linfty_norm() <= tolerance * K.linfty_norm() * motion;
+    return rigid;
+  });
   if (Utilities::MPI::min(rigid ? 1 : 0, space.mesh().communicator()) == 0)
     return {};
   // A body at rest, too, has a size that rounding is compared with.
-  return std::max(motion, 1e-6 * size) * std::sqrt(stiffness_unit(space, *scene.material));
+  return std::max(motion, 1e-6 * size) * std::sqrt(stiffness_unit(space, *body.scene.material));
 }
 
 INSTANTIATE_FUNCTION(internal_forces);

@@ -256,7 +256,7 @@ LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
   const Displacement k = space.prescribed(scene);
   if (k.linfty_norm() == 0.)
     return system;
-  system.f -= space.condense(internal_forces(space, scene, k).forces);
+  system.f -= space.condense(internal_forces(DisplacedBody(space, scene, k)).forces);
   return system;
 }
 

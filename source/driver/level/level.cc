@@ -71,12 +71,13 @@ LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy st
 
 /** Returns the records of all plates: their motions, and the forces that hold them there. */
 template <int dim>
-std::vector<PlateRecord> plates_of(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                                   const ContactSolution<dim> &contact, const NodalForces &nodal) {
+std::vector<PlateRecord> plates_of(const Solved<dim> &solved, const NodalForces &nodal) {
   std::vector<PlateRecord> plates;
   if constexpr (dim == 2) {
-    const std::vector<PlateMotion> motions = contact.modes.plate_motions(scene.plates, contact.q);
-    const std::vector<PlateForce> forces = plate_forces(space, scene, nodal);
+    const Scene<2> &scene = solved.scene;
+    const std::vector<PlateMotion> motions =
+      solved.contact.modes.plate_motions(scene.plates, solved.contact.q);
+    const std::vector<PlateForce> forces = plate_forces(solved.space, scene, nodal);
     for (std::size_t p = 0; p < scene.plates.size(); ++p)
       plates.push_back({scene.geometry.sides[scene.plates[p].side].name(), scene.plates[p],
                         motions[p], forces[p].force, forces[p].cross_force, forces[p].moment});
@@ -101,15 +102,11 @@ double motion_balance(const std::vector<Plate> &plates, const MotionModes<dim> &
 
 /** Computes the estimate of the error. */
 template <int dim>
-ErrorEstimate estimate_of(const Discretization<dim> &discretization,
-                          const LevelSolution<dim> &solution) {
-  const auto &[contact, scene] = std::tie(solution.contact, solution.scene);
+ErrorEstimate estimate_of(const Solved<dim> &solved, const EnergyScale &scale) {
   OtherErrors others;
-  others.algebra = contact.algebraic_error;
-  others.contact = contact_part(discretization.space, discretization.multipliers, scene, contact.U,
-                                contact.P.normal());
-  return estimate_error(discretization.space, scene, contact.U, solution.energy,
-                        correct_pressure(discretization, scene, contact), others);
+  others.algebra = solved.contact.algebraic_error;
+  others.contact = contact_part(solved);
+  return estimate_error(solved, scale, correct_pressure(solved), others);
 }
 
 /** Computes the bound of the error of U and P, and its parts by cell; or says why there is none. */
@@ -127,10 +124,9 @@ void add_bound(const Given<WantedBound> &wanted, const Discretization<2> &discre
   else {
     const double work = contact.modes.work_of_plates(solution.scene.plates, contact.q),
                  dissipation = record.friction ? record.friction->dissipation : 0.;
-    located =
-      compute_located_bound({discretization.space, solution.scene, discretization.multipliers,
-                             contact.U, contact.P, *contact.inverse, discretization.condensed_D,
-                             record.certificate.energy + work - dissipation, solution.energy});
+    located = compute_located_bound({{discretization, solution.scene, contact},
+                                     record.certificate.energy + work - dissipation,
+                                     solution.energy});
     for (std::optional<double> *const energy :
          {&located.bound.energy_lower, &located.bound.energy_upper})
       if (*energy)
@@ -160,16 +156,14 @@ template <int dim>
 void add_certificate_and_answer(const Discretization<dim> &discretization,
                                 LevelSolution<dim> &solution) {
   const auto &[contact, scene] = std::tie(solution.contact, solution.scene);
+  const Solved<dim> solved(discretization, scene, contact);
   LevelRecord &record = solution.record;
-  const DisplacementSpace<dim> &space = discretization.space;
-  const NodalForces forces = nodal_forces(space, scene, contact.system->loads, discretization.D,
-                                          contact.U, contact.P.values());
+  const NodalForces forces = nodal_forces(solved, contact.system->loads, discretization.D);
   solution.energy = forces.energy;
-  record.certificate = certify(discretization, scene, contact, forces);
+  record.certificate = certify(solved, forces);
   record.certificate.motion_balance = motion_balance(scene.plates, contact.modes, forces);
-  record.motions.plates = plates_of(space, scene, contact, forces);
-  record.answer =
-    compute_answer(space, scene, discretization.multipliers, forces, contact.U, contact.P);
+  record.motions.plates = plates_of(solved, forces);
+  record.answer = compute_answer<dim>(solved, forces);
 }
 
 /** Computes what follows from U and P: β, the certificate, the answer, and the estimate and the
@@ -202,7 +196,8 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   progress("certificate");
   add_certificate_and_answer(discretization, solution);
   if (discretization.mesh.has_parents())
-    record.estimate = estimate_of(discretization, solution);
+    record.estimate =
+      estimate_of(Solved<dim>(discretization, solution.scene, contact), solution.energy);
 }
 } // namespace
 
@@ -250,7 +245,7 @@ void add_errors(const Parameters &parameters, const Scene<dim> &scene,
   const StageTimer timer(record.times.errors);
   if (scene.exact_displacement != nullptr)
     record.displacement_errors =
-      compute_displacement_errors(discretization.space, scene, contact.U, n_points);
+      compute_displacement_errors(DisplacedBody(discretization.space, scene, contact.U), n_points);
   if (scene.has_exact_pressure()) {
     record.pressure_errors = compute_pressure_errors(multipliers, P, n_points);
     if constexpr (dim == 2)

@@ -53,7 +53,7 @@ public:
   explicit HpSequence(const StudyContext<2> &context)
     : context_(context)
     , scene_(without_graded_rules(context.scene))
-    , examination_(scene_, context.judge.demands.target_error)
+    , examination_(context.judge.demands.target_error)
     , plan_(make_first_plan(scene_, context.parameters.discretization))
     , next_(make_discretization()) {
     const auto n_dofs = next_->space.dofs().n_dofs();
@@ -199,11 +199,11 @@ private:
   /** Adds the estimate of the error to the record. */
   StepFindings examine(const Discretization<2> &discretization, LevelSolution<2> &solution) {
     const StageTimer timer(solution.record.times.postprocess);
-    std::optional<StepField> before;
+    std::optional<DisplacedBody<2>> before;
     if (last_.discretization != nullptr)
-      before.emplace(StepField{last_.discretization->space, last_.U});
-    StepFindings findings =
-      examination_.examine(discretization, solution.contact, solution.energy, before, plan_.aim);
+      before.emplace(last_.discretization->space, scene_, last_.U);
+    StepFindings findings = examination_.examine({discretization, solution.scene, solution.contact},
+                                                 solution.energy, before, plan_.aim);
     if (findings.has_estimate())
       solution.record.estimate = ErrorEstimate{
         {}, findings.error, findings.error > 0. ? findings.error / findings.scale : 0., {}, {}};

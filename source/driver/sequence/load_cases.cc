@@ -20,33 +20,28 @@ namespace {
 /** Returns the estimated relative error of a case, at least the largest penetration over the
  * largest displacement and at most 1, which it is where a graded mesh has missed the contact;
  * nothing where there is no T^{2h}. */
-std::optional<double> error_of_case(const Parameters &parameters, const Scene<2> &scene,
-                                    const Discretization<2> &discretization,
-                                    const ContactSolution<2> &contact) {
-  const auto &[space, multipliers] = std::tie(discretization.space, discretization.multipliers);
-  const Displacement &U = contact.U;
+std::optional<double> error_of_case(const Parameters &parameters, const Solved<2> &solved) {
+  const auto &[space, U] = std::tie(solved.space, solved.U);
   const bool is_graded = parameters.discretization.strategy == Strategy::hp;
   if (!is_graded && !space.mesh().has_parents())
     return {};
   // Cell matrices of high degrees cost more than all the rest of a case.
-  const EnergyScale scale = {is_graded ? energy_distance({space, U}, {space, space.zero()}, scene)
-                                       : internal_forces(space, scene, U).energy_norm,
-                             norm_of_rigid_motion(space, scene, U)};
+  const EnergyScale scale = {is_graded
+                               ? energy_distance(solved, {space, solved.scene, space.zero()})
+                               : internal_forces(solved).energy_norm,
+                             norm_of_rigid_motion(solved)};
   double error = 1.;
   if (!is_graded) {
     OtherErrors others;
-    others.contact = contact_part(space, multipliers, scene, U, contact.P.normal());
-    error = estimate_error(space, scene, U, scale, correct_pressure(discretization, scene, contact),
-                           others)
-              .relative;
+    others.contact = contact_part(solved);
+    error = estimate_error(solved, scale, correct_pressure(solved), others).relative;
   } else {
-    const StepFindings found =
-      StepExamination(scene, 1.).examine(discretization, contact, scale, {}, 1.);
+    const StepFindings found = StepExamination(1.).examine(solved, scale, {}, 1.);
     if (found.has_estimate())
       error = found.error > 0. ? found.error / found.scale : 0.;
   }
   constexpr double smallest_motion = 1e-6;
-  const auto deepest = max_penetration(space, multipliers, scene, U);
+  const auto deepest = max_penetration(solved, solved.surface());
   const double depth = deepest ? deepest->value : 0.;
   const double penetration = Utilities::MPI::max(depth, space.mesh().communicator()) /
                              std::max(U.linfty_norm(), smallest_motion * space.mesh().size());
@@ -87,11 +82,11 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
         result.reactions = solver.reactions(contact.U);
         result.reports = solver.report(contact.U);
         if (load_case.has_fields)
-          use_fields(result.number, moved, contact.U, contact.P);
+          use_fields(result.number, {*level.discretization, moved, contact});
         // What sticks in a step follows the foundation from the slip of the steps before.
         if (are_steps)
           moved.friction = Friction::none;
-        result.estimate = error_of_case(parameters, moved, *level.discretization, contact);
+        result.estimate = error_of_case(parameters, {*level.discretization, moved, contact});
       }
       if (const std::size_t done = results.size(); done % every == 0)
         progress("load cases: " + std::to_string(done) + " of " + std::to_string(n) +

@@ -121,7 +121,7 @@ private:
     progress("output");
     {
       const StageTimer timer(record.times.output);
-      writer_.write_fields(scene_, level);
+      writer_.write_fields(level);
     }
     record.resources = measure_resources();
     report_.progress("");
@@ -157,14 +157,11 @@ private:
       const Scene<2> &scene = sequence_->scene();
       const bool on_every_level = parameters_.load_cases.sequence == CaseSequence::steps &&
                                   parameters_.discretization.strategy != Strategy::hp;
+      const auto write_fields = [&](const unsigned int number, const Solved<2> &solved) {
+        writer_.write_case_fields(solved, number);
+      };
       if (!scene.load_cases.empty() && (level.is_last || on_every_level))
-        return solve_load_cases(
-          parameters_, scene, level,
-          [&](const unsigned int number, const Scene<2> &scene_of_case, const Displacement &U,
-              const Multiplier &P) {
-            writer_.write_case_fields(*level.discretization, scene_of_case, U, P, number);
-          },
-          progress);
+        return solve_load_cases(parameters_, scene, level, write_fields, progress);
     }
     return {};
   }

@@ -135,7 +135,8 @@ ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const Li
   bound.lift_energy = Utilities::MPI::sum(bound.cell_energies.l1_norm(), communicator);
   // A w_h acts at contact nodes only: its work there is |||w_h|||², however far from contact that
   // is.
-  const DualVector forces = internal_forces(data.space, data.scene, lift.w_h()).forces;
+  const DualVector forces =
+    internal_forces(DisplacedBody(data.space, data.scene, lift.w_h())).forces;
   double largest = 0.;
   for (unsigned int i = 0; i < trace.faces().size(); ++i) {
     const PenetrationFace &face = trace.faces()[i];

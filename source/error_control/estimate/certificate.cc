@@ -54,21 +54,20 @@ support_points(const DisplacementSpace<dim> &space, const Geometry<dim> &geometr
 /** Returns the resultants of contact by body, and the sum of their sizes: pressures all around a
  * hole have none. */
 template <int dim>
-std::pair<std::vector<Resultant<dim>>, double> contact_by_body(
-  const Discretization<dim> &discretization, const Geometry<dim> &geometry, const Multiplier &P) {
+std::pair<std::vector<Resultant<dim>>, double> contact_by_body(const BodyInContact<dim> &body) {
+  const Geometry<dim> &geometry = body.scene.geometry;
   std::vector<Resultant<dim>> contact(geometry.n_bodies());
   double size = 0.;
-  for (const Piece<dim> &piece : discretization.surface.pieces()) {
-    const MultiplierSpace<dim> &multipliers = discretization.multipliers;
-    const Resultant<dim> resultant = contact_resultant(multipliers, P, piece);
-    const auto &faces = discretization.surface.faces();
+  for (const Piece<dim> &piece : body.surface().pieces()) {
+    const Resultant<dim> resultant = contact_resultant(body.multipliers, body.P, piece);
+    const auto &faces = body.surface().faces();
     contact[geometry.body_of_side(faces[piece.face].side)] += resultant;
     if (piece.opposite)
       contact[geometry.body_of_side(faces[piece.opposite->first].side)] +=
-        contact_resultant(multipliers, P, piece, PairSide::opposite);
+        contact_resultant(body.multipliers, body.P, piece, PairSide::opposite);
     size += resultant.force.norm();
   }
-  const MPI_Comm communicator = discretization.surface.communicator();
+  const MPI_Comm communicator = body.surface().communicator();
   for (Resultant<dim> &resultant : contact)
     resultant = sum_over_ranks(resultant, communicator);
   return {contact, Utilities::MPI::sum(size, communicator)};
@@ -113,8 +112,8 @@ void balance(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
 
 /** Returns the largest error of U at the vertices of sides that hold the body. */
 template <int dim>
-double support_error(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                     const Displacement &U) {
+double support_error(const DisplacedBody<dim> &body) {
+  const auto &[space, scene, U] = body;
   double scale = U.linfty_norm();
   // A vertex between two sides takes the displacement of one; on rollers alone, it obeys both.
   struct Errors {
@@ -202,10 +201,10 @@ constexpr double min_share_of_free_state = 1e-6;
 /** Checks signs, penetration and complementarity of P and W, and that W vanishes where P_t sticks.
  */
 template <int dim>
-void check_contact(const Discretization<dim> &discretization, const ContactSolution<dim> &solution,
-                   const double energy_scale, Certificate &certificate) {
-  const dealii::Vector<double> measures = discretization.multipliers.integrals(),
-                               &P = solution.P.values(), &W = solution.W;
+void check_contact(const Solved<dim> &solved, const double energy_scale, Certificate &certificate) {
+  const ContactSolution<dim> &solution = solved.contact;
+  const dealii::Vector<double> measures = solved.multipliers.integrals(), &P = solution.P.values(),
+                               &W = solution.W;
   const AdmissibleSet &K = solution.P.set();
   const unsigned int m = measures.size();
   double deepest = 0., outside = 0.;
@@ -215,7 +214,7 @@ void check_contact(const Discretization<dim> &discretization, const ContactSolut
       std::max(length_scale, min_share_of_free_state * solution.dual->free.U.linfty_norm());
   for (unsigned int tau = 0; tau < m; ++tau) {
     deepest = std::max(deepest, W[tau] / measures[tau]);
-    length_scale = std::max(length_scale, std::abs(discretization.G[tau]) / measures[tau]);
+    length_scale = std::max(length_scale, std::abs(solved.discretization.G[tau]) / measures[tau]);
   }
   const dealii::Vector<double> slip = K.slip(P, W);
   for (unsigned int i = m; i < K.n_blocks(); ++i)
@@ -269,22 +268,23 @@ Columns<Certificate> Certificate::columns() {
 }
 
 template <int dim>
-Certificate certify(const Discretization<dim> &discretization, const Scene<dim> &scene,
-                    const ContactSolution<dim> &solution, const NodalForces &forces) {
-  const DisplacementSpace<dim> &space = discretization.space;
-  const dealii::Vector<double> &P = solution.P.values(), &W = solution.W, &G = discretization.G;
+Certificate certify(const Solved<dim> &solved, const NodalForces &forces) {
+  const DisplacementSpace<dim> &space = solved.space;
+  const ContactSolution<dim> &solution = solved.contact;
+  const dealii::Vector<double> &P = solution.P.values(), &W = solution.W,
+                               &G = solved.discretization.G;
   const AdmissibleSet &K = solution.P.set();
   Certificate certificate;
   certificate.moments_are_exact = !space.mesh().is_curved();
   // |Tᵀ r|₂ relative to the largest term of r.
   certificate.stationarity = relative(space.condense(forces.residual).l2_norm(), forces.scale());
-  certificate.support = support_error(space, scene, solution.U);
+  certificate.support = support_error<dim>(solved);
   const Deformation deformed = deformation(space, solution.U);
   certificate.translation = deformed.translation;
-  auto [sums, size_of_contact] = contact_by_body(discretization, scene.geometry, solution.P);
+  auto [sums, size_of_contact] = contact_by_body<dim>(solved);
   for (unsigned int k = 0; k < sums.size(); ++k)
     sums[k] += solution.system->applied[k];
-  balance(space, scene, std::move(sums), size_of_contact, forces, certificate);
+  balance(space, solved.scene, std::move(sums), size_of_contact, forces, certificate);
 
   // A translation has no strain energy, but its product with rounding of forces may be large.
   const double strain_energy = 0.5 * (deformed.V * forces.internal);
@@ -295,10 +295,10 @@ Certificate certify(const Discretization<dim> &discretization, const Scene<dim> 
   if (solution.dual)
     energy_scale =
       std::max(energy_scale, min_share_of_free_state * std::abs(P * solution.dual->free.F));
-  check_contact(discretization, solution, energy_scale, certificate);
+  check_contact(solved, energy_scale, certificate);
   // The energy J of (22); [p, Bu - g] is Pᵀ W.
-  certificate.energy =
-    strain_energy - work_of_loads - P * W - solution.modes.work_of_plates(scene.plates, solution.q);
+  certificate.energy = strain_energy - work_of_loads - P * W -
+                       solution.modes.work_of_plates(solved.scene.plates, solution.q);
   if (solution.P.has_friction()) {
     double work = solution.U * forces.internal - work_of_loads - work_of_gap + dissipation;
     double work_of_supports = 0.;

@@ -73,26 +73,22 @@ double modulus_at(const Scene<dim> &scene, const ContactSurface<dim> &surface,
 template <int dim>
 class StretchesOfPieces {
 public:
-  StretchesOfPieces(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
-                    const Scene<dim> &scene, const Displacement &U, const Pressure &P)
-    : multipliers_(multipliers)
-    , scene_(scene)
-    , U_(U)
-    , P_(P)
-    , threshold_(pressing_threshold(P))
-    , traces_(space) {
+  explicit StretchesOfPieces(const BodyInContact<dim> &body)
+    : body_(body)
+    , threshold_(pressing_threshold(body.P.normal()))
+    , traces_(body.space) {
     // Coarse meshes, which miss contact, are sampled densely.
-    const double per_piece =
-      20000. / std::max<std::size_t>(1, multipliers.surface().faces().size());
+    const double per_piece = 20000. / std::max<std::size_t>(1, body.surface().faces().size());
     n_points_ = static_cast<unsigned int>(std::clamp(std::pow(per_piece, 1. / (dim - 1)), 3., 32.));
   }
 
   /** Returns those of a piece; in 3-D there is one for each sign. */
   std::vector<Stretch> operator()(const Piece<dim> &piece) {
-    const ContactSurface<dim> &surface = multipliers_.surface();
+    const ContactSurface<dim> &surface = body_.surface();
     const SurfaceRule<dim> rule = surface.rule(piece, n_points_);
-    const std::vector<double> depths = penetration(scene_, surface, piece, rule, U_, traces_);
-    const double modulus = modulus_at(scene_, surface, piece);
+    const std::vector<double> depths =
+      penetration(body_.scene, surface, piece, rule, body_.U, traces_);
+    const double modulus = modulus_at(body_.scene, surface, piece);
     unsigned int n_corners = 0;
     if constexpr (dim == 2) {
       const std::vector<double> &corners = surface.side(surface.patches()[piece.patch]).corners();
@@ -101,13 +97,14 @@ public:
     }
     std::vector<Stretch> stretches;
     for (std::size_t q = 0; q < rule.size(); ++q) {
-      const double d = depths[q], p = multipliers_.value(P_, piece.patch, rule.on_side[q]),
+      const double d = depths[q],
+                   p = body_.multipliers.value(body_.P.normal(), piece.patch, rule.on_side[q]),
                    weight = d > 0. || p < threshold_ ? rule.weights[q] : 0.;
       const Stretch point = {dim == 2 ? surface.patches()[piece.patch].side : piece.patch,
                              n_corners,
                              dim == 2 ? rule.on_side[q][0] : 0.,
                              d > 0.,
-                             weight / scene_.geometry.circumference(rule.points[q]),
+                             weight / body_.scene.geometry.circumference(rule.points[q]),
                              modulus * d * d * weight,
                              2. * p * d * weight};
       add(point, stretches);
@@ -128,10 +125,7 @@ public:
   }
 
 private:
-  const MultiplierSpace<dim> &multipliers_;
-  const Scene<dim> &scene_;
-  const Displacement &U_;
-  const Pressure &P_;
+  const BodyInContact<dim> &body_;
   double threshold_;
   unsigned int n_points_;
   TraceValues<dim> traces_;
@@ -139,10 +133,9 @@ private:
 } // namespace
 
 template <int dim>
-double contact_part(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
-                    const Scene<dim> &scene, const Displacement &U, const Pressure &P) {
-  const ContactSurface<dim> &surface = multipliers.surface();
-  StretchesOfPieces<dim> cut(space, multipliers, scene, U, P);
+double contact_part(const BodyInContact<dim> &body) {
+  const ContactSurface<dim> &surface = body.surface();
+  StretchesOfPieces<dim> cut(body);
   std::vector<Stretch> mine;
   for (const Piece<dim> &piece : surface.pieces())
     for (const Stretch &stretch : cut(piece))

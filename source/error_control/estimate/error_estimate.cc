@@ -109,15 +109,15 @@ double norm_1(const Squares &squares, const double unit_of_length) {
 } // namespace
 
 template <int dim>
-ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                             const Displacement &U, const EnergyScale &scale,
+ErrorEstimate estimate_error(const DisplacedBody<dim> &body, const EnergyScale &scale,
                              const PressureCorrection &correction, const OtherErrors &others) {
+  const Displacement &U = body.U;
   const bool is_corrected = correction.z.size() > 0;
   Displacement corrected(U);
   if (is_corrected)
     corrected += correction.z;
   const Squares squares = integrate<dim>(
-    space, &scene,
+    body.space, &body.scene,
     is_corrected ? std::vector<const Displacement *>{&U, &corrected} : std::vector{&U}, 1);
   ErrorEstimate estimate;
   estimate.h1 = norm_1(squares, 1.);

@@ -28,8 +28,9 @@ bool presses_nowhere(const dealii::Vector<double> &P) {
  * where the solver fails. */
 template <int dim>
 std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multipliers,
-                                               const Discretization<dim> &given,
-                                               const ContactSolution<dim> &contact) {
+                                               const Solved<dim> &solved) {
+  const Discretization<dim> &given = solved.discretization;
+  const ContactSolution<dim> &contact = solved.contact;
   const Coupling D = assemble_coupling(given.space, multipliers);
   const Coupling condensed_D = condense(D, given.space.constraints());
   if (condensed_D.empty_column(given.space.mesh().communicator()))
@@ -92,22 +93,19 @@ private:
 template <int dim>
 class RecoveredFriction {
 public:
-  RecoveredFriction(const MultiplierSpace<dim> &space, const Scene<dim> &scene,
-                    const Multiplier &multiplier)
-    : space_(space)
-    , scene_(scene)
-    , multiplier_(multiplier)
-    , pressure_(space, multiplier.normal()) {
-    for (const Pressure &part : multiplier.tangential()) {
-      components_.emplace_back(space, part, Component::tangential);
+  explicit RecoveredFriction(const BodyInContact<dim> &body)
+    : body_(body)
+    , pressure_(body.multipliers, body.P.normal()) {
+    for (const Pressure &part : body.P.tangential()) {
+      components_.emplace_back(body.multipliers, part, Component::tangential);
       largest_ = std::max(largest_, 2. * part.linfty_norm());
     }
   }
   /** Returns component c of q at the points of a rule. */
   std::vector<double> operator()(const unsigned int c, const Piece<dim> &piece,
                                  const SurfaceRule<dim> &rule) const {
-    const auto &given = *scene_.boundary[space_.surface().faces()[piece.face].side].friction;
-    const bool slips = multiplier_.state(piece.patch).slip != State::inside;
+    const auto &given = *body_.scene.boundary[body_.surface().faces()[piece.face].side].friction;
+    const bool slips = body_.P.state(piece.patch).slip != State::inside;
     const std::vector<double> p = pressure_(piece, rule);
     std::vector<std::vector<double>> q;
     for (const ShiftedPressure<dim> &component : components_)
@@ -115,7 +113,7 @@ public:
     for (std::size_t i = 0; i < p.size(); ++i) {
       const double given_here = given.value(rule.points[i]);
       const double bound =
-        multiplier_.is_coupled() ? std::min(largest_, given_here * std::abs(p[i])) : given_here;
+        body_.P.is_coupled() ? std::min(largest_, given_here * std::abs(p[i])) : given_here;
       double square = 0.;
       for (const std::vector<double> &component : q)
         square += component[i] * component[i];
@@ -127,9 +125,7 @@ public:
   }
 
 private:
-  const MultiplierSpace<dim> &space_;
-  const Scene<dim> &scene_;
-  const Multiplier &multiplier_;
+  const BodyInContact<dim> &body_;
   ShiftedPressure<dim> pressure_;
   std::vector<ShiftedPressure<dim>> components_;
   /** A large coefficient must not multiply what the recovered p has beyond its mean. */
@@ -142,31 +138,29 @@ const auto rule_on_mesh = [](const auto &piece) -> const auto & {
 
 /** Adds the load of the recovered q. */
 template <int dim>
-void add_friction_load(const Discretization<dim> &discretization, const Scene<dim> &scene,
-                       const Multiplier &multiplier, Coupling::Column &load) {
-  const RecoveredFriction<dim> friction(discretization.multipliers, scene, multiplier);
+void add_friction_load(const BodyInContact<dim> &body, Coupling::Column &load) {
+  const RecoveredFriction<dim> friction(body);
   for (unsigned int c = 0; c < tangents<dim>().size(); ++c) {
     const auto values_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
       return friction(c, piece, rule);
     };
-    for (const auto &[row, value] : contact_load(discretization.space, discretization.surface,
-                                                 rule_on_mesh, values_on, tangents<dim>()[c]))
+    for (const auto &[row, value] :
+         contact_load(body.space, body.surface(), rule_on_mesh, values_on, tangents<dim>()[c]))
       load[row] += value;
   }
 }
 
 /** Returns z_h for a load. */
 template <int dim>
-PressureCorrection correct_by(const Coupling &load, const Discretization<dim> &discretization,
-                              const ContactSolution<dim> &contact) {
-  const DisplacementSpace<dim> &space = discretization.space;
-  dealii::Vector<double> minus_P(contact.P.values());
+PressureCorrection correct_by(const Coupling &load, const Solved<dim> &solved) {
+  const DisplacementSpace<dim> &space = solved.space;
+  dealii::Vector<double> minus_P(solved.P.values());
   minus_P *= -1.;
   DualVector forces = space.make_vector();
   load.add_product(dealii::Vector<double>{1.}, forces);
-  discretization.condensed_D.add_product(minus_P, forces);
+  solved.discretization.condensed_D.add_product(minus_P, forces);
   PressureCorrection correction;
-  correction.z = solve_homogeneous(*contact.inverse, space, forces);
+  correction.z = solve_homogeneous(*solved.contact.inverse, space, forces);
   // b.z = a(z, z): z is in V^h with homogeneous conditions.
   const double work = forces * correction.z;
   correction.energy_norm = std::sqrt(std::max(0., work));
@@ -189,32 +183,28 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-PressureCorrection correct_pressure(const Discretization<dim> &discretization,
-                                    const Scene<dim> &scene, const ContactSolution<dim> &contact) {
-  const auto &[space, surface, multipliers] =
-    std::tie(discretization.space, discretization.surface, discretization.multipliers);
+PressureCorrection correct_pressure(const Solved<dim> &solved) {
+  const auto &[space, surface, multipliers, contact] =
+    std::tie(solved.space, solved.surface(), solved.multipliers, solved.contact);
   const Pressure &given = contact.P.normal();
   if (surface.has_unstable_patch())
     return {};
   if (contact.P.has_friction()) {
     Coupling::Column load = pressure_load(space, multipliers, given);
-    add_friction_load(discretization, scene, contact.P, load);
-    return correct_by<dim>(condense(sum_columns(space, {load}), space.constraints()),
-                           discretization, contact);
+    add_friction_load(solved, load);
+    return correct_by(condense(sum_columns(space, {load}), space.constraints()), solved);
   }
   if (contact.dual) {
-    const ContactSurface<dim> finer(space.mesh(), scene, Partition{recovery_ratio});
+    const ContactSurface<dim> finer(space.mesh(), solved.scene, Partition{recovery_ratio});
     const MultiplierSpace<dim> finer_multipliers(finer);
     if (finer.patches().size() > surface.patches().size())
-      if (const auto P = solve_on(finer_multipliers, discretization, contact))
+      if (const auto P = solve_on(finer_multipliers, solved))
         return presses_nowhere(given) && presses_nowhere(*P)
                  ? PressureCorrection()
-                 : correct_by<dim>(recovered_load(space, finer_multipliers, Pressure(*P)),
-                                   discretization, contact);
+                 : correct_by(recovered_load(space, finer_multipliers, Pressure(*P)), solved);
   }
-  return presses_nowhere(given)
-           ? PressureCorrection()
-           : correct_by<dim>(recovered_load(space, multipliers, given), discretization, contact);
+  return presses_nowhere(given) ? PressureCorrection()
+                                : correct_by(recovered_load(space, multipliers, given), solved);
 }
 
 INSTANTIATE_FUNCTION(recovered_load);

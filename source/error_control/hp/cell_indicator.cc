@@ -86,17 +86,16 @@ double area_of(const Triangulation<2>::active_cell_iterator &cell) {
 }
 } // namespace
 
-std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space, const Scene<2> &scene,
-                                    const Displacement &U) {
+std::vector<CellIndicator> indicate(const DisplacedBody<2> &body) {
   std::map<unsigned int, Analysis> analyses;
   std::vector<CellIndicator> indicators;
-  for (const auto &cell : space.dofs().active_cell_iterators()) {
-    const CellField u(cell, U);
+  for (const auto &cell : body.space.dofs().active_cell_iterators()) {
+    const CellField u(cell, body.U);
     const Analysis &analysis = analyses.try_emplace(u.degree(), u.degree()).first->second;
     const double lengths[] = {0.5 * (cell->face(2)->diameter() + cell->face(3)->diameter()),
                               0.5 * (cell->face(0)->diameter() + cell->face(1)->diameter())};
-    const double modulus = softer_modulus(scene, cell->center());
-    const double area = area_of(cell) * scene.geometry.circumference(cell->center());
+    const double modulus = softer_modulus(body.scene, cell->center());
+    const double area = area_of(cell) * body.scene.geometry.circumference(cell->center());
     CellIndicator indicator;
     double square = 0.;
     for (unsigned int d = 0; d < 2; ++d) {

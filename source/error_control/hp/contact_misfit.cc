@@ -13,27 +13,25 @@
 #include <cmath>
 
 namespace Signorini {
-void add_contact_misfit(const DisplacementSpace<2> &space, const MultiplierSpace<2> &multipliers,
-                        const Scene<2> &scene, const Displacement &U,
-                        const std::vector<bool> &follows, const Component component,
-                        std::vector<CellIndicator> &indicators) {
-  const ContactSurface<2> &surface = multipliers.surface();
-  TraceValues<2> traces(space);
+void add_contact_misfit(const BodyInContact<2> &body, const std::vector<bool> &follows,
+                        const Component component, std::vector<CellIndicator> &indicators) {
+  const ContactSurface<2> &surface = body.surface();
+  TraceValues<2> traces(body.space);
   for (const Piece<2> &piece : surface.pieces()) {
     if (!follows[piece.patch])
       continue;
     const ContactFace<2> &face = surface.faces()[piece.face];
-    const unsigned int p = space.element(face.cell).degree;
+    const unsigned int p = body.space.element(face.cell).degree;
     const SurfaceRule<2> rule = surface.rule(piece, p + 2);
     const std::vector<double> depths =
-      penetration(scene, surface, piece, rule, U, traces, component);
+      penetration(body.scene, surface, piece, rule, body.U, traces, component);
     double square = 0.;
     for (std::size_t q = 0; q < rule.size(); ++q)
       square += depths[q] * depths[q] * rule.weights[q];
     const double waves = 0.5 * numbers::PI * p / surface.patches()[piece.patch].measure;
     CellIndicator &indicator = indicators[face.cell->active_cell_index()];
     indicator.error = std::sqrt(indicator.error * indicator.error +
-                                softer_modulus(scene, face.cell->center()) * waves * square);
+                                softer_modulus(body.scene, face.cell->center()) * waves * square);
   }
 }
 
@@ -47,16 +45,17 @@ struct PatchState {
 
 /** Adds samples of u_n - g on a piece to the state of its patch. Around the deepest point the next
  * samples are closer to each other: a tip may touch between those of the whole face. */
-void add_samples(const Scene<2> &scene, const ContactSurface<2> &surface, const Piece<2> &piece,
-                 const Displacement &U, TraceValues<2> &traces, PatchState &state) {
+void add_samples(const BodyInContact<2> &body, const Piece<2> &piece, TraceValues<2> &traces,
+                 PatchState &state) {
   constexpr unsigned int n_zooms = 3, n_intervals = 32;
   double from = 0., to = 1.;
   for (unsigned int zoom = 0; zoom < n_zooms; ++zoom) {
     std::vector<Point<1>> positions;
     for (unsigned int i = 0; i <= n_intervals; ++i)
       positions.emplace_back(from + (to - from) * i / n_intervals);
-    const SurfaceRule<2> rule = surface.at(piece, positions);
-    const std::vector<double> depths = penetration(scene, surface, piece, rule, U, traces);
+    const SurfaceRule<2> rule = body.surface().at(piece, positions);
+    const std::vector<double> depths =
+      penetration(body.scene, body.surface(), piece, rule, body.U, traces);
     const auto deepest = std::max_element(depths.begin(), depths.end());
     state.deepest = std::max(state.deepest, *deepest);
     for (const double depth : depths)
@@ -67,31 +66,27 @@ void add_samples(const Scene<2> &scene, const ContactSurface<2> &surface, const 
   }
 }
 
-std::vector<PatchState> patch_states(const DisplacementSpace<2> &space,
-                                     const MultiplierSpace<2> &multipliers, const Scene<2> &scene,
-                                     const Displacement &U, const Pressure &P) {
-  const ContactSurface<2> &surface = multipliers.surface();
+std::vector<PatchState> patch_states(const BodyInContact<2> &body) {
+  const ContactSurface<2> &surface = body.surface();
+  const Pressure &P = body.P.normal();
   std::vector<PatchState> states(surface.patches().size());
-  TraceValues<2> traces(space);
+  TraceValues<2> traces(body.space);
   for (const Piece<2> &piece : surface.pieces()) {
     PatchState &state = states[piece.patch];
     state.cell = surface.faces()[piece.face].cell->active_cell_index();
-    add_samples(scene, surface, piece, U, traces, state);
+    add_samples(body, piece, traces, state);
   }
   const double threshold = pressing_threshold(P);
   for (unsigned int k = 0; k < P.size(); ++k)
     if (P[k] < threshold)
-      states[multipliers.patch_of(k)].presses = true;
+      states[body.multipliers.patch_of(k)].presses = true;
   return states;
 }
 } // namespace
 
-std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space,
-                                               const MultiplierSpace<2> &multipliers,
-                                               const Scene<2> &scene, const Displacement &U,
-                                               const Pressure &P) {
+std::vector<unsigned int> missed_contact_cells(const BodyInContact<2> &body) {
   constexpr double rounding = 1e-10, noticeable = 1e-3;
-  const std::vector<PatchState> states = patch_states(space, multipliers, scene, U, P);
+  const std::vector<PatchState> states = patch_states(body);
   double largest = 0.;
   bool touches = false;
   for (const PatchState &state : states) {

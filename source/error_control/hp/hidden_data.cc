@@ -100,20 +100,20 @@ void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan) {
     2);
 }
 
-JumpMisfit add_jump_misfit(const DisplacementSpace<2> &space, const Scene<2> &scene,
-                           const Displacement &U, std::vector<CellIndicator> &indicators) {
+JumpMisfit add_jump_misfit(const DisplacedBody<2> &body, std::vector<CellIndicator> &indicators) {
+  const Material<2> &material = *body.scene.material;
   JumpMisfit sum;
-  if (scene.material->is_constant())
+  if (material.is_constant())
     return sum;
-  CellStiffness<2> stiffness(space, scene);
-  const double unit = stiffness_unit(space, *scene.material);
+  CellStiffness<2> stiffness(body.space, body.scene);
+  const double unit = stiffness_unit(body.space, material);
   dealii::Vector<double> on_cell;
-  for (const auto &cell : space.dofs().active_cell_iterators()) {
-    const double share = jump_share(*scene.material, cell);
+  for (const auto &cell : body.space.dofs().active_cell_iterators()) {
+    const double share = jump_share(material, cell);
     if (share == 0.)
       continue;
     on_cell.reinit(cell->get_fe().n_dofs_per_cell());
-    cell->get_dof_values(U, on_cell);
+    cell->get_dof_values(body.U, on_cell);
     double &error = indicators[cell->active_cell_index()].error;
     const double square = share * unit * std::max(0., stiffness(cell).matrix_norm_square(on_cell));
     error = std::sqrt(error * error + square);

@@ -137,10 +137,11 @@ void for_each_part(const MeshCell &cell, const Window &window, const Visitor &vi
 }
 } // namespace
 
-double energy_distance(const StepField &u, const StepField &v, const Scene<2> &scene) {
-  DistanceIntegrals integrals(scene);
+double energy_distance(const DisplacedBody<2> &u, const DisplacedBody<2> &v) {
+  DistanceIntegrals integrals(u.scene);
   double square = 0.;
-  const auto integrate = [&](const StepField &fine, const MeshCell &cell, const StepField &coarse) {
+  const auto integrate = [&](const DisplacedBody<2> &fine, const MeshCell &cell,
+                             const DisplacedBody<2> &coarse) {
     return [&, cell](const auto &part, const Window &window) {
       const CellField on_part(fine.space.dof_cell(part), fine.U);
       const CellField on_whole(coarse.space.dof_cell(cell), coarse.U);
@@ -158,32 +159,21 @@ double energy_distance(const StepField &u, const StepField &v, const Scene<2> &s
 
 // What is known about one step of a graded sequence.
 
-StepExamination::StepExamination(const Scene<2> &scene, const double target)
-  : scene_(scene)
-  , target_(target) {}
-
-StepFindings StepExamination::examine(const Discretization<2> &discretization,
-                                      const ContactSolution<2> &contact, const EnergyScale &scale,
-                                      const std::optional<StepField> &before,
+StepFindings StepExamination::examine(const Solved<2> &solved, const EnergyScale &scale,
+                                      const std::optional<DisplacedBody<2>> &before,
                                       const double planned) {
-  const DisplacementSpace<2> &space = discretization.space;
-  const MultiplierSpace<2> &multipliers = discretization.multipliers;
-  const Displacement &U = contact.U;
   std::vector<bool> presses, sticks;
-  for (const NodeState &state : patch_states(multipliers, contact.P)) {
+  for (const NodeState &state : patch_states(solved.multipliers, solved.P)) {
     presses.push_back(state.presses);
-    sticks.push_back(scene_.friction != Friction::none && state.slip == State::inside);
+    sticks.push_back(solved.scene.friction != Friction::none && state.slip == State::inside);
   }
   StepFindings findings;
-  findings.indicators = indicate(space, scene_, U);
-  add_contact_misfit(space, multipliers, scene_, U, presses, Component::normal,
-                     findings.indicators);
-  add_contact_misfit(space, multipliers, scene_, U, sticks, Component::tangential,
-                     findings.indicators);
-  findings.jumps = add_jump_misfit(space, scene_, U, findings.indicators);
-  findings.brackets = zone_brackets(multipliers, contact.P.states());
-  findings.missed_contact_cells =
-    missed_contact_cells(space, multipliers, scene_, U, contact.P.normal());
+  findings.indicators = indicate(solved);
+  add_contact_misfit(solved, presses, Component::normal, findings.indicators);
+  add_contact_misfit(solved, sticks, Component::tangential, findings.indicators);
+  findings.jumps = add_jump_misfit(solved, findings.indicators);
+  findings.brackets = zone_brackets(solved.multipliers, solved.P.states());
+  findings.missed_contact_cells = missed_contact_cells(solved);
   const double indicator = total(findings.indicators);
   findings.scale = scale.of(indicator);
   findings.target = target_ * findings.scale;
@@ -194,7 +184,7 @@ StepFindings StepExamination::examine(const Discretization<2> &discretization,
   }
   std::optional<double> difference;
   if (before)
-    difference = energy_distance({space, U}, *before, scene_);
+    difference = energy_distance(solved, *before);
   // A solution that lies in the space leaves nothing but rounding.
   constexpr double rounding = 1e-12;
   double error = std::max(history_.add(indicator, difference, planned), rounding * findings.scale);
@@ -202,7 +192,7 @@ StepFindings StepExamination::examine(const Discretization<2> &discretization,
   constexpr double noticeable = 1e-3;
   if (history_.stagnates() && error > noticeable * findings.scale)
     error = std::max(error, findings.scale);
-  error = std::hypot(error, contact.algebraic_error);
+  error = std::hypot(error, solved.contact.algebraic_error);
   // Nothing has an error where nothing deforms the body: all that is left is rounding.
   constexpr double rounding_of_rigid_motions = 1e-7;
   const bool is_rigid =

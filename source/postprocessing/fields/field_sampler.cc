@@ -39,20 +39,17 @@ hp::QCollection<dim> all_points(const DisplacementSpace<dim> &space) {
 } // namespace
 
 template <int dim>
-SampledField<dim>::SampledField(const DisplacementSpace<dim> &space_, const Scene<dim> &scene_,
-                                const Displacement &U_)
-  : space(space_)
-  , scene(scene_)
-  , U(U_)
-  , dilatation(space.strain_operator() == StrainOperator::mean_dilatation
-                 ? mean_dilatations(space, scene, U)
+SampledField<dim>::SampledField(const DisplacedBody<dim> &body)
+  : DisplacedBody<dim>(body)
+  , dilatation(body.space.strain_operator() == StrainOperator::mean_dilatation
+                 ? mean_dilatations(body)
                  : std::vector<double>()) {}
 
 template <int dim>
 Strain<dim> SampledField<dim>::strain(const typename DoFHandler<dim>::active_cell_iterator &cell,
                                       const Point<dim> &x, const Tensor<1, dim> &value,
                                       const Tensor<2, dim> &gradient) const {
-  Strain<dim> strain = strain_at(scene.geometry, x, value, gradient);
+  Strain<dim> strain = strain_at(this->scene.geometry, x, value, gradient);
   if (!dilatation.empty())
     strain.replace_trace(dilatation[cell->active_cell_index()]);
   return strain;

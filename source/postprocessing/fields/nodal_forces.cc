@@ -12,21 +12,20 @@ double NodalForces::largest() const {
 }
 
 template <int dim>
-NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                         const DualVector &loads, const Coupling &D, const Displacement &U,
-                         const dealii::Vector<double> &P) {
+NodalForces nodal_forces(const BodyInContact<dim> &body, const DualVector &loads,
+                         const Coupling &D) {
   NodalForces forces;
-  const InternalForces<dim> internal = internal_forces(space, scene, U);
+  const InternalForces<dim> internal = internal_forces(body);
   forces.internal = internal.forces;
   forces.loads = loads;
-  forces.contact = space.make_vector();
-  D.add_product(P, forces.contact);
+  forces.contact = body.space.make_vector();
+  D.add_product(body.P.values(), forces.contact);
   forces.residual = forces.internal;
   forces.residual -= forces.loads;
   forces.residual -= forces.contact;
-  space.carry_to_masters(forces.residual);
+  body.space.carry_to_masters(forces.residual);
   forces.magnitude = internal.magnitudes.l2_norm();
-  forces.energy = {internal.energy_norm, norm_of_rigid_motion(space, scene, U)};
+  forces.energy = {internal.energy_norm, norm_of_rigid_motion(body)};
   return forces;
 }
 

@@ -15,8 +15,8 @@
 
 namespace Signorini {
 template <int dim>
-std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                                     const Displacement &U) {
+std::vector<double> mean_dilatations(const DisplacedBody<dim> &body) {
+  const DisplacementSpace<dim> &space = body.space;
   const QGauss<dim> gauss(2);
   FEValues<dim> values(space.mesh().mapping(), space.element(), gauss,
                        update_values | update_gradients | update_quadrature_points |
@@ -32,12 +32,12 @@ std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const 
   for (const auto &cell :
        space.dofs().active_cell_iterators() | IteratorFilters::LocallyOwnedCell()) {
     values.reinit(cell);
-    values[FEValuesExtractors::Vector(0)].get_function_values(U.entries(), u);
-    values[FEValuesExtractors::Vector(0)].get_function_gradients(U.entries(), gradients);
+    values[FEValuesExtractors::Vector(0)].get_function_values(body.U.entries(), u);
+    values[FEValuesExtractors::Vector(0)].get_function_gradients(body.U.entries(), gradients);
     for (const unsigned int q : values.quadrature_point_indices()) {
       const Point<dim> &x = values.quadrature_point(q);
       sums_of(cell).first +=
-        strain_at(scene.geometry, x, u[q], gradients[q]).trace() * measure_at(values, q);
+        strain_at(body.scene.geometry, x, u[q], gradients[q]).trace() * measure_at(values, q);
       sums_of(cell).second += measure_at(values, q);
     }
   }

@@ -309,8 +309,8 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space, const Scen
   LemmaNumbers numbers;
   numbers.projection_l2 = compute_pressure_errors(multipliers, projected_p, n_points).l2;
   numbers.projection_dual = pressure.errors(multipliers, projected_p).spectral;
-  const DisplacementErrors errors =
-    compute_displacement_errors(space, scene, interpolant, n_points);
+  const DisplacedBody body(space, scene, interpolant);
+  const DisplacementErrors errors = compute_displacement_errors(body, n_points);
   numbers.interpolation_h1 = errors.h1;
   numbers.interpolation_trace =
     interpolation_trace(space, scene, multipliers.surface(), interpolant);
@@ -321,7 +321,7 @@ LemmaNumbers compute_lemma_numbers(const DisplacementSpace<2> &space, const Scen
   // a(u, φ_j) = f(φ_j) + [p, B φ_j].
   DualVector defect = test_on_contact(space, multipliers, n_points, exact_p);
   defect += loads;
-  defect -= internal_forces(space, scene, interpolant).forces;
+  defect -= internal_forces(body).forces;
   numbers.consistency = dual_norm(space, *inverse, defect);
   numbers.bound_26 =
     dual_norm(space, *inverse, test_on_contact(space, multipliers, n_points, projection_error));

@@ -35,10 +35,7 @@ using Squares = Tensor<1, n_norms>;
 
 /** The data that all threads read. */
 template <int dim>
-struct Fields {
-  const DisplacementSpace<dim> &space;
-  const Scene<dim> &scene;
-  const Displacement &U;
+struct Fields : DisplacedBody<dim> {
   const Displacement &interpolant_minus_U;
   unsigned int n_points;
 };
@@ -150,12 +147,12 @@ Squares integrate_errors(const Fields<dim> &fields) {
 } // namespace
 
 template <int dim>
-DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &space,
-                                               const Scene<dim> &scene, const Displacement &U,
+DisplacementErrors compute_displacement_errors(const DisplacedBody<dim> &body,
                                                const unsigned int n_points) {
-  Displacement interpolant_minus_U = interpolate_at_nodes(space, *scene.exact_displacement);
-  interpolant_minus_U -= U;
-  const Squares sum = integrate_errors<dim>({space, scene, U, interpolant_minus_U, n_points});
+  const DisplacementSpace<dim> &space = body.space;
+  Displacement interpolant_minus_U = interpolate_at_nodes(space, *body.scene.exact_displacement);
+  interpolant_minus_U -= body.U;
+  const Squares sum = integrate_errors<dim>({body, interpolant_minus_U, n_points});
   DisplacementErrors errors;
   errors.l2 = std::sqrt(sum[of_value]);
   errors.h1 = std::sqrt(sum[of_value] + sum[of_gradient]);

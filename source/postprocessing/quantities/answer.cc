@@ -17,41 +17,37 @@ namespace Signorini {
 namespace {
 /** Sets the edge of growth if a maximum lies at a singular edge and stands out. */
 template <int dim, typename Maximum>
-void set_growth(const std::vector<SingularEdge<dim>> &edges,
-                const MultiplierSpace<dim> &multipliers, const Multiplier &multiplier,
+void set_growth(const std::vector<SingularEdge<dim>> &edges, const BodyInContact<dim> &body,
                 const AnswerVector &point, Maximum &largest) {
   // A constant stress has no singular part.
   constexpr double rounding = 1e-6;
   Point<dim> x;
   std::copy(point.begin(), point.end(), x.begin_raw());
   if (!largest.away || largest.value > (1. + rounding) * largest.away->value)
-    largest.grows_at = growth_at(x, edges, multipliers, multiplier);
+    largest.grows_at = growth_at(x, edges, body);
 }
 
 /** Returns the largest pressure, and the edge where it grows without limit. */
 template <int dim>
-std::optional<PeakPressure> describe_peak(const MultiplierSpace<dim> &multipliers,
-                                          const Multiplier &multiplier,
+std::optional<PeakPressure> describe_peak(const BodyInContact<dim> &body,
                                           const std::vector<SingularEdge<dim>> &edges) {
-  const Pressure &P = multiplier.normal();
-  const std::optional<PressureMaximum> largest = peak_pressure(multipliers, P);
+  const Pressure &P = body.P.normal();
+  const std::optional<PressureMaximum> largest = peak_pressure(body.multipliers, P);
   if (!largest)
     return {};
   PeakPressure peak = {*largest, {}, {}};
   if (!edges.empty())
-    peak.away = peak_pressure(multipliers, P, edges);
-  set_growth(edges, multipliers, multiplier, largest->at.point, peak);
+    peak.away = peak_pressure(body.multipliers, P, edges);
+  set_growth(edges, body, largest->at.point, peak);
   return peak;
 }
 } // namespace
 
 template <int dim>
-std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
-                                           const MultiplierSpace<dim> &multipliers,
-                                           const Scene<dim> &scene, const Displacement &U) {
+std::optional<Penetration> max_penetration(const DisplacedBody<dim> &body,
+                                           const ContactSurface<dim> &surface) {
   const QIterated<dim - 1> positions(QTrapezoid<1>(), dim == 2 ? 16 : 4);
-  const ContactSurface<dim> &surface = multipliers.surface();
-  TraceValues<dim> traces(space);
+  TraceValues<dim> traces(body.space);
   // A depth by its face, its value, and its position.
   using Depth = std::tuple<unsigned int, double, double, Point<dim>>;
   std::vector<Depth> largest;
@@ -64,7 +60,8 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
   };
   for (const Piece<dim> &piece : surface.pieces()) {
     const SurfaceRule<dim> rule = surface.at(piece, positions.get_points());
-    const std::vector<double> depths = penetration(scene, surface, piece, rule, U, traces);
+    const std::vector<double> depths =
+      penetration(body.scene, surface, piece, rule, body.U, traces);
     for (std::size_t q = 0; q < rule.size(); ++q)
       take_larger({piece.face, depths[q], dim == 2 ? rule.on_side[q][0] : 0., rule.points[q]});
   }
@@ -76,7 +73,7 @@ std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
   if (largest.empty())
     return {};
   const auto &[face, depth, s, x] = largest[0];
-  return Penetration{depth, {scene.geometry.sides[surface.faces()[face].side].name(), s, x}};
+  return Penetration{depth, {body.scene.geometry.sides[surface.faces()[face].side].name(), s, x}};
 }
 
 /** Returns the normal of the opposite side or of the obstacle that a point of a piece touches; none
@@ -131,10 +128,8 @@ void remove_moments(Answer &answer) {
 } // namespace
 
 template <int dim>
-Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                      const MultiplierSpace<dim> &multipliers, const NodalForces &forces,
-                      const Displacement &U, const Multiplier &multiplier) {
-  const Pressure &P = multiplier.normal();
+Answer compute_answer(const BodyInContact<dim> &body, const NodalForces &forces) {
+  const auto &[scene, multipliers, multiplier] = std::tie(body.scene, body.multipliers, body.P);
   Answer answer;
   answer.dimension = dim;
   answer.size = scene.geometry.diameter();
@@ -148,20 +143,20 @@ Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &sce
   }
   answer.contact_force = contact_force(multipliers, sides_of_contact_force(scene), multiplier);
   answer.contact_force.side.clear();
-  answer.reactions = reactions(space, scene, forces);
+  answer.reactions = reactions(body.space, scene, forces);
   answer.axisymmetric = scene.geometry.axisymmetric;
   if (answer.axisymmetric)
     remove_moments(answer);
   const std::vector<SingularEdge<dim>> edges = singular_edges(scene);
-  answer.peak_pressure = describe_peak(multipliers, multiplier, edges);
+  answer.peak_pressure = describe_peak(body, edges);
   if constexpr (dim == 2) {
-    answer.zones = contact_zones(multipliers, P);
-    answer.turn_of_normals = turn_of_normals(multipliers, P);
+    answer.zones = contact_zones(multipliers, multiplier.normal());
+    answer.turn_of_normals = turn_of_normals(multipliers, multiplier.normal());
   }
-  answer.penetration = max_penetration(space, multipliers, scene, U);
-  answer.von_mises = largest_von_mises(space, scene, U, edges);
-  set_growth(edges, multipliers, multiplier, answer.von_mises.point, answer.von_mises);
-  answer.reports = report_on_probes<dim>(space, scene, U, edges, multipliers, multiplier);
+  answer.penetration = max_penetration(body, body.surface());
+  answer.von_mises = largest_von_mises(body, edges);
+  set_growth(edges, body, answer.von_mises.point, answer.von_mises);
+  answer.reports = report_on_probes(body, edges);
   return answer;
 }
 

@@ -147,8 +147,8 @@ std::vector<std::pair<std::string, double>> CaseSolver::reactions(const Displace
 }
 
 std::vector<ProbeReport> CaseSolver::report(const Displacement &U) const {
-  return report_on_probes<2>(discretization_.space, scene_, U, singular_edges_,
-                             discretization_.multipliers, P_);
+  return report_on_probes<2>({{discretization_.space, scene_, U}, discretization_.multipliers, P_},
+                             singular_edges_);
 }
 
 Displacement CaseSolver::displacement() const {

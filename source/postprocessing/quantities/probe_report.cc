@@ -65,12 +65,11 @@ class ProbeReader {
 public:
   using Cell = typename DoFHandler<dim>::active_cell_iterator;
 
-  ProbeReader(const SampledField<dim> &field, const std::vector<SingularEdge<dim>> &singular,
-              const MultiplierSpace<dim> &multipliers, const Multiplier &multiplier)
-    : field_(field)
-    , singular_(singular)
-    , multipliers_(multipliers)
-    , multiplier_(multiplier) {}
+  ProbeReader(const BodyInContact<dim> &body, const SampledField<dim> &field,
+              const std::vector<SingularEdge<dim>> &singular)
+    : body_(body)
+    , field_(field)
+    , singular_(singular) {}
 
   /** Returns what a chunk of cells contributes to the probes. */
   ProbeParts read_cells(const Cells<dim> &cells) const {
@@ -138,8 +137,7 @@ private:
   /** @param always whether a sample next to an edge of growth counts, too. */
   void add_sample(const Cell &cell, const FieldSample<dim> &sample, ProbePart &part,
                   const bool always = false) const {
-    const std::optional<GrowthEdge> growth =
-      growth_at(sample.x, singular_, multipliers_, multiplier_);
+    const std::optional<GrowthEdge> growth = growth_at(sample.x, singular_, body_);
     if (growth)
       part.add(*growth);
     if (growth && !always)
@@ -171,10 +169,9 @@ private:
     }
   }
 
+  const BodyInContact<dim> &body_;
   const SampledField<dim> &field_;
   const std::vector<SingularEdge<dim>> &singular_;
-  const MultiplierSpace<dim> &multipliers_;
-  const Multiplier &multiplier_;
 };
 
 /** Returns what the whole body contributes to the probes. Collective. */
@@ -220,17 +217,13 @@ std::string report_header(const unsigned int dimension) {
 }
 
 template <int dim>
-std::vector<ProbeReport> report_on_probes(const DisplacementSpace<dim> &space,
-                                          const Scene<dim> &scene, const Displacement &U,
-                                          const std::vector<SingularEdge<dim>> &singular,
-                                          const MultiplierSpace<dim> &multipliers,
-                                          const Multiplier &multiplier) {
-  const std::vector<Probe<dim>> &probes = scene.probes;
+std::vector<ProbeReport> report_on_probes(const BodyInContact<dim> &body,
+                                          const std::vector<SingularEdge<dim>> &singular) {
+  const std::vector<Probe<dim>> &probes = body.scene.probes;
   if (probes.empty())
     return {};
-  const SampledField<dim> field(space, scene, U);
-  const ProbeParts all =
-    parts_of_all(field, ProbeReader<dim>(field, singular, multipliers, multiplier));
+  const SampledField<dim> field(body);
+  const ProbeParts all = parts_of_all(field, ProbeReader<dim>(body, field, singular));
   std::vector<ProbeReport> reports;
   for (std::size_t i = 0; i < probes.size(); ++i) {
     if (!probes[i].points.empty() && all[i].rows.empty())

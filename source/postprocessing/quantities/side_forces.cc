@@ -206,7 +206,7 @@ ReactionFunctionals::ReactionFunctionals(const DisplacementSpace<2> &space, cons
     for (unsigned int d = 0; d < 2; ++d) {
       space.make_continuous(components[d]);
       functionals_.push_back({scene.geometry.sides[side].name() + "_" + "xy"[d], components[d],
-                              internal_forces(space, scene, components[d]).forces});
+                              internal_forces(DisplacedBody(space, scene, components[d])).forces});
     }
 }
 

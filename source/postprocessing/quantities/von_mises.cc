@@ -186,11 +186,10 @@ bool any_contains(const std::vector<SingularEdge<dim>> &edges, const Point<dim> 
 template <int dim>
 std::optional<GrowthEdge> growth_at(const Point<dim> &x,
                                     const std::vector<SingularEdge<dim>> &edges,
-                                    const MultiplierSpace<dim> &multipliers,
-                                    const Multiplier &multiplier) {
+                                    const BodyInContact<dim> &body) {
   for (const SingularEdge<dim> &edge : edges)
     if (edge.contains(x))
-      if (const double exponent = present_exponent(edge, x, multipliers, multiplier);
+      if (const double exponent = present_exponent(edge, x, body.multipliers, body.P);
           exponent < max_singular_exponent)
         return GrowthEdge{{{edge.ends[0], edge.ends[1]}}, edge.radius, exponent};
   return {};
@@ -293,9 +292,9 @@ CellResults results_of_body(const SampledField<dim> &field,
 } // namespace
 
 template <int dim>
-VonMises largest_von_mises(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                           const Displacement &U, const std::vector<SingularEdge<dim>> &edges) {
-  const CellResults results = results_of_body(SampledField<dim>(space, scene, U), edges);
+VonMises largest_von_mises(const DisplacedBody<dim> &body,
+                           const std::vector<SingularEdge<dim>> &edges) {
+  const CellResults results = results_of_body(SampledField<dim>(body), edges);
   VonMises stress = {results.all, {}, {}};
   if (!edges.empty())
     stress.away = results.away;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace Signorini {
 namespace {
@@ -114,38 +115,34 @@ Columns<ContactRow<dim>> contact_columns(const bool has_friction, const bool has
 template <int dim>
 class ContactTracer {
 public:
-  ContactTracer(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
-                const std::vector<BoundaryCondition<dim>> &boundary, const Displacement &U,
-                const Multiplier &P)
-    : multipliers_(multipliers)
-    , surface_(multipliers.surface())
-    , boundary_(boundary)
-    , U_(U)
-    , P_(P)
-    , bounds_(P.bounds())
-    , recovered_(multipliers, P.normal())
-    , traces_(space) {}
+  explicit ContactTracer(const BodyInContact<dim> &body)
+    : body_(body)
+    , surface_(body.surface())
+    , bounds_(body.P.bounds())
+    , recovered_(body.multipliers, body.P.normal())
+    , traces_(body.space) {}
 
   std::vector<ContactPoint<dim>> trace(const Piece<dim> &piece,
                                        const std::vector<Point<dim - 1>> &positions) {
-    const BoundaryCondition<dim> &condition = boundary_[surface_.patches()[piece.patch].side];
+    const BoundaryCondition<dim> &condition =
+      body_.scene.boundary[surface_.patches()[piece.patch].side];
     const SurfaceRule<dim> rule = surface_.at(piece, positions);
-    const auto closing = traces_.displacement(surface_, piece, rule, U_);
+    const auto closing = traces_.displacement(surface_, piece, rule, body_.U);
     Piece<dim> alone = piece;
     alone.opposite.reset();
-    const auto u = piece.opposite ? traces_.displacement(surface_, alone, rule, U_) : closing;
+    const auto u = piece.opposite ? traces_.displacement(surface_, alone, rule, body_.U) : closing;
     std::vector<ContactPoint<dim>> points;
     for (std::size_t q = 0; q < rule.size(); ++q) {
       ContactPoint<dim> point;
       point.s = rule.on_side[q];
       point.x = rule.points[q];
-      point.p_H = multipliers_.value(P_.normal(), piece.patch, point.s);
+      point.p_H = body_.multipliers.value(body_.P.normal(), piece.patch, point.s);
       point.p_recovered = recovered_(piece.patch, point.s);
       point.u = u[q];
       point.direction = rule.directions[q];
       point.u_n = closing[q] * point.direction;
       point.g = condition.data->value(point.x);
-      if (P_.has_friction())
+      if (body_.P.has_friction())
         point.friction = friction_at(piece.patch, condition, point, closing[q]);
       if constexpr (dim == 2)
         if (piece.opposite) {
@@ -165,10 +162,11 @@ private:
   FrictionPoint friction_at(const unsigned int patch, const BoundaryCondition<dim> &condition,
                             const ContactPoint<dim> &at, Tensor<1, dim> slip) const {
     const Tensor<1, dim> &m = at.direction;
-    const NodeState state = P_.state(multipliers_.nearest_node(patch, at.s));
+    const auto &[multipliers, P] = std::tie(body_.multipliers, body_.P);
+    const NodeState state = P.state(multipliers.nearest_node(patch, at.s));
     FrictionPoint point;
-    point.q_H = multipliers_.value(P_.values(), patch, at.s, 1);
-    point.s_H = multipliers_.value(bounds_, patch, at.s);
+    point.q_H = multipliers.value(P.values(), patch, at.s, 1);
+    point.s_H = multipliers.value(bounds_, patch, at.s);
     point.state = !state.presses ? 0 : state.slip == State::inside ? 1 : 2;
     if (condition.exact_friction != nullptr)
       point.q_exact = condition.exact_friction->value(at.x);
@@ -180,17 +178,14 @@ private:
         slip[d] -= condition.shift->value(at.x, d);
       point.slip_vector = slip - (slip * m) * m;
       point.slip = point.slip_vector.norm();
-      point.traction = tangential_traction(multipliers_, P_, patch, at.s, m);
+      point.traction = tangential_traction(multipliers, P, patch, at.s, m);
       point.q_H = point.traction.norm();
     }
     return point;
   }
 
-  const MultiplierSpace<dim> &multipliers_;
+  const BodyInContact<dim> &body_;
   const ContactSurface<dim> &surface_;
-  const std::vector<BoundaryCondition<dim>> &boundary_;
-  const Displacement &U_;
-  const Multiplier &P_;
   Pressure bounds_;
   RecoveredPressure<dim> recovered_;
   TraceValues<dim> traces_;
@@ -226,18 +221,15 @@ static ContactPiece<dim> trace_piece(ContactTracer<dim> &tracer,
 }
 
 template <int dim>
-TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
-                                 const MultiplierSpace<dim> &multipliers,
-                                 const std::vector<BoundaryCondition<dim>> &boundary,
-                                 const Displacement &U, const Multiplier &P) {
-  const ContactSurface<dim> &surface = multipliers.surface();
+TracedContact<dim> trace_contact(const BodyInContact<dim> &body) {
+  const ContactSurface<dim> &surface = body.surface();
   TracedContact<dim> contact;
   agree(surface.communicator(), [&]() {
-    ContactTracer<dim> tracer(space, multipliers, boundary, U, P);
+    ContactTracer<dim> tracer(body);
     for (const Piece<dim> &piece : surface.pieces())
-      contact.push_back(trace_piece(tracer, multipliers, piece));
+      contact.push_back(trace_piece(tracer, body.multipliers, piece));
   });
-  if (!space.mesh().is_shared())
+  if (!body.space.mesh().is_shared())
     return contact;
   contact = collect(contact, surface.communicator());
   std::stable_sort(contact.begin(), contact.end(),

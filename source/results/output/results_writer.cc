@@ -75,27 +75,22 @@ void ResultsWriter::write_certificate(const std::vector<LevelRecord> &levels,
 }
 
 template <int dim>
-void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim> &level) {
+void ResultsWriter::write_fields(const LevelResult<dim> &level) {
   if (directory_.empty())
     return;
-  const DisplacementSpace<dim> &space = level.discretization->space;
   const LevelSolution<dim> &solution = level.solution;
-  const Displacement &U = solution.contact.U;
+  const Solved<dim> solved = level.solved();
   const unsigned int number = solution.record.sizes.level;
   start_directory();
   TracedContact<dim> traced;
-  agree(communicator_, [&]() {
-    traced = trace_contact(space, level.discretization->multipliers, scene.boundary, U,
-                           solution.contact.P);
-  });
+  agree(communicator_, [&]() { traced = trace_contact(solved); });
   write(level_file("contact", number, ".csv"),
         [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
   const VtuLevels vtu = parameters_.output.vtu;
   const bool wants_finest = vtu == VtuLevels::finest || parameters_.output.pictures;
   if (vtu == VtuLevels::all || (wants_finest && level.is_last)) {
     const BoundFields &bound = solution.bound_fields;
-    const std::string body =
-      write_body(level_file("solution", number, ""), space, scene, U, bound, number);
+    const std::string body = write_body(level_file("solution", number, ""), solved, bound, number);
     write(level_file("contact", number, ".vtu"),
           [&](std::ostream &stream) { write_contact_vtu<dim>(stream, traced, bound.contact); });
     list_vtu("solution", number, body);
@@ -106,11 +101,10 @@ void ResultsWriter::write_fields(const Scene<dim> &scene, const LevelResult<dim>
 }
 
 template <int dim>
-std::string ResultsWriter::write_body(const std::string &name, const DisplacementSpace<dim> &space,
-                                      const Scene<dim> &scene, const Displacement &U,
+std::string ResultsWriter::write_body(const std::string &name, const DisplacedBody<dim> &body,
                                       const BoundFields &bound, const unsigned int number) {
-  const auto write_cells = solution_vtu(space, scene, U, bound, number);
-  if (!space.mesh().is_shared()) {
+  const auto write_cells = solution_vtu(body, bound, number);
+  if (!body.space.mesh().is_shared()) {
     write(name + ".vtu", write_cells);
     return name + ".vtu";
   }
@@ -133,22 +127,18 @@ std::string ResultsWriter::write_body(const std::string &name, const Displacemen
   return name + ".pvtu";
 }
 
-void ResultsWriter::write_case_fields(const Discretization<2> &discretization,
-                                      const Scene<2> &scene, const Displacement &U,
-                                      const Multiplier &P, const unsigned int number) {
+void ResultsWriter::write_case_fields(const BodyInContact<2> &solved, const unsigned int number) {
   if (directory_.empty())
     return;
   start_directory();
   const std::string ending = "-case-" + Utilities::int_to_string(number, 6);
   TracedContact<2> traced;
-  agree(communicator_, [&]() {
-    traced = trace_contact(discretization.space, discretization.multipliers, scene.boundary, U, P);
-  });
+  agree(communicator_, [&]() { traced = trace_contact(solved); });
   write("contact" + ending + ".csv",
         [&](std::ostream &stream) { write_contact_csv<2>(stream, traced); });
   if (parameters_.output.vtu == VtuLevels::none)
     return;
-  write_body("solution" + ending, discretization.space, scene, U, {}, number);
+  write_body<2>("solution" + ending, solved, {}, number);
   write("contact" + ending + ".vtu",
         [&](std::ostream &stream) { write_contact_vtu<2>(stream, traced, {}); });
   for (const char *const name : {"solution", "contact"})
@@ -277,6 +267,6 @@ void ResultsWriter::abandon() {
   }
 }
 
-template void ResultsWriter::write_fields(const Scene<2> &, const LevelResult<2> &);
-template void ResultsWriter::write_fields(const Scene<3> &, const LevelResult<3> &);
+template void ResultsWriter::write_fields(const LevelResult<2> &);
+template void ResultsWriter::write_fields(const LevelResult<3> &);
 } // namespace Signorini

@@ -32,23 +32,20 @@ template <int dim>
 class BodyWriter {
 public:
   BodyWriter(std::ostream &stream, const DataOutBase::VtkFlags &flags,
-             const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U,
-             const BoundFields &bound, const unsigned int n_generations)
+             const DisplacedBody<dim> &body, const BoundFields &bound,
+             const unsigned int n_generations)
     : stream_(stream)
     , flags_(flags)
-    , field_(space, scene, U)
-    , stress_(*scene.material)
-    , space_(space)
-    , scene_(scene)
-    , U_(U)
+    , field_(body)
+    , stress_(*body.scene.material)
     , bound_(bound)
     , n_generations_(n_generations)
-    , is_recovered_(is_recovered(space))
-    , by_parents_(dim == 3 && is_recovered_ && scene.material->is_constant()) {}
+    , is_recovered_(is_recovered(body.space))
+    , by_parents_(dim == 3 && is_recovered_ && body.scene.material->is_constant()) {}
 
   /** Writes all cells. @return their fields. */
   VtuCells<dim> write() {
-    for (unsigned int number = 0; number < space_.elements().size(); ++number)
+    for (unsigned int number = 0; number < field_.space.elements().size(); ++number)
       add_cells(number);
     if (!cells_.cells.empty())
       write_piece();
@@ -65,7 +62,7 @@ private:
 
   /** Adds the cells of one of the elements. */
   void add_cells(const unsigned int number) {
-    const FiniteElement<dim> &element = space_.elements()[number];
+    const FiniteElement<dim> &element = field_.space.elements()[number];
     unsigned int n = dim == 3 ? 1 : element.degree;
     if (is_recovered_ && (dim == 2 || by_parents_))
       n = 2;
@@ -74,25 +71,25 @@ private:
       std::vector<Point<1>>{Point<1>(0.), Point<1>(1.), Point<1>(2.)});
     const Quadrature<dim> points =
       by_parents_ ? Quadrature<dim>(of_children) : QIterated<dim>(QTrapezoid<1>(), n);
-    FEValues<dim> values(space_.mesh().mapping(), element, points,
+    FEValues<dim> values(field_.space.mesh().mapping(), element, points,
                          update_values | update_quadrature_points |
                            (is_recovered_ ? update_inverse_jacobians : update_gradients));
     std::optional<PatchInterpolation<dim>> interpolation;
     if (is_recovered_)
-      interpolation.emplace(space_, U_, points, n_generations_);
+      interpolation.emplace(field_.space, field_.U, points, n_generations_);
     const FEValuesExtractors::Vector vector(0);
     FieldValues<dim> u;
     u.values.resize(points.size());
     u.gradients.resize(points.size());
-    for (const Cell &cell : space_.dofs().active_cell_iterators()) {
+    for (const Cell &cell : field_.space.dofs().active_cell_iterators()) {
       if (!cell->is_locally_owned() || cell->active_fe_index() != number ||
           (by_parents_ && cell->parent()->child_index(0) != cell->index()))
         continue;
       values.reinit(cell);
       if (!by_parents_)
-        values[vector].get_function_values(U_.entries(), u.values);
+        values[vector].get_function_values(field_.U.entries(), u.values);
       if (!is_recovered_)
-        values[vector].get_function_gradients(U_.entries(), u.gradients);
+        values[vector].get_function_gradients(field_.U.entries(), u.gradients);
       const FieldValues<dim> &recovered = interpolation ? interpolation->evaluate(cell, values) : u;
       // At the corners of children the interpolation is u_h.
       add_cell(cell, n, values, by_parents_ ? recovered : u, recovered);
@@ -104,8 +101,8 @@ private:
                 const FieldValues<dim> &u, const FieldValues<dim> &recovered) {
     const unsigned int index = cell->active_cell_index();
     const Point<dim> middle = cell->center();
-    const bool has_regions = !scene_.geometry.regions.empty();
-    const double region = has_regions ? scene_.geometry.region_at(middle) : 0.;
+    const bool has_regions = !field_.scene.geometry.regions.empty();
+    const double region = has_regions ? field_.scene.geometry.region_at(middle) : 0.;
     fields_.resize(u.values.size());
     for (unsigned int q = 0; q < fields_.size(); ++q) {
       VtuFields &fields = fields_[q];
@@ -122,7 +119,7 @@ private:
         fields.insert(fields.end(), {{"bound_mesh", bound_.mesh[index]},
                                      {"bound_oscillation", bound_.oscillation[index]},
                                      {"bound_lift", bound_.lift[index]}});
-      if (space_.max_element_degree() > 1)
+      if (field_.space.max_element_degree() > 1)
         fields.emplace_back("degree", cell->get_fe().degree);
     }
     cells_.add(n, values.get_quadrature_points(), fields_);
@@ -166,9 +163,6 @@ private:
   const DataOutBase::VtkFlags &flags_;
   const SampledField<dim> field_;
   StressIn3D<dim> stress_;
-  const DisplacementSpace<dim> &space_;
-  const Scene<dim> &scene_;
-  const Displacement &U_;
   const BoundFields &bound_;
   /** Those of the patch interpolation. */
   unsigned int n_generations_;
@@ -184,15 +178,15 @@ private:
 } // namespace
 
 template <int dim>
-std::function<VtuCells<dim>(std::ostream &)>
-solution_vtu(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U,
-             const BoundFields &bound, const unsigned int number) {
-  const unsigned int n_generations = is_recovered(space) ? best_interpolation(space, U) : 0;
-  return [&space, &scene, &U, &bound, number, n_generations](std::ostream &stream) {
+std::function<VtuCells<dim>(std::ostream &)> solution_vtu(const DisplacedBody<dim> &body,
+                                                          const BoundFields &bound,
+                                                          const unsigned int number) {
+  const unsigned int n_generations =
+    is_recovered(body.space) ? best_interpolation(body.space, body.U) : 0;
+  return [body, &bound, number, n_generations](std::ostream &stream) {
     const DataOutBase::VtkFlags flags(number, number, false, DataOutBase::VtkFlags::best_speed);
     DataOutBase::write_vtu_header(stream, flags);
-    VtuCells<dim> fields =
-      BodyWriter<dim>(stream, flags, space, scene, U, bound, n_generations).write();
+    VtuCells<dim> fields = BodyWriter<dim>(stream, flags, body, bound, n_generations).write();
     DataOutBase::write_vtu_footer(stream);
     return fields;
   };

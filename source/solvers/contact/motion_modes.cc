@@ -45,10 +45,10 @@ Displacement lift(const FreeMotion &motion, const DisplacementSpace<2> &space,
 
 /** Returns the forces of a mode; empty where all of them are rounding: V^h contains the rigid
  * motion. */
-DualVector forces_of_mode(const Displacement &z, const DisplacementSpace<2> &space,
-                          const Scene<2> &scene) {
+DualVector forces_of_mode(const DisplacedBody<2> &mode) {
   constexpr double rounding = 10. * std::numeric_limits<double>::epsilon();
-  const InternalForces<2> internal = internal_forces(space, scene, z);
+  const Displacement &z = mode.U;
+  const InternalForces<2> internal = internal_forces(mode);
   DualVector sizes = internal.magnitudes;
   for (unsigned int i = 0; i < sizes.locally_owned_size(); ++i)
     sizes.local_element(i) *= z.local_element(i);
@@ -71,13 +71,12 @@ std::array<double, 2> work_in(const FreeMotion &motion, const Displacement &z,
   return {{by_plates + by_loads[0], std::abs(by_plates) + by_loads[1]}};
 }
 
-/** Returns k - A⁻¹ A k. */
-Displacement extend(const Displacement &k, const DisplacementSpace<2> &space, const Scene<2> &scene,
-                    const StiffnessInverse &inverse) {
-  DualVector r = internal_forces(space, scene, k).forces;
+/** Returns k - A⁻¹ A k for the displacement k of a body. */
+Displacement extend(const DisplacedBody<2> &body, const StiffnessInverse &inverse) {
+  DualVector r = internal_forces(body).forces;
   r *= -1.;
-  Displacement z = solve_homogeneous(inverse, space, space.condense(r));
-  z += k;
+  Displacement z = solve_homogeneous(inverse, body.space, body.space.condense(r));
+  z += body.U;
   return z;
 }
 
@@ -94,9 +93,9 @@ MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space, const Scene<2> &sc
   const auto add_mode = [&](const FreeMotion &motion, const bool undetermined) {
     const bool strains =
       !motion.rigid || (space.mesh().is_curved() && !motion.rigid->is_translation());
-    Displacement z = strains ? extend(lift(motion, space, scene), space, scene, inverse)
+    Displacement z = strains ? extend({space, scene, lift(motion, space, scene)}, inverse)
                              : interpolate(*motion.rigid, space);
-    DualVector forces = strains ? forces_of_mode(z, space, scene) : DualVector();
+    DualVector forces = strains ? forces_of_mode({space, scene, z}) : DualVector();
     if (undetermined && forces.size() == 0)
       return;
     modes.motions.push_back(motion);

@@ -177,7 +177,7 @@ void forces(Checks &checks) {
   const Body body(polygon("0,0; 2,0; 2.5,1.5; 1,2.5; -0.5,1"), 2);
   RandomNumbers random(1);
   const Displacement U = random_rows(body.space, random);
-  const DualVector internal = internal_forces(body.space, body.scene, U).forces;
+  const DualVector internal = internal_forces(DisplacedBody(body.space, body.scene, U)).forces;
   const double scale = internal.l1_norm();
   const Field rotation = [](const Point<2> &x) { return Point<2>(-x[1], x[0]); };
   const Field translation = [](const Point<2> &) { return Point<2>(1., 2.); };
@@ -190,7 +190,7 @@ void forces(Checks &checks) {
   });
   // Area of the pentagon by the shoelace formula: 5.
   checks.near("work of a linear field",
-              linear * internal_forces(body.space, body.scene, linear).forces,
+              linear * internal_forces(DisplacedBody(body.space, body.scene, linear)).forces,
               5. * (lambda * 0.01 + 2. * mu * 0.15), 1e-12);
 }
 } // namespace

@@ -22,7 +22,7 @@ constexpr double sigma = -0.2 * confined_modulus, sigma_across = -0.2 * lambda;
 
 NodalForces forces_of(const Box &box, const Displacement &U, const Pressure &P) {
   const LinearSystem<3> system = assemble_linear_system(box.space, box.scene, 3);
-  return nodal_forces(box.space, box.scene, system.loads, box.D, U, P);
+  return nodal_forces(box.body(U, P), system.loads, box.D);
 }
 
 /** Uniform stress in a box of 1 x 2 x 1: every side carries sigma n times its area in its middle.
@@ -33,8 +33,7 @@ void forces(Checks &checks) {
   const Box box(scene, 2, 2);
   const Displacement U = interpolate_at_nodes(box.space, *compression);
   const Pressure P = box.at_centres([](const auto &) { return sigma; });
-  const Answer answer =
-    compute_answer(box.space, scene, box.multipliers, forces_of(box, U, P), U, P);
+  const Answer answer = compute_answer(box.body(U, P), forces_of(box, U, P));
   struct Expected {
     Vector3 force;
     dealii::Point<3> middle;
@@ -128,7 +127,7 @@ void penetration(Checks &checks) {
   const Box box(scene, 1, 2);
   const auto sinking = field([](const auto &x) { return Vector3({0., 0., -0.05 * (1. - x[2])}); });
   const auto found =
-    max_penetration(box.space, box.multipliers, scene, interpolate_at_nodes(box.space, *sinking));
+    max_penetration({box.space, scene, interpolate_at_nodes(box.space, *sinking)}, box.surface);
   checks.near("penetration", found->value, 0.04 - std::pow(0.0625, 2), 1e-15);
   checks.that("its side", found->place.side == "bottom");
 }

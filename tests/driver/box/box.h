@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/discretization/mesh/contact_surface.h>
-#include <signorini/discretization/space/multiplier_space.h>
+#include <signorini/discretization/space/displaced_body.h>
 #include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/function.h>
@@ -75,6 +75,12 @@ struct Box {
     for (unsigned int tau = 0; tau < P.size(); ++tau)
       P[tau] = p(surface.patches()[tau].centre());
     return P;
+  }
+
+  /** The box displaced and pressed. */
+  Signorini::BodyInContact<3> body(const Signorini::Displacement &U,
+                                   const Signorini::Multiplier &P) const {
+    return {{space, scene, U}, multipliers, P};
   }
 
   const Signorini::Scene<3> &scene;

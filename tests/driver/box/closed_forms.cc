@@ -30,7 +30,8 @@ void stiffness_and_loads(Checks &checks) {
   checks.near("moment", system.applied[0].moment, moment, 1e-14);
 
   const auto internal = [&](const FunctionPointer<3> &u) {
-    return internal_forces(box.space, scene, interpolate_at_nodes(box.space, *u)).forces;
+    return internal_forces(DisplacedBody(box.space, scene, interpolate_at_nodes(box.space, *u)))
+      .forces;
   };
   const auto motion = field([](const auto &x) {
     return Vector3({1. + x[1] - 2. * x[2], 3. - x[0] + x[2], 2. * x[0] - x[1]});
@@ -72,8 +73,9 @@ void estimate(Checks &checks) {
   const double h = 0.25, square = (4. - h * h) / 3., energy = std::sqrt(confined_modulus) * h;
   const double scale = std::sqrt(lambda * (3. * square + 6.) + 2. * mu * 3. * square);
   const Displacement U = interpolate_at_nodes(box.space, *squares);
-  const ErrorEstimate found = estimate_error(
-    box.space, scene, U, {internal_forces(box.space, scene, U).energy_norm, std::nullopt});
+  const DisplacedBody body(box.space, scene, U);
+  const ErrorEstimate found =
+    estimate_error(body, {internal_forces(body).energy_norm, std::nullopt});
   checks.near("estimate in the energy norm, and relative", {found.energy, found.relative},
               {energy, energy / scale}, 1e-13);
 }

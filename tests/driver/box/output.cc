@@ -32,7 +32,7 @@ void contact(Checks &checks) {
   const Box box(scene, 3, 2);
   const Displacement U = interpolate_at_nodes(box.space, *sinking);
   const Pressure P = box.at_centres([](const auto &s) { return -(1. + s[0] + 2. * s[1]); });
-  const auto area = trace_contact(box.space, box.multipliers, scene.boundary, U, P);
+  const auto area = trace_contact(box.body(U, P));
   std::ostringstream vtu;
   write_contact_vtu(vtu, area, {});
   checks.that("64 quadrilaterals",
@@ -77,7 +77,8 @@ void body(Checks &checks) {
   const Scene<3> scene = scene_with_pressure(u);
   const Box box(scene, 2, 2);
   std::ostringstream file;
-  solution_vtu(box.space, scene, interpolate_at_nodes(box.space, *u), {}, 0)(file);
+  const Displacement U = interpolate_at_nodes(box.space, *u);
+  solution_vtu(DisplacedBody(box.space, scene, U), {}, 0)(file);
   const std::string vtu = file.str();
   checks.that("64 hexahedra, eight of each parent",
               vtu.find("NumberOfPoints=\"216\" NumberOfCells=\"64\"") != std::string::npos);

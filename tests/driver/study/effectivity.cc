@@ -68,7 +68,8 @@ void finer_reference(Checks &checks) {
                                                        solution.contact.U.entries(),
                                                        fine.space().dofs(), difference.entries());
     difference -= U;
-    const double error = internal_forces(fine.space(), fine.scene, difference).energy_norm;
+    const double error =
+      internal_forces(DisplacedBody(fine.space(), fine.scene, difference)).energy_norm;
     const ErrorEstimate &estimate = *solution.record.estimate;
     const std::string name = std::string("block on parabola, Patches = ") + partition;
     // Two of four patches press, and the misfit of contact exceeds what p_H lacks.

@@ -293,8 +293,7 @@ void test_both_sides(Checks &checks) {
     3);
   const LevelSolution<2> solution = level.solve();
   const TracedContact<2> contact =
-    trace_contact(level.space(), level.multipliers(), level.scene.boundary, solution.contact.U,
-                  solution.contact.P);
+    trace_contact(level.body(solution.contact.U, solution.contact.P));
   for (const ContactPiece<2> &piece : contact)
     for (const ContactPoint<2> &point : piece.rows) {
       const OppositePoint<2> &other = point.opposite.value();

@@ -30,7 +30,7 @@ struct Reference {
     , U(level.solve().contact.U)
     , energy(square(U)) {}
   double square(const Displacement &V) const {
-    const DualVector forces = internal_forces(space, level.scene, V).forces;
+    const DualVector forces = internal_forces(DisplacedBody(space, level.scene, V)).forces;
     return std::max(0., V * forces);
   }
 

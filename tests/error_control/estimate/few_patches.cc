@@ -82,8 +82,9 @@ void check(Checks &checks, std::ofstream &table, const Given &given, const OneLe
   dealii::VectorTools::interpolate_to_different_mesh(
     level.space().dofs(), solution.contact.U.entries(), fine.space().dofs(), difference.entries());
   difference -= fine_U;
-  const double error = internal_forces(fine.space(), fine.scene, difference).energy_norm,
-               size = internal_forces(fine.space(), fine.scene, fine_U).energy_norm;
+  const double error =
+                 internal_forces(DisplacedBody(fine.space(), fine.scene, difference)).energy_norm,
+               size = internal_forces(DisplacedBody(fine.space(), fine.scene, fine_U)).energy_norm;
   const ErrorEstimate estimate = record.estimate.value();
   checks.about(given.name + ", level " + std::to_string(number));
   checks.that("no estimate below half of the error certifies",

@@ -25,8 +25,7 @@ void distances(Checks &checks) {
   std::vector<bool> presses(P.size(), true);
   presses[open] = false;
   std::vector<CellIndicator> indicators(level.mesh().triangulation().n_active_cells(), {0.5, 0.1});
-  add_contact_misfit(level.space(), level.multipliers(), level.scene, U, presses, Component::normal,
-                     indicators);
+  add_contact_misfit(level.body(U, P), presses, Component::normal, indicators);
   double largest_difference = 0.;
   for (const auto &cell : level.mesh().triangulation().active_cell_iterators()) {
     double expected = 0.25;

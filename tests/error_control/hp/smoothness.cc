@@ -23,7 +23,7 @@ const std::string one_cell =
 
 CellIndicator indicate_one(const unsigned int degree, const Field &u) {
   const GradedLevel level(one_cell, uniform_plan(0, degree));
-  return indicate(level.space(), level.scene, nodal_values(level.space(), u)).at(0);
+  return indicate(level.body(nodal_values(level.space(), u))).at(0);
 }
 
 /** The derivative 1/(a - x) of -log(a - x) has the normalised coefficients c_n ~ rho^n,

@@ -33,8 +33,8 @@ struct TwoMeshes {
   /** |||u - v|||, u on the first mesh and v on the second; or the other way round. */
   double distance(const Field &u, const Field &v, const bool is_opposite = false) const {
     const Displacement U = nodal_values(first.space(), u), V = nodal_values(second.space(), v);
-    return is_opposite ? energy_distance({second.space(), V}, {first.space(), U}, first.scene)
-                       : energy_distance({first.space(), U}, {second.space(), V}, first.scene);
+    return is_opposite ? energy_distance(second.body(V), first.body(U))
+                       : energy_distance(first.body(U), second.body(V));
   }
 
   GradedLevel first, second;

@@ -25,8 +25,7 @@ std::vector<double> found(const std::string &gap, const unsigned int pressing = 
   if (pressing < P.size())
     P[pressing] = -1.;
   std::vector<double> middles;
-  for (const unsigned int index :
-       missed_contact_cells(level.space(), level.multipliers(), level.scene, U, P))
+  for (const unsigned int index : missed_contact_cells(level.body(U, P)))
     for (const auto &cell : level.mesh().triangulation().active_cell_iterators())
       if (cell->active_cell_index() == index && cell->at_boundary())
         middles.push_back(cell->center()[0]);

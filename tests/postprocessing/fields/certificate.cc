@@ -13,7 +13,7 @@
 using namespace Signorini;
 
 namespace {
-struct Solved : public SolvedLevel {
+struct CertifiedLevel : public SolvedLevel {
   using SolvedLevel::SolvedLevel;
 
   Certificate judge(const Displacement &displacement, const Pressure &pressure,
@@ -21,9 +21,8 @@ struct Solved : public SolvedLevel {
     ContactSolution<2> found = contact(displacement, pressure);
     // Lives as long as the caller's.
     found.system = {std::shared_ptr<void>(), &linear_system};
-    return certify(
-      discretization, scene, found,
-      nodal_forces(space(), scene, linear_system.loads, discretization.D, displacement, pressure));
+    const Solved<2> solved(discretization, scene, found);
+    return certify(solved, nodal_forces(solved, linear_system.loads, discretization.D));
   }
   Certificate judge(const Displacement &displacement, const Pressure &pressure) const {
     return judge(displacement, pressure, system);
@@ -50,7 +49,7 @@ void correct_answers(Checks &checks) {
                                                          {"loads", loaded},
                                                          {"oblique sides", oblique}};
   for (const auto &scene : scenes) {
-    const Solved solved(scene.second, 3);
+    const CertifiedLevel solved(scene.second, 3);
     const Certificate c = solved.judge(solved.U, solved.P);
     checks.near(std::string(scene.first) + ": sign", c.sign, 0., 0.);
     checks.near(std::string(scene.first) + ": all residuals",
@@ -63,7 +62,7 @@ void correct_answers(Checks &checks) {
 
 /** J = -f(u)/2 + [p, g]/2, because a(u, u) = f(u) + [p, g] where nothing is displaced. */
 void energies(Checks &checks) {
-  const Solved solved(loaded, 3);
+  const CertifiedLevel solved(loaded, 3);
   const double work = solved.U * solved.system.loads;
   const double expected = -0.5 * work + 0.5 * (solved.P * solved.discretization.G);
   const Certificate c = solved.judge(solved.U, solved.P);
@@ -81,7 +80,7 @@ dealii::types::global_dof_index dof_at(const DisplacementSpace<2> &space,
   return dealii::numbers::invalid_dof_index;
 }
 
-void wrong_displacements(Checks &checks, const Solved &solved) {
+void wrong_displacements(Checks &checks, const CertifiedLevel &solved) {
   Displacement U = solved.U;
   U[dof_at(solved.space(), {0., 0.5})] += 1e-5;
   Certificate c = solved.judge(U, solved.P);
@@ -98,7 +97,7 @@ void wrong_displacements(Checks &checks, const Solved &solved) {
   checks.that("stretched displacements", solved.judge(U, solved.P).stationarity > 1e-6);
 }
 
-void wrong_pressures(Checks &checks, const Solved &solved) {
+void wrong_pressures(Checks &checks, const CertifiedLevel &solved) {
   Pressure P = solved.P;
   checks.that("the last patch does not press", P[P.size() - 1] == 0.);
   P[P.size() - 1] = 1e-3 * P.linfty_norm();
@@ -118,7 +117,7 @@ void wrong_pressures(Checks &checks, const Solved &solved) {
   }
 }
 
-void wrong_loads(Checks &checks, const Solved &solved) {
+void wrong_loads(Checks &checks, const CertifiedLevel &solved) {
   LinearSystem<2> system = assemble_linear_system(solved.space(), solved.scene, 3);
   system.applied[0].force[0] += 1e-4;
   Certificate c = solved.judge(solved.U, solved.P, system);
@@ -135,7 +134,7 @@ void wrong_loads(Checks &checks, const Solved &solved) {
 }
 
 /** P and W = D^T U - G by hand, at rest: U = 0, G = (0, 0, 1, ...). */
-void degenerate(Checks &checks, Solved &solved) {
+void degenerate(Checks &checks, CertifiedLevel &solved) {
   const Displacement U = solved.space().zero();
   Pressure P(solved.P.size());
   dealii::Vector<double> &G = solved.discretization.G;
@@ -169,10 +168,10 @@ int main(int argc, char **argv) {
   return run_tests(argc, argv, {[](Checks &checks) {
                      correct_answers(checks);
                      energies(checks);
-                     Solved pressed(block, 3);
+                     CertifiedLevel pressed(block, 3);
                      wrong_displacements(checks, pressed);
                      wrong_pressures(checks, pressed);
-                     const Solved with_loads(loaded, 3);
+                     const CertifiedLevel with_loads(loaded, 3);
                      wrong_loads(checks, with_loads);
                      degenerate(checks, pressed);
                      at_rest(checks);

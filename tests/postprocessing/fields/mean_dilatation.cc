@@ -24,7 +24,7 @@ void means(Checks &checks) {
     const OneLevel level(block, number);
     const Displacement U = nodal_values(
       level.space(), [](const Point<2> &x) { return Point<2>(x[0] * x[0], 3. * x[1]); });
-    const std::vector<double> means = mean_dilatations(level.space(), level.scene, U);
+    const std::vector<double> means = mean_dilatations(level.body(U));
     double largest = 0.;
     for (const auto &cell : level.space().dofs().active_cell_iterators()) {
       const Point<2> centre = number > 0 ? cell->parent()->center() : cell->center();

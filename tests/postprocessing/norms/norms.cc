@@ -25,7 +25,7 @@ std::string scene(const std::string &geometry, const std::string &displacement,
 }
 
 DisplacementErrors errors(const OneLevel &level, const Displacement &U) {
-  return compute_displacement_errors(level.space(), level.scene, U, 4);
+  return compute_displacement_errors(level.body(U), 4);
 }
 
 Displacement nothing(const OneLevel &level) {
@@ -151,7 +151,7 @@ void threads(Checks &checks) {
   const Displacement U = random_rows(level.space(), random);
   const auto numbers = [&](const unsigned int n_threads) {
     setenv("DEAL_II_NUM_THREADS", std::to_string(n_threads).c_str(), 1);
-    const DisplacementErrors e = compute_displacement_errors(level.space(), level.scene, U, 4);
+    const DisplacementErrors e = compute_displacement_errors(level.body(U), 4);
     const ErrorEstimate estimate = level.estimate(U);
     return std::vector<double>({e.h1, e.l2, e.superclose_h1, *e.post_h1, *e.post4_h1, e.energy,
                                 estimate.h1.value(), estimate.energy, estimate.relative});

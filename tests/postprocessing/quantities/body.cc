@@ -23,7 +23,7 @@ NodalForces forces_of(const OneLevel &level, const Displacement &U, const double
   const LinearSystem<2> system = assemble_linear_system(level.space(), level.scene, 3);
   Pressure P(level.multipliers().n_multipliers());
   P.add(p);
-  return nodal_forces(level.space(), level.scene, system.loads, level.discretization.D, U, P);
+  return nodal_forces(level.body(U, P), system.loads, level.discretization.D);
 }
 
 const SideForce &on(const std::vector<SideForce> &forces, const std::string &side) {
@@ -116,15 +116,15 @@ void penetration(Checks &checks) {
   const Displacement U = nodal_values(level.space(), [](const dealii::Point<2> &x) {
     return Vector2({0., -0.05 * (1. - x[1])});
   });
-  const auto found = max_penetration(level.space(), level.multipliers(), level.scene, U);
+  const auto found = max_penetration(level.body(U), level.discretization.surface);
   checks.near("penetration", found->value, 0.04, 1e-15);
   checks.near("its place", found->place.point.distance({0.28125, 0.}), 0., 1e-14);
   const Displacement lifted = nodal_values(level.space(), [](const dealii::Point<2> &) {
     return Vector2({0., 0.5});
   });
   checks.near("an opening is negative",
-              max_penetration(level.space(), level.multipliers(), level.scene, lifted)->value,
-              -0.51, 1e-15);
+              max_penetration(level.body(lifted), level.discretization.surface)->value, -0.51,
+              1e-15);
 }
 
 void von_mises_stress(Checks &checks) {
@@ -134,8 +134,7 @@ void von_mises_stress(Checks &checks) {
   for (const std::string element : {"Q1", "Q1 B-bar"}) {
     const OneLevel strain(material + square + entry("Discretization", "Element", element), 2);
     // sigma = (0.1, -0.5, -0.1): sqrt(((0.6)² + (0.4)² + (0.2)²)/2).
-    const VonMises found =
-      largest_von_mises(strain.space(), strain.scene, nodal_values(strain.space(), linear));
+    const VonMises found = largest_von_mises(strain.body(nodal_values(strain.space(), linear)));
     checks.near("plane strain, " + element, found.value, std::sqrt(0.28), 1e-13);
     // The principal strains are 0.1 and -0.2.
     checks.near("strained share, " + element, found.strained_share, 1., 0.);
@@ -146,10 +145,9 @@ void von_mises_stress(Checks &checks) {
       square,
     2);
   // E/(1 - nu²) = 4: sigma = (4 (0.1 - 0.05), 4 (-0.2 + 0.025), 0).
-  checks.near(
-    "plane stress",
-    largest_von_mises(stress.space(), stress.scene, nodal_values(stress.space(), linear)).value,
-    std::sqrt(0.67), 1e-13);
+  checks.near("plane stress",
+              largest_von_mises(stress.body(nodal_values(stress.space(), linear))).value,
+              std::sqrt(0.67), 1e-13);
   // A uniform pressure on two materials: nodes of the interface belong to both.
   for (const std::string jump : {"y<=0.5", "y<0.5", "y>0.5", "y>=0.5"}) {
     const bool soft_below = jump[1] == '>';
@@ -157,28 +155,28 @@ void von_mises_stress(Checks &checks) {
                             entry("Material", "Poisson's ratio", "0"),
                           2);
     const double below = soft_below ? 1. : 1e-3, above = soft_below ? 1e-3 : 1.;
-    const VonMises uniform = largest_von_mises(
-      layers.space(), layers.scene, nodal_values(layers.space(), [&](const dealii::Point<2> &x) {
+    const VonMises uniform =
+      largest_von_mises(layers.body(nodal_values(layers.space(), [&](const dealii::Point<2> &x) {
         return Vector2(
           {0., -0.01 * (below * std::min(x[1], 0.5) + above * std::max(x[1] - 0.5, 0.))});
-      }));
+      })));
     checks.near("two materials, " + jump, uniform.value, 0.01, 1e-12);
   }
   // u = (0, x² / 2): sigma_12 = x, largest at the right, where the lowest point comes first.
   const OneLevel bending(material + square, 2);
-  const VonMises found = largest_von_mises(
-    bending.space(), bending.scene, nodal_values(bending.space(), [](const dealii::Point<2> &x) {
+  const VonMises found =
+    largest_von_mises(bending.body(nodal_values(bending.space(), [](const dealii::Point<2> &x) {
       return Vector2({0., 0.5 * x[0] * x[0]});
-    }));
+    })));
   checks.near("quadratic displacement", found.value, std::sqrt(3.), 1e-13);
   checks.near("its place", found.point.distance({1., 0.}), 0., 1e-13);
   // x/2 is above 0.1 behind x = 0.2, in three of four columns of cells.
   checks.near("half of the shear is a principal strain", found.strained_share, 0.75, 1e-13);
   checks.near("half of it is a rotation", found.turned_share, 0.75, 1e-13);
-  const VonMises turned = largest_von_mises(
-    bending.space(), bending.scene, nodal_values(bending.space(), [](const dealii::Point<2> &x) {
+  const VonMises turned =
+    largest_von_mises(bending.body(nodal_values(bending.space(), [](const dealii::Point<2> &x) {
       return Vector2({-0.11 * x[1], 0.11 * x[0]});
-    }));
+    })));
   checks.near("a rotation", turned.turned_share, 1., 0.);
   checks.near("strains nothing", turned.strained_share + turned.value, 0., 1e-13);
 }

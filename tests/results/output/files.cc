@@ -75,7 +75,7 @@ void contact_line(Checks &checks) {
   Pressure P(2);
   P[0] = -1.;
   P[1] = -2.;
-  const auto line = trace_contact(level.space(), level.multipliers(), level.scene.boundary, U, P);
+  const auto line = trace_contact(level.body(U, P));
   std::ostringstream stream;
   write_contact_csv<2>(stream, line);
   const std::string header = "side,s,x,y,p_H,p_recovered,u_n,g,p_exact,patch,patch_length\n";
@@ -105,9 +105,7 @@ void contact_line(Checks &checks) {
 
   const OneLevel unknown("", 1, held);
   std::ostringstream without;
-  write_contact_csv<2>(without,
-                       trace_contact(unknown.space(), unknown.multipliers(), unknown.scene.boundary,
-                                     unknown.space().zero(), Pressure(1)));
+  write_contact_csv<2>(without, trace_contact(unknown.body(unknown.space().zero(), Pressure(1))));
   checks.that("contact line: no exact pressure", read_csv(without.str())[0].at("p_exact").empty());
 }
 

@@ -44,6 +44,9 @@ public:
       degrees.push_back(2 + static_cast<unsigned int>(4. * cell->center()[0]));
     return degrees;
   }
+  DisplacedBody<2> body() const {
+    return {space, level.scene, U};
+  }
 
   OneLevel level;
   DisplacementSpace<2> space;
@@ -55,7 +58,7 @@ public:
 /** In plane strain with E = 2.5, nu = 1/4: lambda = mu = 1. */
 void fields(Checks &checks, const Columns4 &example) {
   std::ostringstream file;
-  solution_vtu(example.space, example.level.scene, example.U, BoundFields(), 3)(file);
+  solution_vtu(example.body(), BoundFields(), 3)(file);
   const std::string vtu = file.str();
   const PointField points = read_vtu_field(vtu, ""), stress = read_vtu_field(vtu, "stress"),
                    u = read_vtu_field(vtu, "displacement"), degree = read_vtu_field(vtu, "degree");
@@ -82,8 +85,7 @@ void curves(Checks &checks, const Columns4 &example) {
   Pressure P(multipliers.n_multipliers());
   for (unsigned int k = 0; k < P.size(); ++k)
     P[k] = p(multipliers.node(k)[0]);
-  const auto &boundary = example.level.scene.boundary;
-  const auto line = trace_contact(example.space, multipliers, boundary, example.U, P);
+  const auto line = trace_contact(BodyInContact<2>(example.body(), multipliers, P));
   std::ostringstream csv, stream;
   write_contact_csv<2>(csv, line);
   write_contact_vtu<2>(stream, line, {});
@@ -109,7 +111,7 @@ void curves(Checks &checks, const Columns4 &example) {
     if (points[k][0] > 0.76)
       checks.near("curve: pressure", pressure[k][0], -p(points[k][0]), 1e-6);
   P.add(-2. * P[0]);
-  const auto open = trace_contact(example.space, multipliers, boundary, example.U, P);
+  const auto open = trace_contact(BodyInContact<2>(example.body(), multipliers, P));
   checks.that("p_recovered is cut at zero",
               open[0].rows[0].p_H > 0. && open[0].rows[0].p_recovered == 0.);
 }

@@ -31,7 +31,7 @@ const std::string held = "subsection Boundary\nset Clamped = top\nset Contact = 
 
 std::string body_vtu(const OneLevel &level, const Displacement &U, const BoundFields &bound) {
   std::ostringstream file;
-  solution_vtu(level.space(), level.scene, U, bound, 7)(file);
+  solution_vtu(level.body(U), bound, 7)(file);
   return file.str();
 }
 
@@ -99,9 +99,7 @@ void bound(Checks &checks) {
   const LevelSolution<2> solution = level.solve();
   const std::string body = body_vtu(level, solution.contact.U, solution.bound_fields);
   std::ostringstream line;
-  write_contact_vtu<2>(line,
-                       trace_contact(level.space(), level.multipliers(), level.scene.boundary,
-                                     solution.contact.U, solution.contact.P),
+  write_contact_vtu<2>(line, trace_contact(level.body(solution.contact.U, solution.contact.P)),
                        solution.bound_fields.contact);
   const PointField mesh = read_vtu_field(body, "bound_mesh"),
                    oscillation = read_vtu_field(body, "bound_oscillation"),

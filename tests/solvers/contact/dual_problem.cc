@@ -50,7 +50,7 @@ void equilibrium(Checks &checks, const std::string &name, const DualProblem &pro
   const auto &space = problem.level.space();
   const auto P = RandomNumbers(8).vector(problem.C.m());
   const Displacement U = problem.recover(P, problem.system.f);
-  DualVector residual = internal_forces(space, problem.level.scene, U).forces;
+  DualVector residual = internal_forces(DisplacedBody(space, problem.level.scene, U)).forces;
   const double scale = residual.l2_norm();
   residual -= problem.system.loads;
   for (unsigned int tau = 0; tau < P.size(); ++tau)

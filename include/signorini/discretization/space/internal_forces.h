@@ -2,8 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/space/displacement_space.h>
-#include <signorini/problem/scene/scene.h>
+#include <signorini/discretization/space/displaced_body.h>
 
 #include <optional>
 
@@ -24,8 +23,7 @@ struct InternalForces {
 
 /** Integrates the forces. Collective. */
 template <int dim>
-InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                                    const Displacement &U);
+InternalForces<dim> internal_forces(const DisplacedBody<dim> &body);
 
 /** Returns, where the body moves as a whole, the energy norm that such a displacement has if it
  * strains the body: max|u_h| E_0^{1/2} l^{(dim-2)/2} with the unit of stiffness_unit(); max|u_h|
@@ -33,8 +31,7 @@ InternalForces<dim> internal_forces(const DisplacementSpace<dim> &space, const S
  * then, or the remainder of the linear solver. Returns none where the body is strained. Collective.
  */
 template <int dim>
-std::optional<double> norm_of_rigid_motion(const DisplacementSpace<dim> &space,
-                                           const Scene<dim> &scene, const Displacement &U);
+std::optional<double> norm_of_rigid_motion(const DisplacedBody<dim> &body);
 
 /** What errors in the energy norm are divided by (root of force x length^{dim-1}). */
 struct EnergyScale {

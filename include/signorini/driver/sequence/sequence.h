@@ -58,9 +58,8 @@ std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context) {
   return make_nested_sequence(context);
 }
 
-/** A callback that gets the number of a load case, from one on, its scene, U and P. */
-using CaseFields =
-  std::function<void(unsigned int, const Scene<2> &, const Displacement &, const Multiplier &)>;
+/** A callback that gets the number of a load case, from one on, and its solution. */
+using CaseFields = std::function<void(unsigned int, const Solved<2> &)>;
 
 /**
  * Solves the load cases of the scene on a level that is solved, on the last level with estimates of

@@ -7,7 +7,7 @@
 #include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/problem/scene/material.h>
-#include <signorini/solvers/methods/contact_method.h>
+#include <signorini/solvers/methods/solved.h>
 
 namespace Signorini {
 /** The residuals of (5) for (U, P), relative to the scene's own scales. */
@@ -62,11 +62,10 @@ struct Certificate {
 /**
  * Computes the certificate from the cells' integrals, without the assembled and factorised A.
  * Collective.
- * @param scene with its plates moved. @param forces of U and P, see nodal_forces().
+ * @param forces of U and P, see nodal_forces().
  */
 template <int dim>
-Certificate certify(const Discretization<dim> &discretization, const Scene<dim> &scene,
-                    const ContactSolution<dim> &contact, const NodalForces &forces);
+Certificate certify(const Solved<dim> &solved, const NodalForces &forces);
 
 /**
  * Returns the locking number K/μ (h/l)² with the largest ratio of bulk to shear modulus K =

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/space/displacement_space.h>
-#include <signorini/discretization/space/multiplier_space.h>
+#include <signorini/discretization/space/displaced_body.h>
 
 namespace Signorini {
 /** Returns a modulus for the energy of all strains but those that incompressible bodies avoid, the
@@ -32,6 +31,5 @@ double softer_modulus(const Scene<dim> &scene, const Point<dim> &x);
  * @throws InputError where g has no value. Collective.
  */
 template <int dim>
-double contact_part(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
-                    const Scene<dim> &scene, const Displacement &U, const Pressure &P);
+double contact_part(const BodyInContact<dim> &body);
 } // namespace Signorini

@@ -51,8 +51,7 @@ struct ErrorEstimate {
  * Mesh::has_parents(). Runs on all threads given, and the sums do not depend on their number.
  * Collective. */
 template <int dim>
-ErrorEstimate estimate_error(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                             const Displacement &U, const EnergyScale &scale,
+ErrorEstimate estimate_error(const DisplacedBody<dim> &body, const EnergyScale &scale,
                              const PressureCorrection &correction = {},
                              const OtherErrors &others = {});
 

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/space/displacement_space.h>
-#include <signorini/discretization/space/multiplier_space.h>
-#include <signorini/solvers/methods/contact_method.h>
+#include <signorini/solvers/methods/solved.h>
 
 namespace Signorini {
 /** The correction z_h in V^h of u_h for p_H being constant on patches, and its energy norm. */
@@ -38,6 +36,5 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
  * difference. Collective.
  */
 template <int dim>
-PressureCorrection correct_pressure(const Discretization<dim> &discretization,
-                                    const Scene<dim> &scene, const ContactSolution<dim> &contact);
+PressureCorrection correct_pressure(const Solved<dim> &solved);
 } // namespace Signorini

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/space/displacement_space.h>
+#include <signorini/discretization/space/displaced_body.h>
 
 #include <vector>
 
@@ -26,8 +26,7 @@ struct CellIndicator {
  * not a bound. (Decay of Legendre coefficients as a measure of smoothness: C. Mavriplis, Comput.
  * Methods Appl. Mech. Eng. 116 (1994) 77-86; P. Houston, E. Suli, ibid. 194 (2005) 229-243.)
  */
-std::vector<CellIndicator> indicate(const DisplacementSpace<2> &space, const Scene<2> &scene,
-                                    const Displacement &U);
+std::vector<CellIndicator> indicate(const DisplacedBody<2> &body);
 
 /** Returns the root of the sum of the squares of the errors. */
 double total(const std::vector<CellIndicator> &indicators);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/error_control/hp/cell_indicator.h>
 
 #include <vector>
@@ -19,17 +18,12 @@ namespace Signorini {
  * that of a half-space with waves of the number π p/h. @throws InputError where g has no value.
  * @param follows for each patch whether the component follows the foundation there.
  */
-void add_contact_misfit(const DisplacementSpace<2> &space, const MultiplierSpace<2> &multipliers,
-                        const Scene<2> &scene, const Displacement &U,
-                        const std::vector<bool> &follows, Component component,
-                        std::vector<CellIndicator> &indicators);
+void add_contact_misfit(const BodyInContact<2> &body, const std::vector<bool> &follows,
+                        Component component, std::vector<CellIndicator> &indicators);
 
 /** Returns the active cells with a contact face on which the body penetrates the foundation
  * although no multiplier there or on a neighbouring face presses: the nodes of the multipliers have
  * missed the contact. Where nothing presses at all, every penetration counts, else those deeper
  * than a thousandth of the largest |u_n - g|. @throws InputError where g has no value. */
-std::vector<unsigned int> missed_contact_cells(const DisplacementSpace<2> &space,
-                                               const MultiplierSpace<2> &multipliers,
-                                               const Scene<2> &scene, const Displacement &U,
-                                               const Pressure &P);
+std::vector<unsigned int> missed_contact_cells(const BodyInContact<2> &body);
 } // namespace Signorini

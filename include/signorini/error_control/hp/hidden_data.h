@@ -27,6 +27,5 @@ struct JumpMisfit {
  * moduli, and u_h, whose strain does not jump, as the arithmetic mean E_a. Under the same stress
  * the energy of the cell is wrong by (E_a/E_h - 1) times that of u_h, which counts as error,
  * whatever the direction of the layers. @return the sum over these cells. */
-JumpMisfit add_jump_misfit(const DisplacementSpace<2> &space, const Scene<2> &scene,
-                           const Displacement &U, std::vector<CellIndicator> &indicators);
+JumpMisfit add_jump_misfit(const DisplacedBody<2> &body, std::vector<CellIndicator> &indicators);
 } // namespace Signorini

@@ -4,7 +4,7 @@
 #include <signorini/discretization/space/internal_forces.h>
 #include <signorini/error_control/hp/next_plan.h>
 #include <signorini/problem/scene/scene.h>
-#include <signorini/solvers/methods/contact_method.h>
+#include <signorini/solvers/methods/solved.h>
 
 #include <optional>
 #include <vector>
@@ -46,25 +46,18 @@ private:
   std::optional<double> last_indicator_, last_difference_;
 };
 
-/** A solution u_h and its space. */
-struct StepField {
-  const DisplacementSpace<2> &space;
-  const Displacement &U;
-};
-
 /** Returns |||u_h - v_h||| for functions on two meshes that come from the same mesh by splitting
  * cells; (force length)^{1/2}. It is integrated on the finer cell wherever one lies in the other.
- * Where curved cells are split, the maps of both cells are assumed to agree. */
-double energy_distance(const StepField &u, const StepField &v, const Scene<2> &scene);
+ * Where curved cells are split, the maps of both cells are assumed to agree. The energy is that in
+ * the scene of @p u. */
+double energy_distance(const DisplacedBody<2> &u, const DisplacedBody<2> &v);
 
 /** Examines the steps of a graded sequence one after the other. */
 class StepExamination {
 public:
-  /**
-   * @param scene must outlive the object.
-   * @param target the relative error that is aimed at.
-   */
-  StepExamination(const Scene<2> &scene, double target);
+  /** @param target the relative error that is aimed at. */
+  explicit StepExamination(const double target)
+    : target_(target) {}
 
   /**
    * Computes the indicators, the brackets of the ends of zones and the estimated error of a step.
@@ -72,9 +65,8 @@ public:
    * @param planned the factor by which the mesh was planned to reduce the error.
    * @throws InputError where g has no value.
    */
-  StepFindings examine(const Discretization<2> &discretization, const ContactSolution<2> &contact,
-                       const EnergyScale &scale, const std::optional<StepField> &before,
-                       double planned);
+  StepFindings examine(const Solved<2> &solved, const EnergyScale &scale,
+                       const std::optional<DisplacedBody<2>> &before, double planned);
 
   /** Returns whether the estimates do not fall any more, see ErrorHistory. */
   bool stagnates() const {
@@ -91,7 +83,6 @@ public:
   }
 
 private:
-  const Scene<2> &scene_;
   double target_;
   ErrorHistory history_;
 };

@@ -22,10 +22,10 @@ struct FieldSample {
   double rotation = 0.;
 };
 
-/** What samples are taken of: a solution. */
+/** The solution of which samples are taken. */
 template <int dim>
-struct SampledField {
-  SampledField(const DisplacementSpace<dim> &space, const Scene<dim> &scene, const Displacement &U);
+struct SampledField : DisplacedBody<dim> {
+  explicit SampledField(const DisplacedBody<dim> &body);
 
   /** Returns the strain at a point of a cell where a displacement, u_h or its interpolation, has
    * this value and gradient. */
@@ -33,9 +33,6 @@ struct SampledField {
                      const Point<dim> &x, const Tensor<1, dim> &value,
                      const Tensor<2, dim> &gradient) const;
 
-  const DisplacementSpace<dim> &space;
-  const Scene<dim> &scene;
-  const Displacement &U;
   /** The mean dilatations by cell; empty where the strain is that of u_h. */
   std::vector<double> dilatation;
 };

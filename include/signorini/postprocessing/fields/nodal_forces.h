@@ -44,12 +44,11 @@ struct NodalForces {
 
 /**
  * Computes the forces. Collective.
- * @param loads LinearSystem::loads. @param P all multipliers, as D has columns.
+ * @param loads LinearSystem::loads.
  */
 template <int dim>
-NodalForces nodal_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                         const DualVector &loads, const Coupling &D, const Displacement &U,
-                         const dealii::Vector<double> &P);
+NodalForces nodal_forces(const BodyInContact<dim> &body, const DualVector &loads,
+                         const Coupling &D);
 
 /** The force and the moment that act on the body through a plate (per thickness). */
 struct PlateForce {

@@ -3,7 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/space/body_measure.h>
-#include <signorini/discretization/space/displacement_space.h>
+#include <signorini/discretization/space/displaced_body.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
@@ -16,8 +16,7 @@ namespace Signorini {
  * there is no T^{2h}), in the order of active cells. With StrainOperator::mean_dilatation, means
  * over cells may alternate between neighbours, as the pressure of Q1-P0 does. */
 template <int dim>
-std::vector<double> mean_dilatations(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                                     const Displacement &U);
+std::vector<double> mean_dilatations(const DisplacedBody<dim> &body);
 
 /** The stress with all its components, also those of a 2-D body that point out of the plane
  * (force/area). */

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <signorini/base/columns.h>
-#include <signorini/discretization/space/displacement_space.h>
-#include <signorini/discretization/space/multiplier_space.h>
+#include <signorini/discretization/space/displaced_body.h>
 
 #include <optional>
 
@@ -35,8 +34,7 @@ struct DisplacementErrors {
  * @throws InputError where the exact solution has no value.
  */
 template <int dim>
-DisplacementErrors compute_displacement_errors(const DisplacementSpace<dim> &space,
-                                               const Scene<dim> &scene, const Displacement &U,
+DisplacementErrors compute_displacement_errors(const DisplacedBody<dim> &body,
                                                unsigned int n_points);
 
 /** The distances of the discrete from the exact contact pressure. */

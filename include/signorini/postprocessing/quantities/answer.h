@@ -56,13 +56,10 @@ struct Answer {
  * @throws InputError where g has no value.
  */
 template <int dim>
-std::optional<Penetration> max_penetration(const DisplacementSpace<dim> &space,
-                                           const MultiplierSpace<dim> &multipliers,
-                                           const Scene<dim> &scene, const Displacement &U);
+std::optional<Penetration> max_penetration(const DisplacedBody<dim> &body,
+                                           const ContactSurface<dim> &surface);
 
 /** Computes the answer. Collective. */
 template <int dim>
-Answer compute_answer(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                      const MultiplierSpace<dim> &multipliers, const NodalForces &forces,
-                      const Displacement &U, const Multiplier &multiplier);
+Answer compute_answer(const BodyInContact<dim> &body, const NodalForces &forces);
 } // namespace Signorini

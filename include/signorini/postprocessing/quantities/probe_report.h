@@ -40,13 +40,10 @@ std::string report_header(unsigned int dimension);
 /**
  * Reports on the probes of a scene, at the points of FieldSampler::at_nodes(), and at the points of
  * lines. Points where the material's data has no value are left out. Collective.
- * @param singular the singular edges, @p P the pressure that decides whether they grow.
+ * @param singular the singular edges; P decides whether they grow.
  * @throws InputError for a point or a line outside of the body.
  */
 template <int dim>
-std::vector<ProbeReport> report_on_probes(const DisplacementSpace<dim> &space,
-                                          const Scene<dim> &scene, const Displacement &U,
-                                          const std::vector<SingularEdge<dim>> &singular,
-                                          const MultiplierSpace<dim> &multipliers,
-                                          const Multiplier &multiplier);
+std::vector<ProbeReport> report_on_probes(const BodyInContact<dim> &body,
+                                          const std::vector<SingularEdge<dim>> &singular);
 } // namespace Signorini

@@ -2,8 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/space/displacement_space.h>
-#include <signorini/discretization/space/multiplier.h>
+#include <signorini/discretization/space/displaced_body.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/problem/scene/wedges.h>
@@ -70,8 +69,7 @@ bool any_contains(const std::vector<SingularEdge<dim>> &edges, const Point<dim> 
 template <int dim>
 std::optional<GrowthEdge> growth_at(const Point<dim> &x,
                                     const std::vector<SingularEdge<dim>> &edges,
-                                    const MultiplierSpace<dim> &multipliers,
-                                    const Multiplier &multiplier);
+                                    const BodyInContact<dim> &body);
 
 /** The largest value of a field, and where it is. */
 struct FieldMaximum {
@@ -121,6 +119,6 @@ constexpr double large_rotation = 0.1;
  * @param edges away is taken outside of them.
  */
 template <int dim>
-VonMises largest_von_mises(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                           const Displacement &U, const std::vector<SingularEdge<dim>> &edges = {});
+VonMises largest_von_mises(const DisplacedBody<dim> &body,
+                           const std::vector<SingularEdge<dim>> &edges = {});
 } // namespace Signorini

@@ -3,8 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/base/parallel.h>
-#include <signorini/discretization/space/displacement_space.h>
-#include <signorini/discretization/space/multiplier.h>
+#include <signorini/discretization/space/displaced_body.h>
 
 #include <optional>
 #include <ostream>
@@ -103,13 +102,9 @@ struct ContactPiece {
 template <int dim>
 using TracedContact = std::vector<ContactPiece<dim>>;
 
-/** Returns the contact boundary for tables and files. Collective. @param boundary the
- * gap and the exact pressure of every side. */
+/** Returns the contact boundary for tables and files. Collective. */
 template <int dim>
-TracedContact<dim> trace_contact(const DisplacementSpace<dim> &space,
-                                 const MultiplierSpace<dim> &multipliers,
-                                 const std::vector<BoundaryCondition<dim>> &boundary,
-                                 const Displacement &U, const Multiplier &P);
+TracedContact<dim> trace_contact(const BodyInContact<dim> &body);
 
 /** Writes contact-LL.csv. */
 template <int dim>

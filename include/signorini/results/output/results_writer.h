@@ -30,12 +30,10 @@ public:
 
   /** Writes contact-LL.csv, and if wanted the VTU files and the dual problem. */
   template <int dim>
-  void write_fields(const Scene<dim> &scene, const LevelResult<dim> &level);
+  void write_fields(const LevelResult<dim> &level);
 
-  /** Writes solution-case-NNNNNN.vtu and contact-case-NNNNNN.csv of a load case.
-   * @param scene the scene of the case. */
-  void write_case_fields(const Discretization<2> &discretization, const Scene<2> &scene,
-                         const Displacement &U, const Multiplier &P, unsigned int number);
+  /** Writes solution-case-NNNNNN.vtu and contact-case-NNNNNN.csv of a load case. */
+  void write_case_fields(const BodyInContact<2> &solved, unsigned int number);
   /** Writes cases.csv. */
   void write_cases(const std::vector<CaseResult> &cases);
 
@@ -69,9 +67,8 @@ private:
   /** Writes NAME.vtu, the fields in the body; where ranks share the mesh NAME.RRRR.vtu of every
    * rank, and NAME.pvtu. Collective. @return the name of the file to open. */
   template <int dim>
-  std::string write_body(const std::string &name, const DisplacementSpace<dim> &space,
-                         const Scene<dim> &scene, const Displacement &U, const BoundFields &bound,
-                         unsigned int number);
+  std::string write_body(const std::string &name, const DisplacedBody<dim> &body,
+                         const BoundFields &bound, unsigned int number);
   /** Adds a VTU file to "list.pvd". @param number its time. */
   void list_vtu(const std::string &list, unsigned int number, const std::string &file);
   void write_certificate(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict) const;

@@ -5,6 +5,7 @@
 #include <signorini/discretization/space/internal_forces.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
 #include <signorini/results/verdict/level_record.h>
+#include <signorini/solvers/methods/solved.h>
 
 #include <memory>
 #include <string>
@@ -34,6 +35,10 @@ struct LevelResult {
   /** Why the result of an earlier mesh is given again, as the last one, a clause; mostly empty. */
   std::string why_again;
 
+  /** Returns the level as others read it; the result must outlive that. */
+  Solved<dim> solved() const {
+    return {*discretization, solution.scene, solution.contact};
+  }
   PatchPressure<dim> pressure() const {
     return {discretization->surface.patches(), solution.contact.P.normal()};
   }
