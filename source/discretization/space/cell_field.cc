@@ -100,6 +100,14 @@ LineTable make_line_table(const unsigned int degree, const std::vector<double> &
   return make_line_table(basis, points);
 }
 
+Tensor<1, 2> CellField::value(const LineTable &x, const LineTable &y, const unsigned int q) const {
+  Tensor<1, 2> value;
+  for (unsigned int j = 0; j <= degree_; ++j)
+    for (unsigned int i = 0; i <= degree_; ++i)
+      value += x.values(q, i) * y.values(q, j) * values_[i + (degree_ + 1) * j];
+  return value;
+}
+
 Tensor<2, 2> CellField::gradient(const LineTable &x, const LineTable &y,
                                  const unsigned int q) const {
   Tensor<2, 2> gradient;
@@ -142,6 +150,35 @@ CellField::CellField(const DoFHandler<2>::active_cell_iterator &cell, const Disp
     const auto [component, node] = element.system_to_component_index(i);
     values_[numbers[node]][component] = nodal[i];
   }
+}
+
+TabulatedRule::TabulatedRule(Quadrature<2> rule)
+  : rule_(std::move(rule)) {
+  if (rule_.is_tensor_product()) {
+    for (unsigned int d = 0; d < 2; ++d)
+      for (const Point<1> &x : rule_.get_tensor_basis()[d].get_points())
+        coordinates_[d].push_back(x[0]);
+    return;
+  }
+  for (const Point<2> &x : rule_.get_points())
+    for (unsigned int d = 0; d < 2; ++d)
+      coordinates_[d].push_back(x[d]);
+}
+
+FieldValues<2> TabulatedRule::evaluate(const CellField &field) {
+  auto &[x, y] = lines_[field.degree()];
+  if (x.values.empty()) {
+    x = make_line_table(field.degree(), coordinates_[0]);
+    y = make_line_table(field.degree(), coordinates_[1]);
+  }
+  if (rule_.is_tensor_product())
+    return field.evaluate(x, y);
+  FieldValues<2> result;
+  for (unsigned int q = 0; q < rule_.size(); ++q) {
+    result.values.push_back(field.value(x, y, q));
+    result.gradients.push_back(field.gradient(x, y, q));
+  }
+  return result;
 }
 
 INSTANTIATE_FUNCTION(evaluate_products);

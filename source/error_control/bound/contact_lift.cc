@@ -3,15 +3,13 @@
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/discretization/space/body_measure.h>
-#include <signorini/discretization/space/cell_field.h>
+#include <signorini/discretization/space/cell_values.h>
 #include <signorini/discretization/space/internal_forces.h>
 #include <signorini/error_control/bound/contact_lift.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q.h>
 
 #include <algorithm>
 #include <cmath>
@@ -257,46 +255,22 @@ std::vector<double> LiftField::cuts(const CellIterator &cell, const unsigned int
   return cuts;
 }
 
-/** A rule on cells with the same map of the same degree. Sums over the nodes of the map in one
- * direction after the other are faster than FEValues, which tabulates maps for each rule. */
-struct LiftField::Rule {
-  Rule(const Mapping<2> &mapping, const unsigned int degree, const Quadrature<1> &x,
-       const Quadrature<1> &y)
-    : map_degree(dynamic_cast<const MappingQ<2> &>(mapping).get_degree())
-    , points(QAnisotropic<2>(x, y))
-    , lines({make_line_table(degree, positions(x)), make_line_table(degree, positions(y))})
-    , map_lines(
-        {make_line_table(map_degree, positions(x)), make_line_table(map_degree, positions(y))}) {}
-
-  static std::vector<double> positions(const Quadrature<1> &rule) {
-    std::vector<double> positions;
-    for (const Point<1> &point : rule.get_points())
-      positions.push_back(point[0]);
-    return positions;
-  }
-
-  unsigned int map_degree;
-  Quadrature<2> points;
-  std::array<LineTable, 2> lines, map_lines;
-};
-
-double LiftField::energy(const CellIterator &cell, const Rule &rule, FEValues<2> &nodes) const {
-  nodes.reinit(static_cast<const Triangulation<2>::active_cell_iterator &>(cell));
+double LiftField::energy(const CellIterator &cell, TabulatedRule &rule,
+                         const std::vector<Point<2>> &map_nodes) const {
+  // Sums over the nodes of the map in one direction after the other are faster than FEValues, which
+  // tabulates maps for each rule.
   std::vector<Tensor<1, 2>> from_first;
-  for (const Point<2> &x : nodes.get_quadrature_points())
-    from_first.push_back(x - nodes.quadrature_point(0));
-  FieldValues<2> map;
-  evaluate_products<2>(from_first, {&rule.map_lines[0], &rule.map_lines[1]}, map);
-  std::vector<Tensor<2, 2>> gradients =
-                              CellField(cell, w_h_).gradients(rule.lines[0], rule.lines[1]),
-                            inverse;
+  for (const Point<2> &x : map_nodes)
+    from_first.push_back(x - map_nodes[0]);
+  const FieldValues<2> map = rule.evaluate(CellField(maps_.degree(), from_first));
+  std::vector<Tensor<2, 2>> gradients = rule.evaluate(CellField(cell, w_h_)).gradients, inverse;
   for (std::size_t q = 0; q < gradients.size(); ++q) {
     inverse.push_back(invert(map.gradients[q]));
     gradients[q] = gradients[q] * inverse[q];
   }
   const auto [begin, end] = columns_.equal_range(cell->active_cell_index());
   for (std::size_t q = 0; q < gradients.size(); ++q) {
-    const Point<2> &x = rule.points.point(q);
+    const Point<2> &x = rule.rule().point(q);
     for (auto entry = begin; entry != end; ++entry) {
       const auto &[face, face_no, component, depth] = entry->second;
       const unsigned int across = face_no / 2;
@@ -318,8 +292,8 @@ double LiftField::energy(const CellIterator &cell, const Rule &rule, FEValues<2>
   EnergyMeasure<2> measure(data_.scene);
   double sum = 0.;
   for (std::size_t q = 0; q < gradients.size(); ++q)
-    sum += measure.at(nodes.quadrature_point(0) + map.values[q]).density(strain_of(gradients[q])) *
-           rule.points.weight(q) * determinant(map.gradients[q]);
+    sum += measure.at(map_nodes[0] + map.values[q]).density(strain_of(gradients[q])) *
+           rule.rule().weight(q) * determinant(map.gradients[q]);
   return sum;
 }
 
@@ -358,11 +332,11 @@ dealii::Vector<double> LiftField::cell_energies() const {
     return (constant ? std::max(is_cut ? 2U : 1U, degree) + 1 : degree + 3) +
            (data_.space.mesh().is_curved() ? 3 : 0);
   };
-  // The rules of cells that are not cut, by degree and map; that of the last one that is cut.
-  std::map<std::pair<unsigned int, const Mapping<2> *>, std::unique_ptr<Rule>> rules;
-  // The nodes of maps, also by map.
+  // The rules of cells that are not cut, by degree; that of the last one that is cut.
+  std::map<unsigned int, std::unique_ptr<TabulatedRule>> rules;
   const FE_Nothing<2> no_functions;
-  std::map<const Mapping<2> *, std::unique_ptr<FEValues<2>>> nodes;
+  ValuesCache<2> nodes(update_quadrature_points,
+                       [](const unsigned int degree) { return QGaussLobatto<2>(degree + 1); });
   dealii::Vector<double> energies(n_cells), nodal;
   for (const auto &cell : data_.space.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned())
@@ -381,21 +355,18 @@ dealii::Vector<double> LiftField::cell_energies() const {
     }
     const bool is_cut = x.size() > 2 || y.size() > 2;
     const unsigned int degree = cell->get_fe().degree;
-    const Mapping<2> &map = maps_.of(cell);
-    std::unique_ptr<Rule> &rule = rules[{is_cut ? 0 : degree, &map}];
+    std::unique_ptr<TabulatedRule> &rule = rules[is_cut ? 0 : degree];
     if (is_cut || rule == nullptr) {
       // On parts of half the size, one point less has the same effect.
       constexpr int least = 6;
       const int n_gauss = n_points(degree, is_cut);
       const QGauss<1> gauss(std::max(std::min(least, n_gauss), n_gauss - std::ilogb(n_equal)));
-      rule =
-        std::make_unique<Rule>(map, degree, split_quadrature(gauss, x), split_quadrature(gauss, y));
+      rule = std::make_unique<TabulatedRule>(
+        QAnisotropic<2>(split_quadrature(gauss, x), split_quadrature(gauss, y)));
     }
-    std::unique_ptr<FEValues<2>> &values = nodes[&map];
-    if (values == nullptr)
-      values = std::make_unique<FEValues<2>>(
-        map, no_functions, QGaussLobatto<2>(rule->map_degree + 1), update_quadrature_points);
-    energies[cell->active_cell_index()] = energy(cell, *rule, *values);
+    const FEValues<2> &map = nodes.reinit(maps_.of(cell), no_functions, maps_.degree(),
+                                          Triangulation<2>::cell_iterator(cell));
+    energies[cell->active_cell_index()] = energy(cell, *rule, map.get_quadrature_points());
   }
   return energies;
 }

@@ -2,76 +2,64 @@
 // The misfit on a mesh of its own: the integrals of u_h and π^{2h} u_h that it needs.
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
-#include <signorini/discretization/space/body_measure.h>
-#include <signorini/discretization/space/cell_field.h>
-#include <signorini/discretization/space/cell_values.h>
 #include <signorini/error_control/equilibration/carrier.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/equilibration/energy_misfit.h>
 #include <signorini/error_control/equilibration/law.h>
 #include <signorini/error_control/equilibration/oscillation.h>
 #include <signorini/error_control/equilibration/triangle_parts.h>
-#include <signorini/postprocessing/fields/patch_interpolation.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <memory>
 #include <utility>
 
 namespace Signorini {
 namespace {
-/** Visits the points of cells with u_h and, where cells have parents, π^{2h} u_h. */
+/** Returns u_h and, where cells have parents, π^{2h} u_h. */
+std::vector<EvaluatedField> fields_of(const BoundData &data) {
+  std::vector<EvaluatedField> fields = {{&data.U}};
+  if (data.space.mesh().has_parents())
+    fields.push_back({&data.U, 1});
+  return fields;
+}
+
+/** Visits the points of cells with these fields. */
 class FieldVisitor {
 public:
-  using Cell = DoFHandler<2>::active_cell_iterator;
-
-  /** @param load_degree that of polynomials which are multiplied with the fields. */
-  FieldVisitor(const BoundData &data, const Kinks<2> &kinks, const ExactMaps &maps,
-               const unsigned int load_degree = 0)
+  FieldVisitor(const BoundData &data, const Kinks<2> &kinks, const ExactMaps &maps)
     : data_(data)
     , kinks_(kinks)
     , maps_(maps)
-    , load_degree_(load_degree) {
-    for (unsigned int k = 0; k < n_fields(data) && !data.space.mesh().is_graded(); ++k)
-      fields_.emplace_back(data.space, data.U, QGauss<2>(n_points(data.space.element().degree)), k);
-  }
-  static unsigned int n_fields(const BoundData &data) {
-    return data.space.mesh().has_parents() ? 2 : 1;
-  }
-  /** Calls visit(values, weights, fields, is_rough) for the points of all smooth parts of a cell at
-   * once, and for those of each rough one. */
+    , u_(evaluator_of(data, fields_of(data), maps)) {}
+  /** Calls visit(evaluator, is_rough) for the points of all smooth parts of a cell at once, and for
+   * those of each rough one. @param load_degree that of polynomials which are multiplied with the
+   * fields. */
   template <typename Visitor>
-  void operator()(const Cell &cell, const Visitor &visit) {
+  void operator()(const DoFHandler<2>::active_cell_iterator &cell, const unsigned int load_degree,
+                  const Visitor &visit) {
+    const unsigned int n = n_points(cell->get_fe().degree, load_degree);
     const bool is_curved = data_.space.mesh().is_curved();
     if (is_curved ? !varies_fast(kinks_, cell) : !needs_cuts<2>(kinks_, cell)) {
-      FEValues<2> &values = values_on(cell);
-      values.reinit(cell);
-      visit(values, values.get_JxW_values(), fields_at(cell, values, true), false);
+      u_.reinit(cell, n);
+      visit(u_, false);
       return;
     }
     // On curved bodies data is smooth in its boxes, or the bound is an estimate.
     if (is_curved) {
-      const Mapping<2> &map = maps_.of(cell);
-      FEValues<2> values(map, data_.space.element(cell),
-                         cut_quadrature(kinks_, cell, n_points(cell->get_fe().degree), map),
-                         flags_);
-      values.reinit(cell);
-      visit(values, values.get_JxW_values(), fields_at(cell, values), false);
+      u_.reinit_once(cell, cut_quadrature(kinks_, cell, n, maps_.of(cell)));
+      visit(u_, false);
       return;
     }
     const auto visit_points = [&](const std::vector<Point<2>> &points,
                                   const std::vector<double> &weights, const bool is_rough) {
       if (points.empty())
         return;
-      FEValues<2> values(StaticMappingQ1<2>::mapping, data_.space.element(), Quadrature<2>(points),
-                         flags_);
-      values.reinit(cell);
-      visit(values, weights, fields_at(cell, values), is_rough);
+      u_.reinit_once(cell, Quadrature<2>(points, weights));
+      visit(u_, is_rough);
     };
     const QWitherdenVincentSimplex<2> rule(3);
     const CellShape shape(corners_of(cell));
@@ -89,83 +77,22 @@ public:
   }
 
 private:
-  using Fields = std::vector<const FieldValues<2> *>;
-
-  const UpdateFlags flags_ = update_values | update_gradients | update_inverse_jacobians |
-                             update_JxW_values | update_quadrature_points;
-
   /** Returns the number of points per direction: for products of functions of degree two on
    * parallelograms; more where maps or the law vary, or a load that is integrated itself. */
-  unsigned int n_points(const unsigned int degree) const {
-    const unsigned int of_fields = degree << (n_fields(data_) - 1),
+  unsigned int n_points(const unsigned int degree, const unsigned int load_degree) const {
+    const unsigned int of_fields = degree << (data_.space.mesh().has_parents() ? 1 : 0),
                        n = std::max(of_fields +
                                       (data_.scene.material->is_constant_on_cells() ? 1 : 3),
-                                    (of_fields + load_degree_ + 1) / 2 + 1);
+                                    (of_fields + load_degree + 1) / 2 + 1);
     if (!EquilibrationMesh::aligns(data_) && data_.scene.body_force != nullptr)
       return n + 6;
     return data_.space.mesh().is_curved() ? n + 2 : n;
-  }
-  FEValues<2> &values_on(const Cell &cell) {
-    const Mapping<2> &map = maps_.of(cell);
-    const unsigned int degree = cell->get_fe().degree;
-    auto &values = values_[{degree, &map}];
-    if (values == nullptr)
-      values = std::make_unique<FEValues<2>>(map, data_.space.element(cell),
-                                             QGauss<2>(n_points(degree)), flags_);
-    return *values;
-  }
-  /** @param is_gauss whether the points are those of Gauss' rule. */
-  Fields fields_at(const Cell &cell, const FEValues<2> &values, const bool is_gauss = false) {
-    Fields fields;
-    if (data_.space.mesh().is_graded()) {
-      if (is_gauss)
-        evaluate_at_gauss(cell, values);
-      else
-        evaluate_by_shapes(cell, values);
-      return {&graded_};
-    }
-    for (auto &field : fields_)
-      fields.push_back(&field.evaluate(cell, values));
-    return fields;
-  }
-  void evaluate_at_gauss(const Cell &cell, const FEValues<2> &values) {
-    const unsigned int degree = cell->get_fe().degree;
-    LineTable &table = tables_[degree];
-    if (table.values.empty()) {
-      std::vector<double> positions;
-      const QGauss<1> gauss(n_points(degree));
-      for (const Point<1> &x : gauss.get_points())
-        positions.push_back(x[0]);
-      table = make_line_table(degree, positions);
-    }
-    graded_ = CellField(cell, data_.U).evaluate(table, table);
-    for (const unsigned int q : values.quadrature_point_indices())
-      graded_.gradients[q] = graded_.gradients[q] * Tensor<2, 2>(values.inverse_jacobian(q));
-  }
-  void evaluate_by_shapes(const Cell &cell, const FEValues<2> &values) {
-    const auto &element = cell->get_fe();
-    dealii::Vector<double> nodal(element.n_dofs_per_cell());
-    cell->get_dof_values(data_.U, nodal);
-    graded_.values.assign(values.n_quadrature_points, {});
-    graded_.gradients.assign(values.n_quadrature_points, {});
-    for (unsigned int i = 0; i < nodal.size(); ++i)
-      for (const unsigned int q : values.quadrature_point_indices()) {
-        const unsigned int c = element.system_to_component_index(i).first;
-        graded_.values[q][c] += nodal[i] * values.shape_value(i, q);
-        graded_.gradients[q][c] += nodal[i] * values.shape_grad(i, q);
-      }
   }
 
   const BoundData &data_;
   const Kinks<2> kinks_;
   const ExactMaps &maps_;
-  const unsigned int load_degree_;
-  /** By the degree of the element, and the map. */
-  std::map<std::pair<unsigned int, const Mapping<2> *>, std::unique_ptr<FEValues<2>>> values_;
-  /** On graded meshes: the polynomials at the points by degree, and u_h on a cell. */
-  std::map<unsigned int, LineTable> tables_;
-  FieldValues<2> graded_;
-  std::vector<PatchInterpolation<2>> fields_;
+  CellEvaluator<2> u_;
 };
 
 /** The energies on the cells of a chunk, and the norms of π^{2h} u_h - u_h or of u_h. */
@@ -176,21 +103,19 @@ struct ChunkEnergies {
 
 /** Returns the energies of u_h, of the last field and of their difference, or of u_h, on a part of
  * a cell; from above where the law is rough. */
-std::array<double, 3> energies(EnergyMeasure<2> &measure, const FEValues<2> &values,
-                               const std::vector<double> &weights,
-                               const std::vector<const FieldValues<2> *> &fields,
-                               const bool is_rough) {
+std::array<double, 3> energies(EnergyMeasure<2> &measure, const CellEvaluator<2> &u,
+                               const unsigned int last, const bool is_rough) {
   std::array<double, 3> sums = {{0., 0., 0.}}, largest = sums;
   double area = 0.;
-  for (std::size_t q = 0; q < weights.size(); ++q) {
-    measure.at(values.quadrature_point(q));
-    const Tensor<2, 2> &of_u = fields[0]->gradients[q], &of_last = fields.back()->gradients[q];
+  for (unsigned int q = 0; q < u.size(); ++q) {
+    measure.at(u.points()[q]);
+    const Tensor<2, 2> of_u = u.gradient(q), of_last = u.gradient(q, last);
     const std::array<Tensor<2, 2>, 3> gradients = {
-      {of_u, of_last, fields.size() == 2 ? of_last - of_u : of_u}};
-    area += weights[q];
+      {of_u, of_last, last > 0 ? of_last - of_u : of_u}};
+    area += u.measure(q);
     for (unsigned int k = 0; k < 3; ++k) {
       const double density = measure.density(strain_of(gradients[k]));
-      sums[k] += weights[q] * density;
+      sums[k] += u.measure(q) * density;
       largest[k] = std::max(largest[k], density);
     }
   }
@@ -217,7 +142,7 @@ EnergyMisfit::EnergyMisfit(const BoundData &data)
   , translation_(displacement_of_smallest_cell(data))
   , distances_(data.space.mesh().triangulation().n_active_cells()) {
   find_bubbles();
-  for (unsigned int k = 0; k < FieldVisitor::n_fields(data); ++k)
+  for (std::size_t k = 0; k < fields_of(data).size(); ++k)
     fields_.push_back({0., k == 0 ? PrescribedLift(data) : PrescribedLift(data, bubbles_), 0.});
   integrate_energies();
   add_lifts();
@@ -249,10 +174,8 @@ void EnergyMisfit::integrate_energies() {
       ChunkEnergies chunk;
       for (const auto &cell : cells) {
         double distance = 0.;
-        visit(cell, [&](const auto &values, const auto &weights, const auto &fields,
-                        const bool is_rough) {
-          const auto [first, last, difference] =
-            energies(measure, values, weights, fields, is_rough);
+        visit(cell, 0, [&](const CellEvaluator<2> &u, const bool is_rough) {
+          const auto [first, last, difference] = energies(measure, u, fields_.size() - 1, is_rough);
           chunk.strain[0] += first;
           chunk.strain[1] += last;
           distance += difference;
@@ -276,20 +199,12 @@ void EnergyMisfit::integrate_energies() {
 void EnergyMisfit::add_lifts() {
   for (unsigned int k = 0; k < fields_.size(); ++k) {
     double square = 0.;
-    fields_[k].lift.visit_cells(data_, maps_, [&](const LiftedCell &lifted) {
+    fields_[k].lift.visit_cells(data_, k, maps_, [&](const LiftedCell &lifted) {
       square += lifted.energy();
-      std::vector<Tensor<2, 2>> gradients(lifted.places.size());
-      if (k == 0)
-        lifted.values[FEValuesExtractors::Vector(0)].get_function_gradients(data_.U.entries(),
-                                                                            gradients);
-      else
-        gradients = PatchInterpolation<2>(data_.space, data_.U, Quadrature<2>(), k)
-                      .evaluate(lifted.cell, lifted.values)
-                      .gradients;
-      for (std::size_t q = 0; q < gradients.size(); ++q)
+      for (unsigned int q = 0; q < lifted.u.size(); ++q)
         fields_[k].strain +=
           lifted.places[q].weight *
-          ((components_of(strain_of(gradients[q])) * 2. + lifted.places[q].strain) *
+          ((components_of(strain_of(lifted.u.gradient(q))) * 2. + lifted.places[q].strain) *
            lifted.places[q].stress);
     });
     fields_[k].lift_norm = std::sqrt(square);
@@ -331,17 +246,16 @@ void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const Equilibra
     [&](const Cells<2> &cells) {
       // f_K is smooth in cells of u_h, but may have a higher degree than the fields.
       const Kinks<2> &kinks = is_aligned() ? none : data_.scene.kinks;
-      std::map<unsigned int, FieldVisitor> visitors;
+      FieldVisitor visit(data_, kinks, maps_);
       Sums sums = {{0., 0.}};
       for (const auto &cell : cells) {
         const unsigned int degree =
           is_aligned() ? stress.fits[mesh.find(cell)->active_cell_index()].load_degree() : 0;
-        auto &visit = visitors.try_emplace(degree, data_, kinks, maps_, degree).first->second;
-        visit(cell, [&](const auto &values, const auto &weights, const auto &fields, bool) {
-          const auto f = force(mesh, stress, cell, values.get_quadrature_points());
-          for (std::size_t k = 0; k < fields.size(); ++k)
-            for (std::size_t q = 0; q < weights.size(); ++q)
-              sums[k] += weights[q] * (f[q] * (fields[k]->values[q] - translation_));
+        visit(cell, degree, [&](const CellEvaluator<2> &u, bool) {
+          const auto f = force(mesh, stress, cell, u.points());
+          for (std::size_t k = 0; k < fields_.size(); ++k)
+            for (unsigned int q = 0; q < u.size(); ++q)
+              sums[k] += u.measure(q) * (f[q] * (u.value(q, k) - translation_));
         });
       }
       return sums;
@@ -352,8 +266,8 @@ void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const Equilibra
     });
   for (std::size_t k = 0; k < works.size(); ++k) {
     works[k].load = Utilities::MPI::sum(works[k].load, data_.space.mesh().communicator());
-    fields_[k].lift.visit_cells(data_, maps_, [&](const LiftedCell &lifted) {
-      const auto f = force(mesh, stress, lifted.cell, lifted.values.get_quadrature_points());
+    fields_[k].lift.visit_cells(data_, k, maps_, [&](const LiftedCell &lifted) {
+      const auto f = force(mesh, stress, lifted.u.cell(), lifted.u.points());
       for (std::size_t q = 0; q < f.size(); ++q)
         works[k].load += lifted.places[q].weight * (f[q] * lifted.places[q].z);
     });

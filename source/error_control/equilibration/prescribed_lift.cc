@@ -2,8 +2,6 @@
 // The rest of the nodal interpolation of prescribed displacements.
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
-#include <signorini/discretization/space/body_measure.h>
-#include <signorini/discretization/space/cell_field.h>
 #include <signorini/error_control/equilibration/law.h>
 #include <signorini/error_control/equilibration/prescribed_lift.h>
 #include <signorini/error_control/equilibration/triangle_parts.h>
@@ -125,9 +123,11 @@ std::array<double, 2> PrescribedLift::EdgeRest::coordinates(const Point<2> &at) 
   return {{k < 2 ? along : 1. - along, k % 3 == 0 ? behind : 1. - behind}};
 }
 
-void PrescribedLift::visit_cells(const BoundData &data, const ExactMaps &maps,
+void PrescribedLift::visit_cells(const BoundData &data, const unsigned int n_generations,
+                                 const ExactMaps &maps,
                                  const std::function<void(const LiftedCell &)> &visit) const {
   const Quadrature<2> rule = triangle_rule(16);
+  CellEvaluator<2> u = evaluator_of(data, {{&data.U, n_generations}}, maps);
   for (const auto &cell : data.space.dofs().active_cell_iterators()) {
     const auto found = rests_.find(cell->active_cell_index());
     if (found == rests_.end())
@@ -139,28 +139,22 @@ void PrescribedLift::visit_cells(const BoundData &data, const ExactMaps &maps,
          triangle_parts(shape, data.scene.law_kinks.with_lines(lines(found->second, shape))))
       for (const TrianglePart &part : parts)
         add_points(rule, part.corners, shape, points, weights);
-    for (std::size_t q = 0; q < points.size(); ++q)
-      weights[q] /= determinant(shape.jacobian(CellFunctions(points[q])));
-    FEValues<2> values(maps.of(cell), data.space.element(cell), Quadrature<2>(points, weights),
-                       update_gradients | update_inverse_jacobians | update_JxW_values |
-                         update_quadrature_points);
-    values.reinit(cell);
-    LiftedCell lifted = {cell, values, {}};
-    for (std::size_t q = 0; q < points.size(); ++q) {
-      const Tensor<2, 2> inverse(values.inverse_jacobian(q));
+    u.reinit_once(cell, Quadrature<2>(points, weights));
+    LiftedCell lifted = {u, {}};
+    for (unsigned int q = 0; q < u.size(); ++q) {
       Tensor<1, 2> z;
-      Tensor<2, 2> gradient;
+      // With respect to the reference coordinates: a row for each of these.
+      Tensor<2, 2> derivatives;
       for (const EdgeRest &rest : found->second) {
         const auto [s, depth] = rest.coordinates(points[q]);
         const Tensor<1, 2> r = rest.evaluate(s, false);
         z += (1. - depth) * r;
-        gradient += (rest.k < 2 ? 1. : -1.) * (1. - depth) *
-                      outer_product(rest.evaluate(s, true), inverse[rest.k % 2]) -
-                    (rest.k % 3 == 0 ? 1. : -1.) * outer_product(r, inverse[1 - rest.k % 2]);
+        derivatives[rest.k % 2] += (rest.k < 2 ? 1. : -1.) * (1. - depth) * rest.evaluate(s, true);
+        derivatives[1 - rest.k % 2] -= (rest.k % 3 == 0 ? 1. : -1.) * r;
       }
-      const Law law(data.scene.material->hooke(values.quadrature_point(q)));
-      const Components strain = components_of(strain_of(gradient));
-      lifted.places.push_back({values.JxW(q), z, strain, law.stiffness * strain});
+      const Law law(data.scene.material->hooke(u.points()[q]));
+      const Components strain = components_of(strain_of(u.in_body(transpose(derivatives), q)));
+      lifted.places.push_back({u.measure(q), z, strain, law.stiffness * strain});
     }
     visit(lifted);
   }

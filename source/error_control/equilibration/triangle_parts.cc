@@ -36,7 +36,8 @@ void add_points(const Quadrature<2> &rule, const Triangle &part, const CellShape
                 std::vector<Point<2>> &points, std::vector<double> &weights) {
   for (unsigned int q = 0; q < rule.size(); ++q) {
     points.push_back(shape.reference(point_of(part, rule.point(q)) - shape.corners[0]));
-    weights.push_back(rule.weight(q) * twice_area(part));
+    weights.push_back(rule.weight(q) * twice_area(part) /
+                      determinant(shape.jacobian(CellFunctions(points.back()))));
   }
 }
 } // namespace Signorini

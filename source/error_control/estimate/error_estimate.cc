@@ -3,15 +3,10 @@
 // the error of the mesh.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/space/body_measure.h>
-#include <signorini/discretization/space/cell_values.h>
+#include <signorini/discretization/space/cell_evaluator.h>
 #include <signorini/error_control/estimate/error_estimate.h>
-#include <signorini/postprocessing/fields/patch_interpolation.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,50 +31,52 @@ public:
   Distance(const DisplacementSpace<dim> &space, const Scene<dim> *const scene,
            const std::vector<const Displacement *> &displacements, const unsigned int fine)
     : scene_(scene)
-    , map_(space.mesh().mapping(), no_element_, QGauss<dim>(2 * space.element().degree + 1),
-           update_inverse_jacobians | update_JxW_values | update_quadrature_points) {
+    , n_displacements_(displacements.size())
+    , n_points_(2 * space.element().degree + 1)
+    , u_(space, fields_of(displacements, fine)) {
     if (scene != nullptr)
       energy_.emplace(*scene);
-    for (const Displacement *const U : displacements)
-      for (const unsigned int generations : {fine, fine - 1})
-        fields_.emplace_back(space, *U, map_.get_quadrature(), generations);
   }
   Squares integrate(const CellIterator &cell) {
-    map_.reinit(typename Triangulation<dim>::cell_iterator(cell));
+    u_.reinit(cell, n_points_);
     Squares sum;
-    for (std::size_t k = 0; 2 * k < fields_.size(); ++k) {
-      const FieldValues<dim> &v = fields_[2 * k].on_reference_cell(cell),
-                             &w = fields_[2 * k + 1].on_reference_cell(cell);
-      for (const unsigned int q : map_.quadrature_point_indices())
-        add(k, q, v.values[q] - w.values[q],
-            (v.gradients[q] - w.gradients[q]) * Tensor<2, dim>(map_.inverse_jacobian(q)), sum);
+    for (unsigned int k = 0; k < n_displacements_; ++k) {
+      const FieldValues<dim> &v = u_.on_reference_cell(2 * k), &w = u_.on_reference_cell(2 * k + 1);
+      for (unsigned int q = 0; q < u_.size(); ++q)
+        add(k, q, v.values[q] - w.values[q], u_.in_body(v.gradients[q] - w.gradients[q], q), sum);
     }
     return sum;
   }
 
 private:
+  /** Returns v and w of the first displacement, of the second, ... */
+  static std::vector<EvaluatedField>
+  fields_of(const std::vector<const Displacement *> &displacements, const unsigned int fine) {
+    std::vector<EvaluatedField> fields;
+    for (const Displacement *const U : displacements)
+      fields.insert(fields.end(), {{U, fine}, {U, fine - 1}});
+    return fields;
+  }
   /** Adds what a point contributes to the integrals of a displacement. */
   void add(const unsigned int k, const unsigned int q, const Tensor<1, dim> &value,
            const Tensor<2, dim> &gradient, Squares &sum) {
-    const Point<dim> &x = map_.quadrature_point(q);
-    const double dx = measure_at(map_, q);
+    const Point<dim> &x = u_.points()[q];
+    const double dx = u_.measure(q);
     if (k == 0) {
       sum[0] += value.norm_square() * dx;
       sum[1] += (scene_ == nullptr ? gradient.norm_square()
                                    : gradient_square(scene_->geometry, x, value, gradient)) *
                 dx;
     }
-    if (scene_ != nullptr && 2 * k + 2 == fields_.size())
+    if (scene_ != nullptr && k + 1 == n_displacements_)
       sum[2] += energy_->at(x).density(value, gradient) * dx;
   }
 
   /** Null, and empty, if energies are not wanted. */
   const Scene<dim> *const scene_;
   std::optional<EnergyMeasure<dim>> energy_;
-  const FE_Nothing<dim> no_element_;
-  FEValues<dim> map_;
-  /** v and w of the first displacement, of the second, ... */
-  std::vector<PatchInterpolation<dim>> fields_;
+  const unsigned int n_displacements_, n_points_;
+  CellEvaluator<dim> u_;
 };
 
 /** Returns the sums over all ranks; the parts of the threads are added up in the order of cells. */

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // What steps predict for the next one.
 
-#include <signorini/discretization/space/body_measure.h>
-#include <signorini/discretization/space/cell_field.h>
+#include <signorini/discretization/space/cell_evaluator.h>
 #include <signorini/discretization/space/internal_forces.h>
 #include <signorini/error_control/hp/contact_misfit.h>
 #include <signorini/error_control/hp/hidden_data.h>
@@ -11,14 +10,11 @@
 #include <signorini/problem/scene/contradictions.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_nothing.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 
 namespace Signorini {
 double ErrorHistory::add(const double indicator, const std::optional<double> &difference,
@@ -65,65 +61,31 @@ struct Window {
   }
 };
 
-/** Integrates over cells on which one function is given on the cell and the other on a cell that
- * contains it. */
-class DistanceIntegrals {
-public:
-  explicit DistanceIntegrals(const Scene<2> &scene)
-    : measure_(scene) {}
+/** Returns the points of Gauss' rule on a window. */
+Quadrature<2> gauss_on(const Window &window, const unsigned int n) {
+  // Newton's method finds the points in long double: once for every n.
+  thread_local std::map<unsigned int, QGauss<2>> rules;
+  std::array<std::vector<Point<1>>, 2> points;
+  for (const Point<1> &x : rules.try_emplace(n, n).first->second.get_tensor_basis()[0].get_points())
+    for (unsigned int d = 0; d < 2; ++d)
+      points[d].emplace_back(window.corner[d] + window.edge * x[0]);
+  return QAnisotropic<2>(Quadrature<1>(points[0]), Quadrature<1>(points[1]));
+}
 
-  double integrate(const Mesh<2> &mesh, const Triangulation<2>::active_cell_iterator &cell,
-                   const CellField &on_cell, const CellField &on_ancestor, const Window &window) {
-    const unsigned int n = std::max(on_cell.degree(), on_ancestor.degree()) + 1;
-    const FEValues<2> &values = values_on(mesh, n, cell);
-    const LineTable &table = table_on_cell(on_cell.degree(), n);
-    const FieldValues<2> fine = on_cell.evaluate(table, table);
-    const auto part = [&](const unsigned int d) {
-      return make_line_table(on_ancestor.degree(), points_of(n, window.corner[d], window.edge));
-    };
-    const FieldValues<2> coarse = on_ancestor.evaluate(part(0), part(1));
-    double energy = 0.;
-    for (const unsigned int q : values.quadrature_point_indices())
-      energy +=
-        measure_at(values, q) * measure_.at(values.quadrature_point(q))
-                                  .density(fine.values[q] - coarse.values[q],
-                                           (fine.gradients[q] - window.edge * coarse.gradients[q]) *
-                                             Tensor<2, 2>(values.inverse_jacobian(q)));
-    return energy;
-  }
-
-private:
-  static std::vector<double> points_of(const unsigned int n, const double from, const double edge) {
-    // Newton's method finds the points in long double: once for every n.
-    thread_local std::map<unsigned int, QGauss<1>> rules;
-    std::vector<double> points;
-    for (const Point<1> &x : rules.try_emplace(n, n).first->second.get_points())
-      points.push_back(from + edge * x[0]);
-    return points;
-  }
-  const LineTable &table_on_cell(const unsigned int degree, const unsigned int n) {
-    LineTable &table = tables_[{degree, n}];
-    if (table.values.empty())
-      table = make_line_table(degree, points_of(n, 0., 1.));
-    return table;
-  }
-  const FEValues<2> &values_on(const Mesh<2> &mesh, const unsigned int n,
-                               const Triangulation<2>::active_cell_iterator &cell) {
-    auto &values = values_[{&mesh, n}];
-    if (values == nullptr)
-      values = std::make_unique<FEValues<2>>(mesh.mapping(), no_functions_, QGauss<2>(n),
-                                             update_inverse_jacobians | update_quadrature_points |
-                                               update_JxW_values);
-    values->reinit(cell);
-    return *values;
-  }
-
-  EnergyMeasure<2> measure_;
-  FE_Nothing<2> no_functions_;
-  /** The tables, by degree and number of points. */
-  std::map<std::pair<unsigned int, unsigned int>, LineTable> tables_;
-  std::map<std::pair<const Mesh<2> *, unsigned int>, std::unique_ptr<FEValues<2>>> values_;
-};
+/** Integrates the energy of the difference of two functions on a cell, the other one given on a
+ * cell that contains it. @param u is on the cell. */
+double energy_on(const CellEvaluator<2> &u, const CellField &other, const Window &window,
+                 EnergyMeasure<2> &measure, const unsigned int n_points) {
+  const FieldValues<2> &fine = u.on_reference_cell(),
+                       coarse = TabulatedRule(gauss_on(window, n_points)).evaluate(other);
+  double energy = 0.;
+  for (unsigned int q = 0; q < u.size(); ++q)
+    energy += u.measure(q) *
+              measure.at(u.points()[q])
+                .density(fine.values[q] - coarse.values[q],
+                         u.in_body(fine.gradients[q] - window.edge * coarse.gradients[q], q));
+  return energy;
+}
 
 /** Visits all active descendants of a cell with their windows in it. */
 template <typename Visitor>
@@ -138,22 +100,25 @@ void for_each_part(const MeshCell &cell, const Window &window, const Visitor &vi
 } // namespace
 
 double energy_distance(const DisplacedBody<2> &u, const DisplacedBody<2> &v) {
-  DistanceIntegrals integrals(u.scene);
+  EnergyMeasure<2> measure(u.scene);
+  CellEvaluator<2> u_h(u.space, {{&u.U}}), v_h(v.space, {{&v.U}});
   double square = 0.;
-  const auto integrate = [&](const DisplacedBody<2> &fine, const MeshCell &cell,
-                             const DisplacedBody<2> &coarse) {
+  const auto integrate = [&](CellEvaluator<2> &fine, const DisplacedBody<2> &of_fine,
+                             const MeshCell &cell, const DisplacedBody<2> &coarse) {
     return [&, cell](const auto &part, const Window &window) {
-      const CellField on_part(fine.space.dof_cell(part), fine.U);
       const CellField on_whole(coarse.space.dof_cell(cell), coarse.U);
-      square += integrals.integrate(fine.space.mesh(), part, on_part, on_whole, window);
+      const auto on_part = of_fine.space.dof_cell(part);
+      const unsigned int n_points = std::max(on_part->get_fe().degree, on_whole.degree()) + 1;
+      fine.reinit(on_part, n_points);
+      square += energy_on(fine, on_whole, window, measure, n_points);
     };
   };
   for (const auto &[in_u, in_v] : GridTools::get_finest_common_cells(
          u.space.mesh().triangulation(), v.space.mesh().triangulation()))
     if (in_u->is_active())
-      for_each_part(in_v, {}, integrate(v, in_u, u));
+      for_each_part(in_v, {}, integrate(v_h, v, in_u, u));
     else
-      for_each_part(in_u, {}, integrate(u, in_v, v));
+      for_each_part(in_u, {}, integrate(u_h, u, in_v, v));
   return std::sqrt(square);
 }
 

@@ -1,55 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The mean of tr ε(u_h), which does not alternate from cell to cell.
+// The stress with three components per direction, and the quantities that follow from it.
 
-#include <signorini/base/instantiate.h>
 #include <signorini/postprocessing/fields/stress.h>
-
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
-#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 
 namespace Signorini {
-template <int dim>
-std::vector<double> mean_dilatations(const DisplacedBody<dim> &body) {
-  const DisplacementSpace<dim> &space = body.space;
-  const QGauss<dim> gauss(2);
-  FEValues<dim> values(space.mesh().mapping(), space.element(), gauss,
-                       update_values | update_gradients | update_quadrature_points |
-                         update_JxW_values);
-  std::vector<Tensor<1, dim>> u(gauss.size());
-  std::vector<Tensor<2, dim>> gradients(gauss.size());
-  /** The integral and the volume of a parent, or of a cell. */
-  std::map<std::pair<int, int>, std::pair<double, double>> sums;
-  const auto sums_of = [&](const auto &cell) -> std::pair<double, double> & {
-    const bool by_parent = space.mesh().has_parents();
-    return sums[{cell->level(), by_parent ? cell->parent_index() : cell->index()}];
-  };
-  for (const auto &cell :
-       space.dofs().active_cell_iterators() | IteratorFilters::LocallyOwnedCell()) {
-    values.reinit(cell);
-    values[FEValuesExtractors::Vector(0)].get_function_values(body.U.entries(), u);
-    values[FEValuesExtractors::Vector(0)].get_function_gradients(body.U.entries(), gradients);
-    for (const unsigned int q : values.quadrature_point_indices()) {
-      const Point<dim> &x = values.quadrature_point(q);
-      sums_of(cell).first +=
-        strain_at(body.scene.geometry, x, u[q], gradients[q]).trace() * measure_at(values, q);
-      sums_of(cell).second += measure_at(values, q);
-    }
-  }
-  std::vector<double> means(space.mesh().triangulation().n_active_cells());
-  for (const auto &cell :
-       space.dofs().active_cell_iterators() | IteratorFilters::LocallyOwnedCell())
-    means[cell->active_cell_index()] = sums_of(cell).first / sums_of(cell).second;
-  return means;
-}
-
-// The stress with three components per direction, and the quantities that follow from it.
-
 template <int dim>
 Stress3D StressIn3D<dim>::operator()(const Point<dim> &x, const Point<dim> &middle,
                                      const Strain<dim> &strain) {
@@ -102,7 +60,6 @@ std::array<double, 3> principal_stresses(const Stress3D &given) {
   return values;
 }
 
-INSTANTIATE_FUNCTION(mean_dilatations);
 template class StressIn3D<2>;
 template class StressIn3D<3>;
 } // namespace Signorini

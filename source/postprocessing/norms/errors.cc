@@ -6,7 +6,7 @@
 #include <signorini/discretization/space/body_measure.h>
 #include <signorini/discretization/space/cell_values.h>
 #include <signorini/discretization/space/nodes.h>
-#include <signorini/postprocessing/fields/patch_interpolation.h>
+#include <signorini/discretization/space/patch_interpolation.h>
 #include <signorini/postprocessing/fields/recovered_pressure.h>
 #include <signorini/postprocessing/norms/errors.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>

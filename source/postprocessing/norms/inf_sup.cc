@@ -3,19 +3,16 @@
 // V^h as a matrix.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/discretization/space/cell_values.h>
 #include <signorini/discretization/space/linear_system.h>
 #include <signorini/postprocessing/norms/cosine_norm.h>
 #include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/solvers/contact/compliance.h>
 
-#include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/lapack_full_matrix.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <memory>
 #include <numeric>
 #include <vector>
 
@@ -39,56 +36,34 @@ unsigned int points_for_ratio(const double r, const unsigned int degree) {
   return degree + std::max(2U, static_cast<unsigned int>(n));
 }
 
-/** The shape functions at as many Gauss points as the shape of a cell needs. */
+/** Returns the ratio of the largest to the smallest determinant at the vertices. */
 template <int dim>
-class ValuesByShape {
-public:
-  explicit ValuesByShape(const Mapping<dim> &mapping)
-    : mapping_(mapping) {}
-
-  const FEValues<dim> &reinit(const typename DoFHandler<dim>::active_cell_iterator &cell) {
-    const FiniteElement<dim> &element = cell->get_fe();
-    const unsigned int n = points_for_ratio(ratio_of_determinants(cell), element.degree);
-    std::unique_ptr<FEValues<dim>> &values = values_[{element.degree, n}];
-    if (values == nullptr)
-      values = std::make_unique<FEValues<dim>>(
-        mapping_, element, QGauss<dim>(n), update_values | update_gradients | update_JxW_values);
-    values->reinit(cell);
-    return *values;
-  }
-
-private:
-  /** Returns the ratio of the largest to the smallest determinant at the vertices. */
-  static double
-  ratio_of_determinants(const typename Triangulation<dim>::active_cell_iterator &cell) {
-    using Geometry = GeometryInfo<dim>;
-    Point<dim> vertices[Geometry::vertices_per_cell];
-    Tensor<0, dim> determinants[Geometry::vertices_per_cell];
-    for (const unsigned int v : cell->vertex_indices())
-      vertices[v] = cell->vertex(v);
-    Geometry::alternating_form_at_vertices(vertices, determinants);
-    const auto [smallest, largest] =
-      std::minmax_element(std::begin(determinants), std::end(determinants));
-    return *largest / *smallest;
-  }
-
-  const Mapping<dim> &mapping_;
-  /** The values by the degree and the number of points per direction. */
-  std::map<std::pair<unsigned int, unsigned int>, std::unique_ptr<FEValues<dim>>> values_;
-};
+double ratio_of_determinants(const typename Triangulation<dim>::active_cell_iterator &cell) {
+  using Geometry = GeometryInfo<dim>;
+  Point<dim> vertices[Geometry::vertices_per_cell];
+  Tensor<0, dim> determinants[Geometry::vertices_per_cell];
+  for (const unsigned int v : cell->vertex_indices())
+    vertices[v] = cell->vertex(v);
+  Geometry::alternating_form_at_vertices(vertices, determinants);
+  const auto [smallest, largest] =
+    std::minmax_element(std::begin(determinants), std::end(determinants));
+  return *largest / *smallest;
+}
 } // namespace
 
 template <int dim>
 TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space) {
   TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
   DualVector unused = space.make_vector();
-  ValuesByShape<dim> values_by_shape(space.mesh().mapping());
+  ValuesCache<dim> cache(update_values | update_gradients | update_JxW_values);
   FullMatrix<double> cell_matrix;
   for (const auto &cell : space.dofs().active_cell_iterators()) {
     if (!cell->is_locally_owned())
       continue;
-    const FEValues<dim> &values = values_by_shape.reinit(cell);
     const FiniteElement<dim> &element = cell->get_fe();
+    const FEValues<dim> &values =
+      cache.reinit(space.mesh().mapping(), element,
+                   points_for_ratio(ratio_of_determinants<dim>(cell), element.degree), cell);
     const unsigned int n = element.n_dofs_per_cell();
     cell_matrix.reinit(n, n);
     for (unsigned int i = 0; i < n; ++i)

@@ -5,8 +5,8 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
-#include <signorini/discretization/space/cell_values.h>
-#include <signorini/postprocessing/fields/field_sampler.h>
+#include <signorini/discretization/space/cell_evaluator.h>
+#include <signorini/postprocessing/fields/stress.h>
 #include <signorini/postprocessing/quantities/probe_report.h>
 
 #include <deal.II/grid/grid_tools.h>
@@ -73,14 +73,16 @@ public:
 
   /** Returns what a chunk of cells contributes to the probes. */
   ProbeParts read_cells(const Cells<dim> &cells) const {
-    FieldSampler<dim> sampler(field_);
+    CellEvaluator<dim> u = field_.at_nodes();
+    std::vector<FieldSample<dim>> samples;
     const std::vector<Probe<dim>> &probes = field_.scene.probes;
     ProbeParts parts(probes.size());
     for (const Cell &cell : cells) {
       if (std::none_of(probes.begin(), probes.end(),
                        [&](const auto &probe) { return may_contain(probe, cell); }))
         continue;
-      const std::vector<FieldSample<dim>> &samples = sampler.at_nodes(cell);
+      u.reinit(cell, field_.space.element_number(cell));
+      field_.sample(u, samples);
       for (std::size_t i = 0; i < probes.size(); ++i) {
         const bool in_region = is_in_region(probes[i], cell);
         for (const FieldSample<dim> &sample : samples)
@@ -93,7 +95,7 @@ public:
 
   /** Returns what the cells of this rank contribute to the points of a probe. */
   ProbePart read_points(const Probe<dim> &probe, const GridTools::Cache<dim> &cache) const {
-    FieldSampler<dim> sampler(field_);
+    CellEvaluator<dim> u = field_.at_nodes();
     ProbePart part;
     for (const Point<dim> &x : probe.points) {
       const auto [found, unit] = GridTools::find_active_cell_around_point(cache, x);
@@ -101,7 +103,8 @@ public:
         continue;
       const Cell cell(&cache.get_triangulation(), found->level(), found->index(),
                       &field_.space.dofs());
-      const FieldSample<dim> sample = sampler.at(cell, unit);
+      u.reinit_once(cell, Quadrature<dim>(unit));
+      const FieldSample<dim> sample = field_.sample(u, 0);
       add_row(probe.points.front(), x, cell, sample, part);
       add_sample(cell, sample, part, probe.points.size() == 1);
     }

@@ -3,8 +3,8 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/space/cell_values.h>
-#include <signorini/postprocessing/fields/field_sampler.h>
+#include <signorini/discretization/space/cell_evaluator.h>
+#include <signorini/postprocessing/fields/stress.h>
 #include <signorini/postprocessing/quantities/von_mises.h>
 #include <signorini/problem/scene/corners.h>
 
@@ -246,11 +246,13 @@ template <int dim>
 CellResults results_of(const Cells<dim> &cells, const SampledField<dim> &field,
                        const std::vector<SingularEdge<dim>> &edges) {
   const bool at_nodes = field.space.has_several_elements();
-  FieldSampler<dim> sampler(field);
+  CellEvaluator<dim> u = field.at_nodes();
+  std::vector<FieldSample<dim>> samples;
   StressIn3D<dim> stress(*field.scene.material);
   CellResults results = no_results<dim>();
   for (const auto &cell : cells) {
-    const std::vector<FieldSample<dim>> &samples = sampler.at_nodes(cell);
+    u.reinit(cell, field.space.element_number(cell));
+    field.sample(u, samples);
     const double measure = cell->measure();
     results.measure += measure;
     if (is_large(samples[0].strain.in_body))

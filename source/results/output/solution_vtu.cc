@@ -2,12 +2,12 @@
 // The body for ParaView: displacement, its recovery, stresses, bound.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/discretization/space/cell_evaluator.h>
 #include <signorini/error_control/estimate/error_estimate.h>
-#include <signorini/postprocessing/fields/field_sampler.h>
+#include <signorini/postprocessing/fields/stress.h>
 #include <signorini/results/output/solution_vtu.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/fe/fe_values.h>
 
 #include <array>
 #include <limits>
@@ -71,48 +71,38 @@ private:
       std::vector<Point<1>>{Point<1>(0.), Point<1>(1.), Point<1>(2.)});
     const Quadrature<dim> points =
       by_parents_ ? Quadrature<dim>(of_children) : QIterated<dim>(QTrapezoid<1>(), n);
-    FEValues<dim> values(field_.space.mesh().mapping(), element, points,
-                         update_values | update_quadrature_points |
-                           (is_recovered_ ? update_inverse_jacobians : update_gradients));
-    std::optional<PatchInterpolation<dim>> interpolation;
+    // At the corners of children the interpolation is u_h.
+    std::vector<EvaluatedField> fields;
+    if (!by_parents_)
+      fields.push_back({&field_.U});
     if (is_recovered_)
-      interpolation.emplace(field_.space, field_.U, points, n_generations_);
-    const FEValuesExtractors::Vector vector(0);
-    FieldValues<dim> u;
-    u.values.resize(points.size());
-    u.gradients.resize(points.size());
+      fields.push_back({&field_.U, n_generations_});
+    CellEvaluator<dim> u(
+      space_, fields, [&](unsigned int) { return points; }, {}, false);
     for (const Cell &cell : field_.space.dofs().active_cell_iterators()) {
       if (!cell->is_locally_owned() || cell->active_fe_index() != number ||
           (by_parents_ && cell->parent()->child_index(0) != cell->index()))
         continue;
-      values.reinit(cell);
-      if (!by_parents_)
-        values[vector].get_function_values(field_.U.entries(), u.values);
-      if (!is_recovered_)
-        values[vector].get_function_gradients(field_.U.entries(), u.gradients);
-      const FieldValues<dim> &recovered = interpolation ? interpolation->evaluate(cell, values) : u;
-      // At the corners of children the interpolation is u_h.
-      add_cell(cell, n, values, by_parents_ ? recovered : u, recovered);
+      u.reinit(cell, number);
+      add_cell(cell, n, u, fields.size() - 1);
     }
   }
 
-  /** Adds a cell with the fields u_h and @p recovered. */
-  void add_cell(const Cell &cell, const unsigned int n, const FEValues<dim> &values,
-                const FieldValues<dim> &u, const FieldValues<dim> &recovered) {
+  /** Adds a cell with the field u_h and the one of which strains are taken. */
+  void add_cell(const Cell &cell, const unsigned int n, const CellEvaluator<dim> &u,
+                const unsigned int recovered) {
     const unsigned int index = cell->active_cell_index();
     const Point<dim> middle = cell->center();
     const bool has_regions = !field_.scene.geometry.regions.empty();
     const double region = has_regions ? field_.scene.geometry.region_at(middle) : 0.;
-    fields_.resize(u.values.size());
+    fields_.resize(u.size());
     for (unsigned int q = 0; q < fields_.size(); ++q) {
       VtuFields &fields = fields_[q];
       fields.clear();
-      add_vector("displacement", u.values[q], fields);
+      add_vector("displacement", u.value(q), fields);
       if (dim == 2 && is_recovered_)
-        add_vector("recovered_displacement", recovered.values[q], fields);
-      const Point<dim> &x = values.quadrature_point(q);
-      add_stress(x, middle, field_.strain(cell, x, recovered.values[q], recovered.gradients[q]),
-                 fields);
+        add_vector("recovered_displacement", u.value(q, recovered), fields);
+      add_stress(u.points()[q], middle, field_.sample(u, q, recovered).strain, fields);
       if (has_regions)
         fields.emplace_back("region", region);
       if (!bound_.mesh.empty())
@@ -122,7 +112,7 @@ private:
       if (field_.space.max_element_degree() > 1)
         fields.emplace_back("degree", cell->get_fe().degree);
     }
-    cells_.add(n, values.get_quadrature_points(), fields_);
+    cells_.add(n, u.points(), fields_);
     if (cells_.cells.size() == (by_parents_ ? cells_per_piece / 4 : cells_per_piece))
       write_piece();
   }

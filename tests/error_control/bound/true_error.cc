@@ -4,7 +4,7 @@
 // of what the bound is computed from.
 
 #include <signorini/discretization/space/cell_values.h>
-#include <signorini/postprocessing/fields/patch_interpolation.h>
+#include <signorini/discretization/space/patch_interpolation.h>
 
 #include <array>
 #include <cmath>

@@ -2,8 +2,8 @@
 // Means of the dilatation, the number that tells locking, and pressures that are not unique, in
 // closed form.
 
+#include <signorini/discretization/space/cell_evaluator.h>
 #include <signorini/error_control/estimate/certificate.h>
-#include <signorini/postprocessing/fields/stress.h>
 #include <signorini/solvers/contact/dual_problem.h>
 
 #include <algorithm>

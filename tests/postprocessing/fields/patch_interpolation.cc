@@ -2,7 +2,7 @@
 // pi^{2h} reproduces functions of degree two per direction, and the error estimate is the distance
 // of such functions from their bilinear interpolant.
 
-#include <signorini/postprocessing/fields/patch_interpolation.h>
+#include <signorini/discretization/space/patch_interpolation.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q.h>

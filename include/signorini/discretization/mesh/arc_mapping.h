@@ -62,6 +62,10 @@ public:
     return exact_ && (mesh_.is_graded() || has_arcs(arc_centres(sides_, cell))) ? *exact_
                                                                                 : mesh_.mapping();
   }
+  /** Returns a degree of polynomials that contain all maps. */
+  unsigned int degree() const {
+    return mesh_.is_curved() ? ArcMapping::exact_degree : 1;
+  }
 
 private:
   const Mesh<2> &mesh_;

@@ -5,9 +5,12 @@
 #include <signorini/discretization/space/displacement_space.h>
 
 #include <deal.II/base/polynomial.h>
+#include <deal.II/base/quadrature.h>
 #include <deal.II/lac/full_matrix.h>
 
 #include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace Signorini {
@@ -45,10 +48,15 @@ template <int dim>
 void evaluate_products(const std::vector<Tensor<1, dim>> &nodal_values,
                        const std::array<const LineTable *, dim> &lines, FieldValues<dim> &result);
 
-/** The solution u_h on one cell as products of polynomials in the two reference coordinates. */
+/** The solution u_h on one cell, or the map of a cell, as products of polynomials in the two
+ * reference coordinates. */
 class CellField {
 public:
   CellField(const DoFHandler<2>::active_cell_iterator &cell, const Displacement &U);
+  /** A polynomial by its values at the nodes of an element of this degree, lexicographically. */
+  CellField(const unsigned int degree, std::vector<Tensor<1, 2>> values)
+    : degree_(degree)
+    , values_(std::move(values)) {}
 
   unsigned int degree() const {
     return degree_;
@@ -59,18 +67,17 @@ public:
   }
   /** Returns the value on a face of the cell, at s in [0,1] from its vertex 0 to its vertex 1. */
   Tensor<1, 2> on_face(unsigned int face, double s) const;
-  /** Returns the derivatives with respect to the reference coordinates of the cell at the points
-   * (x_i, y_j), point i + n_x j; [c][d] is that of component c with respect to coordinate d. */
-  std::vector<Tensor<2, 2>> gradients(const LineTable &x, const LineTable &y) const {
-    return evaluate(x, y).gradients;
-  }
-  /** Returns the values at these points, too. */
+  /** Returns the values and the derivatives with respect to the reference coordinates of the cell
+   * at the points (x_i, y_j), point i + n_x j; gradient [c][d] is that of component c with respect
+   * to coordinate d. */
   FieldValues<2> evaluate(const LineTable &x, const LineTable &y) const {
     FieldValues<2> result;
     evaluate_products<2>(values_, {&x, &y}, result);
     return result;
   }
-  /** Returns the same at the point (x_q, y_q), from displacements relative to a corner: large
+  /** Returns the value at the point (x_q, y_q). */
+  Tensor<1, 2> value(const LineTable &x, const LineTable &y, unsigned int q) const;
+  /** Returns the gradient at this point, from displacements relative to a corner: large
    * translations have rounding errors, but no strain. */
   Tensor<2, 2> gradient(const LineTable &x, const LineTable &y, unsigned int q) const;
 
@@ -78,5 +85,25 @@ private:
   unsigned int degree_;
   /** The nodal values, lexicographically. */
   std::vector<Tensor<1, 2>> values_;
+};
+
+/** Points of the reference cell, with the polynomials of several degrees at them. */
+class TabulatedRule {
+public:
+  explicit TabulatedRule(Quadrature<2> rule);
+
+  const Quadrature<2> &rule() const {
+    return rule_;
+  }
+  /** Returns a field and its derivatives in reference coordinates at the points: where they are a
+   * tensor product, by sums over the nodes of one direction after the other. */
+  FieldValues<2> evaluate(const CellField &field);
+
+private:
+  Quadrature<2> rule_;
+  /** The coordinates of the points along both directions, of a tensor product each one once. */
+  std::array<std::vector<double>, 2> coordinates_;
+  /** The tables at these coordinates by degree. */
+  std::map<unsigned int, std::array<LineTable, 2>> lines_;
 };
 } // namespace Signorini

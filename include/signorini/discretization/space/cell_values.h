@@ -9,13 +9,13 @@
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/hp/fe_values.h>
-#include <deal.II/hp/mapping_collection.h>
-#include <deal.II/hp/q_collection.h>
 
 #include <functional>
+#include <map>
 #include <memory>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace Signorini {
@@ -52,67 +52,91 @@ void integrate_by_chunks(const DisplacementSpace<dim> &space,
   });
 }
 
-/** The FEValues of cells (@p rule_dim = dim) or FEFaceValues with Gauss' rules, one object for
- * every element of a space. Cells of degree p have p - 1 points per direction more than those of
- * degree one. */
+/** The FEValues of cells (@p rule_dim = dim) or FEFaceValues, made once for each map, element and
+ * rule: tabulating shape functions takes longer than using them. */
+template <int dim, int rule_dim = dim>
+class ValuesCache {
+public:
+  using Values =
+    std::conditional_t<rule_dim == dim, dealii::FEValues<dim>, dealii::FEFaceValues<dim>>;
+  /** Returns the rule with a number. */
+  using Rule = std::function<Quadrature<rule_dim>(unsigned int)>;
+
+  explicit ValuesCache(const UpdateFlags flags, Rule rule = gauss)
+    : flags_(flags)
+    , rule_(std::move(rule)) {}
+
+  static Quadrature<rule_dim> gauss(const unsigned int n_points) {
+    return QGauss<rule_dim>(n_points);
+  }
+  /** Returns the values at the points of a rule on a cell, valid until the next call. The map and
+   * the element must outlive the object. @param at a cell, or a cell and the number of a face. */
+  template <typename... Location>
+  const Values &reinit(const Mapping<dim> &map, const FiniteElement<dim> &element,
+                       const unsigned int rule_number, const Location &...at) {
+    std::unique_ptr<Values> &values = values_[{&map, &element, rule_number}];
+    if (values == nullptr)
+      values = std::make_unique<Values>(map, element, rule_(rule_number), flags_);
+    values->reinit(at...);
+    return *values;
+  }
+  UpdateFlags flags() const {
+    return flags_;
+  }
+
+private:
+  UpdateFlags flags_;
+  Rule rule_;
+  std::map<std::tuple<const Mapping<dim> *, const FiniteElement<dim> *, unsigned int>,
+           std::unique_ptr<Values>>
+    values_;
+};
+
+/** The values at Gauss' points, or at those of pieces. Cells of degree p have p - 1 points per
+ * direction more than those of degree one. */
 template <int dim, int rule_dim>
 class ValuesByElement {
 public:
   /**
-   * Stores the arguments.
+   * Stores the arguments; the space and the kinks must outlive the object.
    * @param n_points per direction, for degree one.
    */
   ValuesByElement(const Mapping<dim> &mapping, const DisplacementSpace<dim> &space,
                   const Kinks<dim> &kinks, const unsigned int n_points, const UpdateFlags flags)
     : kinks_(kinks)
-    , mappings_(mapping)
+    , mapping_(mapping.clone())
     , space_(space)
     , n_points_(n_points)
-    , plain_(mappings_, space.elements(), gauss_rules(), flags) {}
+    , plain_(flags) {}
 
 protected:
-  using Values =
-    std::conditional_t<rule_dim == dim, dealii::FEValues<dim>, dealii::FEFaceValues<dim>>;
+  using Values = typename ValuesCache<dim, rule_dim>::Values;
 
-  /** Returns the values with Gauss' rule, or with cut_rule(n_points); those are valid until the
-   * next call. @param face_no for faces of the cell. */
+  /** Returns the values with Gauss' rule, or with cut_rule(n_points); they are valid until the
+   * next call. @param at a cell, or a cell and the number of a face. */
   template <typename CutRule, typename CellIterator, typename... FaceNumber>
   const Values &reinit_at(const bool is_cut, const CutRule &cut_rule, const CellIterator &cell,
                           const FaceNumber... face_no) {
-    const unsigned int number = space_.element_number(cell);
-    if (!is_cut) {
-      plain_.reinit(cell, face_no..., number, 0, number);
-      return plain_.get_present_fe_values();
-    }
-    cut_ = std::make_unique<Values>(mappings_[0], space_.elements()[number],
-                                    cut_rule(n_points(number)), plain_.get_update_flags());
+    const FiniteElement<dim> &element = space_.element(cell);
+    const unsigned int n_points = n_points_ + element.degree - 1;
+    if (!is_cut)
+      return plain_.reinit(*mapping_, element, n_points, cell, face_no...);
+    cut_ = std::make_unique<Values>(*mapping_, element, cut_rule(n_points), plain_.flags());
     cut_->reinit(cell, face_no...);
     return *cut_;
   }
 
   const Mapping<dim> &mapping() const {
-    return mappings_[0];
+    return *mapping_;
   }
 
   const Kinks<dim> &kinks_;
 
 private:
-  using HpValues = std::conditional_t<rule_dim == dim, hp::FEValues<dim>, hp::FEFaceValues<dim>>;
-
-  unsigned int n_points(const unsigned int element_number) const {
-    return n_points_ + space_.elements()[element_number].degree - 1;
-  }
-  hp::QCollection<rule_dim> gauss_rules() const {
-    hp::QCollection<rule_dim> rules;
-    for (unsigned int number = 0; number < space_.elements().size(); ++number)
-      rules.push_back(QGauss<rule_dim>(n_points(number)));
-    return rules;
-  }
-
-  const hp::MappingCollection<dim> mappings_;
+  const std::unique_ptr<const Mapping<dim>> mapping_;
   const DisplacementSpace<dim> &space_;
   unsigned int n_points_;
-  HpValues plain_;
+  ValuesCache<dim, rule_dim> plain_;
   std::unique_ptr<Values> cut_;
 };
 

@@ -3,10 +3,9 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/arc_mapping.h>
+#include <signorini/discretization/space/cell_field.h>
 #include <signorini/error_control/bound/contact_trace.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
-
-#include <deal.II/fe/fe_values.h>
 
 #include <array>
 #include <map>
@@ -74,10 +73,9 @@ private:
   /** Returns whether the law varies fast in a cell, or has a line there that does not run along the
    * cell's edges. */
   bool needs_equal_parts(const CellIterator &cell) const;
-  /** Points on a cell, with the polynomials of w_h and the map there. */
-  struct Rule;
-  /** Returns the energy on a cell. @param nodes those of the map. */
-  double energy(const CellIterator &cell, const Rule &rule, FEValues<2> &nodes) const;
+  /** Returns the energy on a cell. @param map_nodes the nodes of its map. */
+  double energy(const CellIterator &cell, TabulatedRule &rule,
+                const std::vector<Point<2>> &map_nodes) const;
 
   const BoundData &data_;
   const ContactTrace &trace_;

@@ -3,17 +3,25 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/arc_mapping.h>
+#include <signorini/discretization/space/cell_evaluator.h>
 #include <signorini/error_control/equilibration/bound_data.h>
 #include <signorini/error_control/equilibration/cell_shape.h>
-
-#include <deal.II/fe/fe_values.h>
 
 #include <array>
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace Signorini {
+/** Returns an evaluator on cells with exact arcs. */
+inline CellEvaluator<2> evaluator_of(const BoundData &data, std::vector<EvaluatedField> fields,
+                                     const ExactMaps &maps) {
+  return CellEvaluator<2>(
+    data.space, std::move(fields), ValuesCache<2>::gauss,
+    [&maps](const auto &cell) -> const Mapping<2> & { return maps.of(cell); });
+}
+
 /** A cell on which a lift z is not zero, with the points of a rule for it. */
 struct LiftedCell {
   struct Place {
@@ -31,9 +39,8 @@ struct LiftedCell {
     return sum;
   }
 
-  DoFHandler<2>::active_cell_iterator cell;
-  /** The points, with gradients. */
-  const FEValues<2> &values;
+  /** u_h, or its interpolation, at the points. */
+  const CellEvaluator<2> &u;
   std::vector<Place> places;
 };
 
@@ -58,8 +65,8 @@ public:
   double max_misfit() const {
     return max_misfit_;
   }
-  /** Visits all cells on which z is not zero. */
-  void visit_cells(const BoundData &data, const ExactMaps &maps,
+  /** Visits all cells on which z is not zero, with u_h interpolated over generations. */
+  void visit_cells(const BoundData &data, unsigned int n_generations, const ExactMaps &maps,
                    const std::function<void(const LiftedCell &)> &visit) const;
 
 private:

@@ -28,8 +28,8 @@ std::array<std::vector<TrianglePart>, 4> triangle_parts(const CellShape &shape,
 /** Returns a rule on the unit triangle that integrates polynomials of the degree exactly. */
 Quadrature<2> triangle_rule(unsigned int degree);
 
-/** Adds the points of a rule on the unit triangle to those of a cell, with their weights.
- * @param points in reference coordinates of the cell. */
+/** Adds the points of a rule on the unit triangle to those of a rule on the reference cell, with
+ * their weights. */
 void add_points(const Quadrature<2> &rule, const Triangle &part, const CellShape &shape,
                 std::vector<Point<2>> &points, std::vector<double> &weights);
 } // namespace Signorini

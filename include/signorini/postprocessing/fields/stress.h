@@ -2,22 +2,15 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/discretization/space/body_measure.h>
-#include <signorini/discretization/space/displaced_body.h>
+#include <signorini/problem/scene/material.h>
+#include <signorini/problem/scene/strain.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
 #include <array>
-#include <vector>
 
 namespace Signorini {
-/** Returns the mean of tr ε(u_h) over the parent of each active cell (over the cell itself where
- * there is no T^{2h}), in the order of active cells. With StrainOperator::mean_dilatation, means
- * over cells may alternate between neighbours, as the pressure of Q1-P0 does. */
-template <int dim>
-std::vector<double> mean_dilatations(const DisplacedBody<dim> &body);
-
 /** The stress with all its components, also those of a 2-D body that point out of the plane
  * (force/area). */
 using Stress3D = SymmetricTensor<2, 3>;

@@ -38,7 +38,7 @@ std::vector<std::pair<std::string, double>> named_extremes(const std::vector<Pro
 std::string report_header(unsigned int dimension);
 
 /**
- * Reports on the probes of a scene, at the points of FieldSampler::at_nodes(), and at the points of
+ * Reports on the probes of a scene, at the points of SampledField::at_nodes(), and at the points of
  * lines. Points where the material's data has no value are left out. Collective.
  * @param singular the singular edges; P decides whether they grow.
  * @throws InputError for a point or a line outside of the body.

@@ -114,7 +114,7 @@ constexpr double large_strain = 0.1;
 constexpr double large_rotation = 0.1;
 
 /**
- * Returns the largest stress at the points of FieldSampler::at_nodes() of every cell. Points at
+ * Returns the largest stress at the points of SampledField::at_nodes() of every cell. Points at
  * which the material's data has no value are left out. Collective.
  * @param edges away is taken outside of them.
  */

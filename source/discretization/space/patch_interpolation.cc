@@ -2,7 +2,7 @@
 // π^{2h} of (30), and interpolations of higher degree on larger patches.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/postprocessing/fields/patch_interpolation.h>
+#include <signorini/discretization/space/patch_interpolation.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -139,8 +139,8 @@ PatchInterpolation<dim>::collect_values(const CellIterator &cell) {
 }
 
 template <int dim>
-void PatchInterpolation<dim>::interpolate(const CellIterator &cell,
-                                          const std::vector<Point<dim>> &points) {
+const FieldValues<dim> &PatchInterpolation<dim>::on_reference_cell(
+  const CellIterator &cell, const std::vector<Point<dim>> &points) {
   const GridPosition position = collect_values(cell);
   const bool is_usual = points == usual_points_;
   if (is_usual && !lines_.empty()) {
@@ -148,7 +148,7 @@ void PatchInterpolation<dim>::interpolate(const CellIterator &cell,
     for (unsigned int d = 0; d < dim; ++d)
       lines[d] = &lines_[position[d]];
     evaluate_products<dim>(nodal_values_, lines, result_);
-    return;
+    return result_;
   }
   result_.values.assign(points.size(), Tensor<1, dim>());
   result_.gradients.assign(points.size(), Tensor<2, dim>());
@@ -161,18 +161,13 @@ void PatchInterpolation<dim>::interpolate(const CellIterator &cell,
       result_.values[q] += shape.value * nodal_values_[shape.node];
       result_.gradients[q] += outer_product(nodal_values_[shape.node], shape.gradient);
     }
-}
-
-template <int dim>
-const FieldValues<dim> &PatchInterpolation<dim>::on_reference_cell(const CellIterator &cell) {
-  interpolate(cell, usual_points_);
   return result_;
 }
 
 template <int dim>
 const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const CellIterator &cell,
                                                           const FEValues<dim> &fe_values) {
-  interpolate(cell, fe_values.get_quadrature().get_points());
+  on_reference_cell(cell, fe_values.get_quadrature().get_points());
   // du_i/dx_j = Σ_k du_i/dxi_k dxi_k/dx_j
   for (const unsigned int q : fe_values.quadrature_point_indices())
     result_.gradients[q] = result_.gradients[q] * Tensor<2, dim>(fe_values.inverse_jacobian(q));

@@ -41,9 +41,13 @@ public:
   /** Returns the interpolation at the points of @p fe_values, which is at @p cell and provides its
    * inverse Jacobians. */
   const FieldValues<dim> &evaluate(const CellIterator &cell, const FEValues<dim> &fe_values);
-  /** Returns values, and gradients in the coordinates of the reference cell, at the points of the
-   * usual rule. */
-  const FieldValues<dim> &on_reference_cell(const CellIterator &cell);
+  /** Returns values, and gradients in the coordinates of the reference cell, at points of it. */
+  const FieldValues<dim> &on_reference_cell(const CellIterator &cell,
+                                            const std::vector<Point<dim>> &points);
+  /** Returns them at the points of the usual rule. */
+  const FieldValues<dim> &on_reference_cell(const CellIterator &cell) {
+    return on_reference_cell(cell, usual_points_);
+  }
 
 private:
   /** The position of a cell among the descendants of its ancestor: 0..2^k-1 per direction. */
@@ -60,8 +64,6 @@ private:
   using ShapeTable = std::vector<std::vector<Shape>>;
 
   ShapeTable make_table(const std::vector<Point<dim>> &points, const GridPosition &position) const;
-  /** Fills result_ with values, and gradients in reference coordinates. */
-  void interpolate(const CellIterator &cell, const std::vector<Point<dim>> &points);
   /**
    * Fills nodal_values_ for the ancestor of a cell.
    * @return the position of the cell.
