@@ -5,6 +5,7 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/mesh/patch_row.h>
+#include <signorini/problem/scene/contact_pair.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -120,8 +121,7 @@ std::vector<ContactFace<dim>> find_own_faces(const Mesh<dim> &mesh, const Scene<
     for (const unsigned int f : cell->face_indices())
       if (cell->face(f)->at_boundary()) {
         const unsigned int side = cell->face(f)->boundary_id();
-        if (scene.boundary[side].role != Role::contact &&
-            scene.boundary[side].role != Role::opposite)
+        if (!may_touch(scene.boundary[side].role))
           continue;
         faces.push_back({cell, f, side, {}});
         for (const unsigned int v : cell->face(f)->vertex_indices())

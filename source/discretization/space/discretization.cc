@@ -4,6 +4,7 @@
 #include <signorini/base/columns.h>
 #include <signorini/base/errors.h>
 #include <signorini/discretization/space/discretization.h>
+#include <signorini/problem/scene/contact_pair.h>
 
 #include <algorithm>
 #include <cmath>
@@ -137,10 +138,10 @@ void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim
   if (scene.friction != Friction::none) {
     for (const Component tangent : tangents<dim>())
       D = join(D, assemble_coupling(space, multipliers, tangent));
-    const dealii::Vector<double> none(multipliers.n_multipliers()),
-      given = multipliers.project(moments_of(scene, &BoundaryCondition<dim>::friction));
-    K = scene.friction == Friction::tresca ? AdmissibleSet::with_friction(given, none, dim - 1)
-                                           : AdmissibleSet::with_friction(none, given, dim - 1);
+    dealii::Vector<double> s(multipliers.n_multipliers()), f(s);
+    for (const FrictionLimit<dim> &limit : friction_limits<dim>(scene.friction))
+      (limit.follows_pressure ? f : s) = multipliers.project(moments_of(scene, limit.data));
+    K = AdmissibleSet::with_friction(s, f, dim - 1);
   }
   condensed_D = condense(D, space.constraints());
   G = assemble_gap_of(scene);

@@ -2,6 +2,7 @@
 // V^h and its essential boundary conditions.
 
 #include <signorini/discretization/space/displacement_space.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/rigid_motions.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -65,8 +66,7 @@ std::vector<PinCandidate> pin_candidates(const DoFHandler<2> &dofs, const Scene<
     for (const unsigned int v : cell->vertex_indices())
       weights[cell->vertex_index(v)] = 1.;
   for (const auto &face : dofs.get_triangulation().active_face_iterators())
-    if (face->at_boundary() && (scene.boundary[face->boundary_id()].role == Role::contact ||
-                                scene.boundary[face->boundary_id()].role == Role::opposite))
+    if (face->at_boundary() && may_touch(scene.boundary[face->boundary_id()].role))
       for (const unsigned int v : {0, 1})
         if (const auto vertex = weights.find(face->vertex_index(v)); vertex != weights.end())
           vertex->second = 1e-3;

@@ -6,6 +6,7 @@
 #include <signorini/base/text.h>
 #include <signorini/discretization/mesh/mesh.h>
 #include <signorini/driver/check/show_scene.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/results/output/files.h>
 #include <signorini/results/output/pictures.h>
 #include <signorini/results/output/scene_json.h>
@@ -74,12 +75,10 @@ std::string data_of(const Scene<dim> &scene, const unsigned int side,
   if (condition.role != Role::contact)
     return condition.data == nullptr ? "" : ranges<dim>(condition.data, points);
   std::string text = "gap " + range<dim>(condition.data, points);
-  if (condition.opposite)
-    text += ", with " + scene.geometry.sides[*condition.opposite].name();
-  if (condition.friction != nullptr)
-    text +=
-      (scene.friction == Friction::coulomb ? ", friction coefficient " : ", friction bound ") +
-      range<dim>(condition.friction, points);
+  if (const ContactPair<dim> pair(scene, side); pair.other_side())
+    text += ", with " + pair.other_name();
+  for (const FrictionLimit<dim> &limit : friction_limits<dim>(scene.friction))
+    text += std::string(", ") + limit.name + " " + range<dim>(condition.*limit.data, points);
   if (condition.shift != nullptr)
     text += ", foundation moves " + (condition.shift->n_components == 1
                                        ? range<dim>(condition.shift, points)
@@ -133,9 +132,11 @@ SceneNotes notes_on(const Parameters &parameters, const Scene<dim> &scene, const
   SceneNotes notes;
   if (scene.friction != Friction::none) {
     std::string line = "Friction: " + to_text(scene.friction);
-    for (const unsigned int i : scene.contact_sides())
-      line += ", " + scene.geometry.sides[i].name() + " " +
-              range<dim>(scene.boundary[i].friction, sample_side(scene, i).points);
+    for (const unsigned int i : scene.contact_sides()) {
+      line += ", " + scene.geometry.sides[i].name();
+      for (const FrictionLimit<dim> &limit : friction_limits<dim>(scene.friction))
+        line += " " + range<dim>(scene.boundary[i].*limit.data, sample_side(scene, i).points);
+    }
     notes.lines.push_back(line);
   }
   if (const Entry &given = parameters.contact.foundation; given.is_given)

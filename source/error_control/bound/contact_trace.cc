@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The penetration of u_h or π^{2h} u_h along Γ_c, and the contact nodes.
 
+#include <signorini/discretization/space/paired_piece.h>
 #include <signorini/error_control/bound/contact_trace.h>
 #include <signorini/error_control/equilibration/cell_shape.h>
 
@@ -26,14 +27,14 @@ std::string name_of(const SidePoint &at, const Scene<2> &scene) {
 
 bool PenetrationFace::presses() const {
   return std::any_of(pressures.begin(), pressures.end(),
-                     [](const Pressed &part) { return part.presses; });
+                     [](const Pressed &part) { return part.state.presses; });
 }
 
 bool PenetrationFace::presses_everywhere() const {
   constexpr double rounding = 1e-9;
   return may_touch(rounding) && may_touch(1. - rounding) &&
          std::all_of(pressures.begin(), pressures.end(),
-                     [](const Pressed &part) { return part.presses; });
+                     [](const Pressed &part) { return part.state.presses; });
 }
 
 const PenetrationFace::Pressed &PenetrationFace::part_at(const double t) const {
@@ -180,8 +181,7 @@ void ContactTrace::find_faces() {
         std::swap(other->lower, other->upper);
     }
     faces_[here.face].pressures.push_back(
-      {here.lower, here.upper, states[piece.patch].presses,
-       states[piece.patch].slip == State::inside, other,
+      {here.lower, here.upper, states[piece.patch], other,
        surface().condition(piece).directions.at(0.5 * (piece.lower[0] + piece.upper[0]))});
   }
   for (PenetrationFace &face : faces_)
@@ -221,7 +221,7 @@ double ContactTrace::closing(const PenetrationFace &face, const Component compon
 
 bool ContactTrace::wants_lift_of_slip(const PenetrationFace &face) const {
   if (std::any_of(face.pressures.begin(), face.pressures.end(),
-                  [](const auto &part) { return !part.sticks; }))
+                  [](const auto &part) { return !follows(part.state, Component::tangential); }))
     return false;
   constexpr unsigned int n_samples = 8;
   double largest = 0., bound = 0.;
@@ -355,24 +355,20 @@ double ContactTrace::misfit(const PenetrationFace &face, const Component compone
 
 double ContactTrace::misfit_at(const PenetrationFace &face, const Component component,
                                const double t) const {
-  const BoundaryCondition<2> &condition =
-    data_.scene.boundary[contact_side_of(data_.scene, face.side)];
+  const ContactPair<2> pair = pair_with(data_.scene, face.side);
   const double u = closing(face, component, t, u_);
   const auto at = [&](const double s) {
     return point_of_data(data_.scene, face.side, face.point(s));
   };
   if (component == Component::normal)
-    return u - condition.data->value(at(std::clamp(t, face.inside[0], face.inside[1])));
-  return condition.shift == nullptr ? u : u - condition.shift->value(at(t));
+    return u - pair.gap(at(std::clamp(t, face.inside[0], face.inside[1])));
+  return u - pair.shift(at(t));
 }
 
 double ContactTrace::friction_bound(const PenetrationFace &face, const double t) const {
   if (!face.may_touch(t))
     return 0.;
-  const double given =
-    data_.scene.boundary[contact_side_of(data_.scene, face.side)].friction->value(
-      point_of_data(data_.scene, face.side, face.point(t)));
-  return data_.P.is_coupled() ? given * std::abs(face.traction[0].value(t)) : given;
+  return friction_bound_at(data_.scene, face.side, face.point(t), face.traction[0].value(t));
 }
 
 double ContactTrace::rounding(const PenetrationFace &face) const {
@@ -411,7 +407,7 @@ UpperInterpolant ContactTrace::sample(const PenetrationFace &face, const Compone
 }
 
 Curve ContactTrace::line_of_data(const PenetrationFace &face) const {
-  if (contact_side_of(data_.scene, face.side) == face.side)
+  if (pair_with(data_.scene, face.side).side() == face.side)
     return face.line;
   return Curve(point_of_data(data_.scene, face.side, face.line.start()),
                point_of_data(data_.scene, face.side, face.line.end()));

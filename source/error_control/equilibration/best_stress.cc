@@ -7,6 +7,7 @@
 #include <signorini/error_control/equilibration/difference_misfit.h>
 #include <signorini/error_control/equilibration/energy_misfit.h>
 #include <signorini/error_control/equilibration/traction_solver.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/contradictions.h>
 
 #include <algorithm>
@@ -85,9 +86,10 @@ std::string objection_to_stress(const BoundData &data) {
   if (data.space.strain_operator() != StrainOperator::symmetric_gradient &&
       data.space.max_element_degree() > 1)
     return "the strain is that of B-bar, with elements of a degree above one";
-  for (const unsigned int first : data.scene.contact_sides())
-    if (const auto second = data.scene.boundary[first].opposite) {
-      const Side<2> &a = data.scene.geometry.sides[first], &b = data.scene.geometry.sides[*second];
+  for (const ContactPair<2> &pair : contact_pairs(data.scene))
+    if (pair.other_side()) {
+      const Side<2> &a = data.scene.geometry.sides[pair.side()],
+                    &b = data.scene.geometry.sides[*pair.other_side()];
       if (!(a.is_flat() && b.is_flat() && (a.normal(0.) + b.normal(0.)).norm() < 1e-10))
         return "the sides '" + a.name() + "' and '" + b.name() +
                "' of a pair are not straight and parallel";

@@ -15,36 +15,35 @@ double stiffness(const Scene<2> &scene, const unsigned int number) {
 }
 } // namespace
 
-unsigned int contact_side_of(const Scene<2> &scene, const unsigned int side) {
-  for (const unsigned int first : scene.contact_sides())
-    if (scene.boundary[first].opposite == side)
-      return first;
-  return side;
-}
-
 bool is_carrier(const Scene<2> &scene, const unsigned int side) {
-  const unsigned int first = contact_side_of(scene, side);
-  const auto opposite = scene.boundary[first].opposite;
-  if (!opposite)
+  const ContactPair<2> pair = pair_with(scene, side);
+  if (!pair.other_side())
     return scene.boundary[side].role == Role::contact;
   constexpr double rounding = 1e-10;
-  const bool takes_first = stiffness(scene, first) <= (1. + rounding) * stiffness(scene, *opposite);
-  return (side == first) == takes_first;
+  const bool takes_first =
+    stiffness(scene, pair.side()) <= (1. + rounding) * stiffness(scene, *pair.other_side());
+  return (side == pair.side()) == takes_first;
 }
 
 Point<2> point_of_data(const Scene<2> &scene, const unsigned int side, const Point<2> &x) {
-  const unsigned int first = contact_side_of(scene, side);
-  const Side<2> &given = scene.geometry.sides[first];
-  return first == side ? x : given.point(given.arc_length(x));
+  const ContactPair<2> pair = pair_with(scene, side);
+  const Side<2> &given = scene.geometry.sides[pair.side()];
+  return pair.side() == side ? x : given.point(given.arc_length(x));
+}
+
+double friction_bound_at(const Scene<2> &scene, const unsigned int side, const Point<2> &x,
+                         const double tau_n) {
+  return pair_with(scene, side).friction_bound(point_of_data(scene, side, x), tau_n);
 }
 
 CarriedPiece seen_from_carrier(const ContactSurface<2> &surface, const Piece<2> &piece) {
   const PieceOnFace first = {piece.face, piece.lower_on_face[0], piece.upper_on_face[0]};
-  if (!piece.opposite)
-    return {first, {}};
   const SurfaceRule<2> ends = surface.at(piece, {Point<1>(0.), Point<1>(1.)});
-  const PieceOnFace second = {piece.opposite->first, ends.on_opposite[0][0],
-                              ends.on_opposite[1][0]};
+  const auto faces = surface.faces_at(piece, ends);
+  if (faces.size() == 1)
+    return {first, {}};
+  const PieceOnFace second = {static_cast<unsigned int>(&faces[1].face - surface.faces().data()),
+                              faces[1].points[0][0], faces[1].points[1][0]};
   if (is_carrier(surface.scene(), surface.faces()[first.face].side))
     return {first, second};
   return {second, first};

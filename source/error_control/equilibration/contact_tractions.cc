@@ -2,6 +2,7 @@
 // Tractions on contact edges that do not pull, and shears within the bound of friction.
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/discretization/space/paired_piece.h>
 #include <signorini/error_control/equilibration/carrier.h>
 #include <signorini/error_control/equilibration/contact_tractions.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
@@ -22,11 +23,7 @@ ContactTractions::ContactTractions(const BoundData &data, Tractions &tractions)
     pieces_.push_back(
       {piece, edges_[seen_from_carrier(data_.multipliers.surface(), piece).own.face]});
   const std::vector<NodeState> states = patch_states(data_.multipliers, data_.P);
-  std::vector<bool> pressing;
-  pressing.reserve(states.size());
-  for (const NodeState &state : states)
-    pressing.push_back(state.presses);
-  for (const auto &[edge, presses] : edges_inside(pressing)) {
+  for (const auto &[edge, presses] : edges_inside(states, Component::normal)) {
     press_by_multipliers(edge);
     // With Coulomb's law the bound of friction needs a τ_n that is known.
     tractions_.space.set_free(edge, 0, presses && !data_.P.is_coupled());
@@ -36,14 +33,14 @@ ContactTractions::ContactTractions(const BoundData &data, Tractions &tractions)
   tractions_.project_shared();
 }
 
-std::map<unsigned int, bool>
-ContactTractions::edges_inside(const std::vector<bool> &patches) const {
+std::map<unsigned int, bool> ContactTractions::edges_inside(const std::vector<NodeState> &states,
+                                                            const Component component) const {
   std::map<unsigned int, bool> inside;
   for (const auto &[piece, edge] : pieces_) {
     if (tractions_.space.edges()[edge].mixes)
       continue;
     bool &on_edge = inside.emplace(edge, true).first->second;
-    on_edge = on_edge && patches[piece.patch];
+    on_edge = on_edge && follows(states[piece.patch], component);
   }
   const std::map<unsigned int, bool> whole = inside;
   for (std::size_t i = 0; i + 1 < edges_.size(); ++i)
@@ -98,13 +95,9 @@ void ContactTractions::press_by_multipliers(const unsigned int number) {
 
 double ContactTractions::friction_bound(const unsigned int number, const double s) const {
   const TractionEdge &edge = tractions_.space.edges()[number];
-  const double given =
-    data_.scene.boundary[contact_side_of(data_.scene, edge.side)].friction->value(
-      point_of_data(data_.scene, edge.side, edge.point(s)));
-  if (!data_.P.is_coupled())
-    return given;
-  return given *
-         std::abs(bernstein_value(bernstein_coefficients(tractions_.on_edge(number, 0)), s));
+  return friction_bound_at(
+    data_.scene, edge.side, edge.point(s),
+    bernstein_value(bernstein_coefficients(tractions_.on_edge(number, 0)), s));
 }
 
 std::vector<double> ContactTractions::lower_friction_bound(const unsigned int number) {
@@ -149,16 +142,12 @@ std::vector<double> ContactTractions::lower_friction_bound(const unsigned int nu
 }
 
 void ContactTractions::give_friction(const std::vector<NodeState> &of_patches) {
-  std::vector<bool> sticks;
-  sticks.reserve(of_patches.size());
-  for (const NodeState &state : of_patches)
-    sticks.push_back(state.slip == State::inside);
   for (const auto &[piece, edge] : pieces_) {
     const State state = of_patches[piece.patch].slip;
     State &on_edge = slips_.emplace(edge, state).first->second;
     on_edge = on_edge == state ? state : State::mixed;
   }
-  for (const auto &[edge, is_free] : edges_inside(sticks)) {
+  for (const auto &[edge, is_free] : edges_inside(of_patches, Component::tangential)) {
     bounds_[edge] = lower_friction_bound(edge);
     rub_by_multipliers(edge);
     tractions_.space.set_free(edge, 1, is_free);

@@ -321,9 +321,10 @@ void EnergyMisfit::add_pair_moments(const TractionSpace &space, Works &works) co
   constexpr unsigned int n_points = 8;
   const ContactSurface<2> &surface = data_.multipliers.surface();
   for (const Piece<2> &piece : surface.pieces()) {
-    if (!piece.opposite)
+    const CarriedPiece carried = seen_from_carrier(surface, piece);
+    if (!carried.other)
       continue;
-    const ContactFace<2> &carrier = surface.faces()[seen_from_carrier(surface, piece).own.face];
+    const ContactFace<2> &carrier = surface.faces()[carried.own.face];
     const TractionEdge &edge = space.edges()[space.contact_edge_at(carrier.cell, carrier.face_no)];
     const SurfaceRule<2> rule = surface.rule(piece, n_points);
     for (const auto &[face, points, sign] : surface.faces_at(piece, rule)) {

@@ -5,6 +5,7 @@
 #include <signorini/error_control/equilibration/arc_lift.h>
 #include <signorini/error_control/equilibration/equilibration_mesh.h>
 #include <signorini/error_control/equilibration/law.h>
+#include <signorini/problem/scene/contact_pair.h>
 
 #include <algorithm>
 
@@ -34,16 +35,17 @@ std::vector<Point<2>> singular_points(const BoundData &data) {
   const auto add = [&](const unsigned int number, const double s) {
     const std::vector<Side<2>> &sides = data.scene.geometry.sides;
     const Point<2> &x = points.emplace_back(sides[number].point(s));
-    if (const auto other = data.scene.boundary[number].opposite)
+    if (const auto &other = ContactPair<2>(data.scene, number).other_side())
       points.push_back(sides[*other].point(sides[*other].arc_length(Point<2>(x))));
   };
   for (std::size_t i = 0; i < patches.size(); ++i) {
     const unsigned int side = patches[i].side;
     const bool is_last = i + 1 == patches.size() || patches[i + 1].side != side,
                is_first = i == 0 || patches[i - 1].side != side;
-    if (is_first && data.scene.boundary[side].opposite)
+    const bool is_of_bodies = ContactPair<2>(data.scene, side).other_side().has_value();
+    if (is_first && is_of_bodies)
       add(side, patches[i].lower[0]);
-    if (is_last ? data.scene.boundary[side].opposite.has_value() : states[i] != states[i + 1])
+    if (is_last ? is_of_bodies : states[i] != states[i + 1])
       add(side, patches[i].upper[0]);
   }
   return points;

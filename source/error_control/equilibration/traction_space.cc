@@ -101,11 +101,11 @@ TractionSpace::TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scen
     }
   }
   parts_.resize(edges_.size());
-  for (const unsigned int side : scene.contact_sides())
-    if (const auto opposite = scene.boundary[side].opposite) {
-      is_paired_[side] = is_paired_[*opposite] = true;
-      is_carrier(scene, side) ? add_shared_edges(side, *opposite)
-                              : add_shared_edges(*opposite, side);
+  for (const ContactPair<2> &pair : contact_pairs(scene))
+    if (const auto &other = pair.other_side()) {
+      const unsigned int side = pair.side();
+      is_paired_[side] = is_paired_[*other] = true;
+      is_carrier(scene, side) ? add_shared_edges(side, *other) : add_shared_edges(*other, side);
     }
   number_coefficients();
 }

@@ -3,9 +3,8 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/space/nodes.h>
-#include <signorini/discretization/space/resultant.h>
+#include <signorini/discretization/space/paired_piece.h>
 #include <signorini/error_control/estimate/certificate.h>
-#include <signorini/postprocessing/fields/contact_load.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/full_matrix.h>
@@ -59,12 +58,12 @@ std::pair<std::vector<Resultant<dim>>, double> contact_by_body(const BodyInConta
   std::vector<Resultant<dim>> contact(geometry.n_bodies());
   double size = 0.;
   for (const Piece<dim> &piece : body.surface().pieces()) {
-    const Resultant<dim> resultant = contact_resultant(body.multipliers, body.P, piece);
-    const auto &faces = body.surface().faces();
-    contact[geometry.body_of_side(faces[piece.face].side)] += resultant;
-    if (piece.opposite)
-      contact[geometry.body_of_side(faces[piece.opposite->first].side)] +=
-        contact_resultant(body.multipliers, body.P, piece, PairSide::opposite);
+    const PairedPiece<dim> pair(body.surface(), piece);
+    const Resultant<dim> resultant = pair.resultant(body.multipliers, body.P);
+    contact[geometry.body_of_side(body.surface().faces()[piece.face].side)] += resultant;
+    if (const ContactFace<dim> *const other = pair.other_face())
+      contact[geometry.body_of_side(other->side)] +=
+        pair.resultant(body.multipliers, body.P, PairSide::second);
     size += resultant.force.norm();
   }
   const MPI_Comm communicator = body.surface().communicator();

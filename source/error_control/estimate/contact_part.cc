@@ -3,9 +3,8 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/base/parallel.h>
-#include <signorini/discretization/space/trace_values.h>
+#include <signorini/discretization/space/paired_piece.h>
 #include <signorini/error_control/estimate/contact_part.h>
-#include <signorini/postprocessing/fields/contact_load.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -63,10 +62,12 @@ struct Stretch {
 template <int dim>
 double modulus_at(const Scene<dim> &scene, const ContactSurface<dim> &surface,
                   const Piece<dim> &piece) {
-  const auto compliance = [&](const unsigned int face) {
-    return 1. / softer_modulus(scene, surface.faces()[face].cell->center());
+  const auto compliance = [&](const ContactFace<dim> &face) {
+    return 1. / softer_modulus(scene, face.cell->center());
   };
-  return 1. / (compliance(piece.face) + (piece.opposite ? compliance(piece.opposite->first) : 0.));
+  const ContactFace<dim> *const other = PairedPiece<dim>(surface, piece).other_face();
+  return 1. /
+         (compliance(surface.faces()[piece.face]) + (other != nullptr ? compliance(*other) : 0.));
 }
 
 /** Cuts pieces into stretches. */
@@ -87,7 +88,7 @@ public:
     const ContactSurface<dim> &surface = body_.surface();
     const SurfaceRule<dim> rule = surface.rule(piece, n_points_);
     const std::vector<double> depths =
-      penetration(body_.scene, surface, piece, rule, body_.U, traces_);
+      PairedPiece<dim>(surface, piece).closing(body_, rule, traces_);
     const double modulus = modulus_at(body_.scene, surface, piece);
     unsigned int n_corners = 0;
     if constexpr (dim == 2) {

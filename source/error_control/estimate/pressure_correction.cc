@@ -2,6 +2,7 @@
 // The displacement z_h that belongs to a better pressure than p_H.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/discretization/space/paired_piece.h>
 #include <signorini/error_control/estimate/pressure_correction.h>
 #include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
@@ -88,8 +89,8 @@ private:
   dealii::Vector<double> shifts_;
 };
 
-/** The recovered q by components. It is cut off at s, or at f times the recovered |p|; where a
- * patch slips, it is as long as that. */
+/** The recovered q by components. It is cut off at the bound of friction that belongs to the
+ * recovered p; where a patch slips, it is as long as that. */
 template <int dim>
 class RecoveredFriction {
 public:
@@ -104,16 +105,15 @@ public:
   /** Returns component c of q at the points of a rule. */
   std::vector<double> operator()(const unsigned int c, const Piece<dim> &piece,
                                  const SurfaceRule<dim> &rule) const {
-    const auto &given = *body_.scene.boundary[body_.surface().faces()[piece.face].side].friction;
+    const ContactPair<dim> pair = PairedPiece<dim>(body_.surface(), piece).pair();
     const bool slips = body_.P.state(piece.patch).slip != State::inside;
     const std::vector<double> p = pressure_(piece, rule);
     std::vector<std::vector<double>> q;
     for (const ShiftedPressure<dim> &component : components_)
       q.push_back(component(piece, rule));
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const double given_here = given.value(rule.points[i]);
-      const double bound =
-        body_.P.is_coupled() ? std::min(largest_, given_here * std::abs(p[i])) : given_here;
+      const double given = pair.friction_bound(rule.points[i], p[i]),
+                   bound = body_.P.is_coupled() ? std::min(largest_, given) : given;
       double square = 0.;
       for (const std::vector<double> &component : q)
         square += component[i] * component[i];

@@ -2,10 +2,9 @@
 // The misfits u_n - g where the body presses, u_t - g_t where it sticks, and penetration between
 // the nodes of the multipliers.
 
-#include <signorini/discretization/space/trace_values.h>
+#include <signorini/discretization/space/paired_piece.h>
 #include <signorini/error_control/estimate/contact_part.h>
 #include <signorini/error_control/hp/contact_misfit.h>
-#include <signorini/postprocessing/fields/contact_load.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -13,18 +12,19 @@
 #include <cmath>
 
 namespace Signorini {
-void add_contact_misfit(const BodyInContact<2> &body, const std::vector<bool> &follows,
-                        const Component component, std::vector<CellIndicator> &indicators) {
+void add_contact_misfit(const BodyInContact<2> &body, const Component component,
+                        std::vector<CellIndicator> &indicators) {
   const ContactSurface<2> &surface = body.surface();
+  const std::vector<NodeState> states = patch_states(body.multipliers, body.P);
   TraceValues<2> traces(body.space);
   for (const Piece<2> &piece : surface.pieces()) {
-    if (!follows[piece.patch])
+    if (!follows(states[piece.patch], component))
       continue;
     const ContactFace<2> &face = surface.faces()[piece.face];
     const unsigned int p = body.space.element(face.cell).degree;
     const SurfaceRule<2> rule = surface.rule(piece, p + 2);
     const std::vector<double> depths =
-      penetration(body.scene, surface, piece, rule, body.U, traces, component);
+      PairedPiece<2>(surface, piece).closing(body, rule, traces, component);
     double square = 0.;
     for (std::size_t q = 0; q < rule.size(); ++q)
       square += depths[q] * depths[q] * rule.weights[q];
@@ -55,7 +55,7 @@ void add_samples(const BodyInContact<2> &body, const Piece<2> &piece, TraceValue
       positions.emplace_back(from + (to - from) * i / n_intervals);
     const SurfaceRule<2> rule = body.surface().at(piece, positions);
     const std::vector<double> depths =
-      penetration(body.scene, body.surface(), piece, rule, body.U, traces);
+      PairedPiece<2>(body.surface(), piece).closing(body, rule, traces);
     const auto deepest = std::max_element(depths.begin(), depths.end());
     state.deepest = std::max(state.deepest, *deepest);
     for (const double depth : depths)

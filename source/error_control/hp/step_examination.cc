@@ -127,15 +127,11 @@ double energy_distance(const DisplacedBody<2> &u, const DisplacedBody<2> &v) {
 StepFindings StepExamination::examine(const Solved<2> &solved, const EnergyScale &scale,
                                       const std::optional<DisplacedBody<2>> &before,
                                       const double planned) {
-  std::vector<bool> presses, sticks;
-  for (const NodeState &state : patch_states(solved.multipliers, solved.P)) {
-    presses.push_back(state.presses);
-    sticks.push_back(solved.scene.friction != Friction::none && state.slip == State::inside);
-  }
   StepFindings findings;
   findings.indicators = indicate(solved);
-  add_contact_misfit(solved, presses, Component::normal, findings.indicators);
-  add_contact_misfit(solved, sticks, Component::tangential, findings.indicators);
+  add_contact_misfit(solved, Component::normal, findings.indicators);
+  if (solved.P.has_friction())
+    add_contact_misfit(solved, Component::tangential, findings.indicators);
   findings.jumps = add_jump_misfit(solved, findings.indicators);
   findings.brackets = zone_brackets(solved.multipliers, solved.P.states());
   findings.missed_contact_cells = missed_contact_cells(solved);

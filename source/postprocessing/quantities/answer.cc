@@ -3,8 +3,7 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/base/parallel.h>
-#include <signorini/discretization/space/trace_values.h>
-#include <signorini/postprocessing/fields/contact_load.h>
+#include <signorini/discretization/space/paired_piece.h>
 #include <signorini/postprocessing/quantities/answer.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -60,8 +59,7 @@ std::optional<Penetration> max_penetration(const DisplacedBody<dim> &body,
   };
   for (const Piece<dim> &piece : surface.pieces()) {
     const SurfaceRule<dim> rule = surface.at(piece, positions.get_points());
-    const std::vector<double> depths =
-      penetration(body.scene, surface, piece, rule, body.U, traces);
+    const std::vector<double> depths = PairedPiece<dim>(surface, piece).closing(body, rule, traces);
     for (std::size_t q = 0; q < rule.size(); ++q)
       take_larger({piece.face, depths[q], dim == 2 ? rule.on_side[q][0] : 0., rule.points[q]});
   }
@@ -76,21 +74,6 @@ std::optional<Penetration> max_penetration(const DisplacedBody<dim> &body,
   return Penetration{depth, {body.scene.geometry.sides[surface.faces()[face].side].name(), s, x}};
 }
 
-/** Returns the normal of the opposite side or of the obstacle that a point of a piece touches; none
- * where it touches neither, or the gap is an expression. */
-static std::optional<Tensor<1, 2>> normal_across(const ContactSurface<2> &surface,
-                                                 const Piece<2> &piece, const Point<2> &x,
-                                                 const Tensor<1, 2> &m) {
-  const Scene<2> &scene = surface.scene();
-  const BoundaryCondition<2> &condition = surface.condition(piece);
-  if (condition.foundation != nullptr)
-    return condition.foundation->normal_at_entry(Point<2>(x - scene.foundation_position), m);
-  if (!condition.opposite)
-    return {};
-  const Side<2> &other = scene.geometry.sides[*condition.opposite];
-  return other.normal(other.arc_length(other.across(x, m)));
-}
-
 /** Returns Answer::turn_of_normals, at the middles of the pieces. */
 static double turn_of_normals(const MultiplierSpace<2> &multipliers, const Pressure &P) {
   const ContactSurface<2> &surface = multipliers.surface();
@@ -99,7 +82,7 @@ static double turn_of_normals(const MultiplierSpace<2> &multipliers, const Press
     const SurfaceRule<2> middle = surface.at(piece, {Point<1>(0.5)});
     const Tensor<1, 2> &m = middle.directions[0];
     if (multipliers.value(P, piece.patch, middle.on_side[0]) < pressing_threshold(P))
-      if (const auto across = normal_across(surface, piece, middle.points[0], m))
+      if (const auto across = PairedPiece<2>(surface, piece).normal_across(middle.points[0], m))
         turn = std::max(turn, (m + *across).norm());
   }
   return turn;
@@ -133,12 +116,12 @@ Answer compute_answer(const BodyInContact<dim> &body, const NodalForces &forces)
   Answer answer;
   answer.dimension = dim;
   answer.size = scene.geometry.diameter();
-  for (const unsigned int side : scene.contact_sides()) {
-    answer.contact_by_side.push_back(contact_force(multipliers, {side}, multiplier));
-    if (const auto opposite = scene.boundary[side].opposite) {
+  for (const ContactPair<dim> &pair : contact_pairs(scene)) {
+    answer.contact_by_side.push_back(contact_force(multipliers, {pair.side()}, multiplier));
+    if (pair.other_side()) {
       answer.contact_by_side.push_back(
-        contact_force(multipliers, {side}, multiplier, PairSide::opposite));
-      answer.contact_by_side.back().side = scene.geometry.sides[*opposite].name();
+        contact_force(multipliers, {pair.side()}, multiplier, PairSide::second));
+      answer.contact_by_side.back().side = pair.other_name();
     }
   }
   answer.contact_force = contact_force(multipliers, sides_of_contact_force(scene), multiplier);

@@ -2,8 +2,8 @@
 // Many loads on one body: the factors, C and B are those of all cases.
 
 #include <signorini/discretization/space/linear_system.h>
+#include <signorini/discretization/space/paired_piece.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>
-#include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/quantities/case_solver.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
@@ -128,7 +128,7 @@ CaseResult CaseSolver::solve(const LoadCase &load_case) {
   const std::vector<unsigned int> sides = sides_of_contact_force(scene_);
   for (const Piece<2> &piece : surface.pieces())
     if (std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0)
-      result.contact += contact_resultant(discretization_.multipliers, P_, piece);
+      result.contact += PairedPiece<2>(surface, piece).resultant(discretization_.multipliers, P_);
   if (const auto peak = peak_pressure(discretization_.multipliers, P_.normal()))
     result.peak_pressure = peak->value;
   for (const ContactZone &zone : contact_zones(discretization_.multipliers, P_.normal())) {

@@ -3,8 +3,6 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/space/nodes.h>
-#include <signorini/discretization/space/resultant.h>
-#include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/quantities/side_forces.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -41,9 +39,9 @@ SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
 template <int dim>
 std::vector<unsigned int> sides_of_contact_force(const Scene<dim> &scene) {
   std::vector<unsigned int> sides;
-  for (const unsigned int side : scene.contact_sides())
-    if (!scene.boundary[side].opposite)
-      sides.push_back(side);
+  for (const ContactPair<dim> &pair : contact_pairs(scene))
+    if (!pair.other_side())
+      sides.push_back(pair.side());
   if (sides.empty())
     sides.push_back(scene.contact_sides().front());
   return sides;
@@ -59,9 +57,10 @@ SideForce contact_force(const MultiplierSpace<dim> &multipliers,
   Tensor<1, dim> centre;
   for (const Piece<dim> &piece : surface.pieces())
     if (std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0) {
-      resultant += contact_resultant(multipliers, multiplier, piece, acts_on);
+      const PairedPiece<dim> pair(surface, piece);
+      resultant += pair.resultant(multipliers, multiplier, acts_on);
       const SurfaceRule<dim> &rule = piece.on_mesh;
-      const std::vector<Point<dim>> points = points_of_action(surface, piece, acts_on);
+      const std::vector<Point<dim>> points = pair.points(rule, acts_on);
       for (std::size_t q = 0; q < rule.size(); ++q) {
         const double share =
           multipliers.value(multiplier.normal(), piece.patch, rule.on_side[q]) * rule.weights[q];

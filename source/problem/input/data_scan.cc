@@ -2,6 +2,7 @@
 // Formulas in boxes over the body and its sides.
 
 #include <signorini/problem/input/data_scan.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/functions.h>
 
 #include <algorithm>
@@ -310,8 +311,10 @@ void Scan::scan_side(const unsigned int number, std::vector<Point<2>> &breaks) {
   const Side<2> &side = scene_.geometry.sides[number];
   const BoundaryCondition<2> &condition = scene_.boundary[number];
   std::vector<Expression<2>> formulas;
-  for (const auto &function : {condition.data, condition.friction, condition.shift})
-    append(function, formulas);
+  append(condition.data, formulas);
+  for (const FrictionLimit<2> &limit : friction_limits<2>(scene_.friction))
+    append(condition.*limit.data, formulas);
+  append(condition.shift, formulas);
   const Data data = data_of(formulas, &side);
   const unsigned int n_first = side.n_pieces() > 16 ? 1 : 4;
   for (unsigned int k = 0; k < side.n_pieces() * n_first && !data.empty(); ++k) {

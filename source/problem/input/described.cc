@@ -6,6 +6,7 @@
 #include <signorini/base/text.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/entry_error.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/functions.h>
 
 #include <algorithm>
@@ -193,13 +194,18 @@ void read_friction(const Parameters &parameters, Scene<dim> &scene) {
   // "Friction = none" overrides coefficients given elsewhere in the file.
   if (given.friction.is_given && scene.friction == Friction::none)
     return;
-  refuse_foreign_entries(scene.friction == Friction::coulomb, {&given.friction_coefficient},
-                         "Friction = coulomb", found);
-  refuse_foreign_entries(scene.friction == Friction::tresca, {&given.friction_bound},
-                         "Friction = tresca", found);
-  refuse_foreign_entries(scene.friction != Friction::none, {&given.foundation_shift},
-                         "Friction = tresca or coulomb", found);
-  if (scene.friction == Friction::none)
+  const std::vector<FrictionLimit<dim>> limits = friction_limits<dim>(scene.friction);
+  const auto has_limit = [&](const bool follows_pressure) {
+    return std::any_of(limits.begin(), limits.end(), [&](const auto &limit) {
+      return limit.follows_pressure == follows_pressure;
+    });
+  };
+  refuse_foreign_entries(has_limit(true), {&given.friction_coefficient}, "Friction = coulomb",
+                         found);
+  refuse_foreign_entries(has_limit(false), {&given.friction_bound}, "Friction = tresca", found);
+  refuse_foreign_entries(!limits.empty(), {&given.foundation_shift}, "Friction = tresca or coulomb",
+                         found);
+  if (limits.empty())
     return;
   const auto read = [&](const Given<std::string> &entry,
                         FunctionPointer<dim> BoundaryCondition<dim>::*const data,
@@ -210,8 +216,8 @@ void read_friction(const Parameters &parameters, Scene<dim> &scene) {
     for (const auto &[side, text] : read_contact_list(entry, scene))
       scene.boundary[side].*data = read_function<dim>(text, n_components, entry);
   };
-  read(scene.friction == Friction::coulomb ? given.friction_coefficient : given.friction_bound,
-       &BoundaryCondition<dim>::friction, 1);
+  for (const FrictionLimit<dim> &limit : limits)
+    read(limit.follows_pressure ? given.friction_coefficient : given.friction_bound, limit.data, 1);
   if (!given.foundation_shift.value.empty())
     read(given.foundation_shift, &BoundaryCondition<dim>::shift, dim == 2 ? 1 : dim);
 }

@@ -4,6 +4,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/parameters/entry_error.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/facing.h>
 #include <signorini/problem/scene/scene.h>
 
@@ -151,9 +152,9 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
   const std::vector<std::string> names = contact_side_names(scene);
   // An obstacle without a side is for those that touch no other body.
   std::vector<std::string> rigid;
-  for (const unsigned int side : scene.contact_sides())
-    if (!scene.boundary[side].opposite)
-      rigid.push_back(geometry.sides[side].name());
+  for (const ContactPair<2> &pair : contact_pairs(scene))
+    if (!pair.other_side())
+      rigid.push_back(geometry.sides[pair.side()].name());
   std::map<unsigned int, std::vector<Obstacle>> obstacles;
   for (const std::string &text : texts) {
     SideTexts entries;
@@ -211,17 +212,19 @@ SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2>
   if (begins_with_a_name(gap.value))
     named = read_side_list(gap.value, gap.where(), all);
   std::vector<std::string> with, without, rigid;
-  for (const unsigned int side : scene.contact_sides()) {
-    const BoundaryCondition<2> &condition = scene.boundary[side];
-    const bool has_text = std::any_of(named.begin(), named.end(),
-                                      [&](const auto &entry) { return entry.first == all[side]; });
-    if (condition.foundation != nullptr)
-      with.push_back(all[side]);
-    else if (!condition.opposite)
-      rigid.push_back(all[side]);
+  for (const ContactPair<2> &pair : contact_pairs(scene)) {
+    const std::string &side = all[pair.side()];
+    const bool has_foundation = scene.boundary[pair.side()].foundation != nullptr,
+               is_rigid = !pair.other_side(),
+               has_text = std::any_of(named.begin(), named.end(),
+                                      [&](const auto &entry) { return entry.first == side; });
+    if (has_foundation)
+      with.push_back(side);
+    else if (is_rigid)
+      rigid.push_back(side);
     // The gap of a pair is the distance of its sides, to which a text adds.
-    if (condition.foundation == nullptr && (!condition.opposite || named.empty() || has_text))
-      without.push_back(all[side]);
+    if (!has_foundation && (is_rigid || named.empty() || has_text))
+      without.push_back(side);
   }
   if (!with.empty() && gap.changed && (without.empty() || named.empty()))
     throw error_at(gap, "found a gap for the side '", with.front(), "', which has a ",
@@ -237,11 +240,12 @@ SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2>
 
 void close_pairs(const std::string &where, Scene<2> &scene) {
   const double small = 0.01 * scene.geometry.diameter(), least = std::cos(numbers::PI / 6.);
-  for (BoundaryCondition<2> &condition : scene.boundary) {
-    if (!condition.opposite)
+  for (const ContactPair<2> &of_sides : contact_pairs(scene)) {
+    if (!of_sides.other_side())
       continue;
-    const Side<2> &first = scene.geometry.sides[&condition - scene.boundary.data()],
-                  &second = scene.geometry.sides[*condition.opposite];
+    BoundaryCondition<2> &condition = scene.boundary[of_sides.side()];
+    const Side<2> &first = scene.geometry.sides[of_sides.side()],
+                  &second = scene.geometry.sides[*of_sides.other_side()];
     const std::string pair = "'" + first.name() + "' with '" + second.name() + "'";
     if (condition.foundation != nullptr)
       throw input_error(where, ": the pair ", pair,

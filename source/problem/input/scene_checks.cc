@@ -4,6 +4,7 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/parameters/parameters.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/functions.h>
 #include <signorini/problem/scene/scene.h>
 
@@ -141,10 +142,10 @@ void check_exact_gradient(const ExactSolutionParameters &exact, const Scene<dim>
 /** Returns u.n of the body that touches a side, at the point across from @p x, for the normal n of
  * the side; zero where there is none. */
 template <int dim, typename Displacement>
-double opposite_motion(const Scene<dim> &scene, const unsigned int i, const Point<dim> &x,
-                       const Displacement &u) {
+double motion_across(const Scene<dim> &scene, const unsigned int i, const Point<dim> &x,
+                     const Displacement &u) {
   if constexpr (dim == 2)
-    if (const auto other = scene.boundary[i].opposite) {
+    if (const auto &other = ContactPair<dim>(scene, i).other_side()) {
       const Side<2> &side = scene.geometry.sides[i];
       const Tensor<1, 2> n = side.normal(side.coordinates(x));
       if (const auto distance = scene.geometry.sides[*other].distance_along(x, n))
@@ -195,7 +196,7 @@ void check_exact_on_side(const ExactSolutionParameters &exact, const Scene<dim> 
       refuse("u.n", u_n, "0 on rollers");
     if (condition.role != Role::contact)
       continue;
-    const double gap = condition.data->value(x), closing = u_n - opposite_motion(scene, i, x, u_at);
+    const double gap = condition.data->value(x), closing = u_n - motion_across(scene, i, x, u_at);
     if (!(closing <= gap + share * size))
       refuse("u.n", closing, "at most the gap " + number_text(gap));
   }
@@ -220,9 +221,6 @@ template <int dim>
 void check_described_scene(const Parameters &parameters, const Scene<dim> &scene) {
   const ExactSolutionParameters &exact = parameters.exact;
   const ContactParameters &contact = parameters.contact;
-  const std::string friction = scene.friction == Friction::coulomb
-                                 ? contact.friction_coefficient.where()
-                                 : contact.friction_bound.where();
   const Points<dim> body = sample_body(scene.geometry);
   for (const Point<dim> &x : body)
     scene.material->hooke(x);
@@ -236,8 +234,11 @@ void check_described_scene(const Parameters &parameters, const Scene<dim> &scene
     check_finite(condition.data, sample_side(side, condition.role != Role::traction), "");
     const Points<dim> inside = sample_side(side, false);
     check_exact_on_side(exact, scene, i, inside);
-    check_sign(condition.friction, inside, friction, -1., 0., "the negative value ",
-               "0 or more on the whole side");
+    for (const FrictionLimit<dim> &limit : friction_limits<dim>(scene.friction))
+      check_sign(
+        condition.*limit.data, inside,
+        (limit.follows_pressure ? contact.friction_coefficient : contact.friction_bound).where(),
+        -1., 0., "the negative value ", "0 or more on the whole side");
     check_finite(condition.shift, inside, "");
     // Contact cannot pull.
     check_sign(condition.exact_pressure, inside, exact.pressure.where(), 1., 1e-6, "the tension ",

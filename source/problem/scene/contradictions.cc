@@ -3,6 +3,7 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/contradictions.h>
 #include <signorini/problem/scene/corners.h>
 
@@ -135,7 +136,7 @@ std::string contradiction_to_foundation(const Scene<dim> &scene, const Point<dim
     given_along(scene, side, x, touching.normal(touching.coordinates(x)));
   if (!u_n)
     return "";
-  const double g = scene.boundary[contact].data->value(x);
+  const double g = ContactPair<dim>(scene, contact).gap(x);
   return !penetrates(scene, *u_n, g, size)
            ? ""
            : "the side '" + scene.geometry.sides[side].name() +
@@ -152,7 +153,7 @@ template <int dim>
 std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const unsigned int i,
                              const unsigned int j, const double size) {
   const Role role = scene.boundary[j].role;
-  if (role == Role::contact && !scene.boundary[j].opposite)
+  if (role == Role::contact && !ContactPair<dim>(scene, j).other_side())
     return contradiction_to_foundation(scene, x, i, j, size);
   const bool second_holds_all = prescribes_all(role);
   if (!prescribes_all(scene.boundary[i].role) || !(second_holds_all || role == Role::roller))
@@ -190,26 +191,27 @@ using Meeting = std::pair<Point<dim>, std::array<unsigned int, 2>>;
 std::string contradiction_of_pair(const Scene<2> &scene, const Meeting<2> &meeting,
                                   const unsigned int side, const unsigned int contact,
                                   const std::vector<Meeting<2>> &all, const double size) {
-  const std::optional<unsigned int> opposite = scene.boundary[contact].opposite;
-  if (!opposite)
+  const ContactPair<2> pair(scene, contact);
+  if (!pair.other_side())
     return "";
   const auto &sides = scene.geometry.sides;
   const Point<2> &x = meeting.first;
   const Tensor<1, 2> n = sides[contact].normal(sides[contact].arc_length(x));
-  const Point<2> y = sides[*opposite].across(x, n);
+  const Side<2> &second = sides[*pair.other_side()];
+  const Point<2> y = second.across(x, n);
   const std::optional<double> u_n = given_along(scene, side, x, n);
-  if (!u_n || sides[*opposite].normal(sides[*opposite].arc_length(y)) * n >= 0.)
+  if (!u_n || second.normal(second.arc_length(y)) * n >= 0.)
     return "";
   for (const auto &[point, meet] : all)
     for (const auto &[held, other] : {std::pair{meet[0], meet[1]}, std::pair{meet[1], meet[0]}})
-      if (other == *opposite && point.distance(y) < 1e-8 * scene.geometry.diameter())
+      if (other == pair.other_side() && point.distance(y) < 1e-8 * scene.geometry.diameter())
         if (const std::optional<double> v_n = given_along(scene, held, y, n)) {
-          const double g = scene.boundary[contact].data->value(x);
+          const double g = pair.gap(x);
           if (penetrates(scene, *u_n - *v_n, g, size))
             return "the sides '" + sides[side].name() + "' and '" + sides[held].name() +
                    "' close the gap " + number_text(g) + " of the pair '" + sides[contact].name() +
-                   "' with '" + sides[*opposite].name() + "' by " + number_text(*u_n - *v_n) +
-                   " at " + text_of(x) +
+                   "' with '" + pair.other_name() + "' by " + number_text(*u_n - *v_n) + " at " +
+                   text_of(x) +
                    ", and no displacement of finite energy keeps the bodies apart; allowed: a "
                    "closing of at most the gap where both are held";
         }

@@ -3,6 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/corners.h>
 
 #include <deal.II/base/numbers.h>
@@ -189,15 +190,16 @@ std::vector<EdgeCondition> possible_conditions(const Scene<dim> &scene, const un
     return {{EdgeSupport::held}};
   if (role == Role::roller)
     return {{EdgeSupport::sliding}};
-  if (role != Role::contact && role != Role::opposite)
+  if (!may_touch(role))
     return {{EdgeSupport::free}};
   std::vector<EdgeCondition> conditions = {{EdgeSupport::free}, {EdgeSupport::sliding}};
-  if (condition.friction != nullptr && scene.friction != Friction::none) {
+  const auto limits = friction_limits<dim>(scene.friction);
+  if (role == Role::contact && !limits.empty())
     conditions.push_back({EdgeSupport::held});
-    if (scene.friction == Friction::coulomb && dim == 2)
-      for (const double f : {condition.friction->value(x), -condition.friction->value(x)})
-        conditions.push_back({EdgeSupport::sliding, f});
-  }
+  for (const FrictionLimit<dim> &limit : limits)
+    if (role == Role::contact && limit.follows_pressure && dim == 2)
+      for (const int sign : {1, -1})
+        conditions.push_back({EdgeSupport::sliding, sign * (condition.*limit.data)->value(x)});
   return conditions;
 }
 

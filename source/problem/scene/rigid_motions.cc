@@ -3,6 +3,7 @@
 
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/rigid_motions.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -85,12 +86,14 @@ public:
 };
 
 /** Adds the conditions of a side; two points suffice for a segment, three for a circle. */
-void add_side_conditions(const Geometry<2> &geometry, const unsigned int number,
-                         const BoundaryCondition<2> &condition, Conditions<2> &conditions) {
+void add_side_conditions(const Scene<2> &scene, const unsigned int number,
+                         Conditions<2> &conditions) {
+  const Geometry<2> &geometry = scene.geometry;
+  const BoundaryCondition<2> &condition = scene.boundary[number];
   const Side<2> &side = geometry.sides[number];
   std::optional<unsigned int> other;
-  if (condition.opposite)
-    other = geometry.body_of_side(*condition.opposite);
+  if (const auto &second = ContactPair<2>(scene, number).other_side())
+    other = geometry.body_of_side(*second);
   for (unsigned int k = 0; k < side.n_pieces(); ++k)
     for (const double share : {0., 1. / 3., 2. / 3., 1.}) {
       const double s = share * side.piece(k).length();
@@ -249,7 +252,7 @@ std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates 
     }
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
     if (!is_released[i])
-      add_side_conditions(scene.geometry, i, scene.boundary[i], conditions);
+      add_side_conditions(scene, i, conditions);
   dealii::Vector<double> eigenvalues(n);
   FullMatrix<double> vectors(n, n);
   conditions.matrix.compute_eigenvalues_symmetric(-1., 1e6, 1e-15, eigenvalues, vectors);

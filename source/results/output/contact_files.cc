@@ -3,7 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/space/trace_values.h>
+#include <signorini/discretization/space/paired_piece.h>
 #include <signorini/postprocessing/fields/recovered_pressure.h>
 #include <signorini/results/output/contact_files.h>
 #include <signorini/results/output/solution_vtu.h>
@@ -95,16 +95,16 @@ Columns<ContactRow<dim>> contact_columns(const bool has_friction, const bool has
   columns.insert(columns.end(), others.begin(), others.end());
   if (has_friction)
     add_friction_columns(columns);
-  const auto add_opposite = [&](const std::string &name, const auto value) {
+  const auto add_across = [&](const std::string &name, const auto value) {
     columns.push_back({name + "_opposite", [value](const Row &row) {
-                         const auto &opposite = row.point.opposite;
-                         return opposite ? std::optional<double>(value(*opposite)) : std::nullopt;
+                         const auto &across = row.point.across;
+                         return across ? std::optional<double>(value(*across)) : std::nullopt;
                        }});
   };
   for (unsigned int d = 0; d < dim && has_pairs; ++d)
-    add_opposite(std::string(1, "xyz"[d]), [d](const auto &opposite) { return opposite.x[d]; });
+    add_across(std::string(1, "xyz"[d]), [d](const auto &across) { return across.x[d]; });
   if (has_pairs)
-    add_opposite("u_n", [](const auto &opposite) { return opposite.u_n; });
+    add_across("u_n", [](const auto &across) { return across.u_n; });
   for (unsigned int d = 0; d < dim && has_directions; ++d)
     columns.push_back(
       {std::string("m_") + "xyz"[d], [d](const Row &row) { return row.point.direction[d]; }});
@@ -127,10 +127,11 @@ public:
     const BoundaryCondition<dim> &condition =
       body_.scene.boundary[surface_.patches()[piece.patch].side];
     const SurfaceRule<dim> rule = surface_.at(piece, positions);
-    const auto closing = traces_.displacement(surface_, piece, rule, body_.U);
-    Piece<dim> alone = piece;
-    alone.opposite.reset();
-    const auto u = piece.opposite ? traces_.displacement(surface_, alone, rule, body_.U) : closing;
+    const PairedPiece<dim> pair(surface_, piece);
+    const auto u = pair.displacements(rule, body_.U, traces_);
+    const bool is_of_bodies = pair.other_face() != nullptr;
+    const std::vector<Point<dim>> across =
+      pair.points(rule, is_of_bodies ? PairSide::second : PairSide::first);
     std::vector<ContactPoint<dim>> points;
     for (std::size_t q = 0; q < rule.size(); ++q) {
       ContactPoint<dim> point;
@@ -138,19 +139,15 @@ public:
       point.x = rule.points[q];
       point.p_H = body_.multipliers.value(body_.P.normal(), piece.patch, point.s);
       point.p_recovered = recovered_(piece.patch, point.s);
-      point.u = u[q];
+      point.u = u[0][q];
       point.direction = rule.directions[q];
-      point.u_n = closing[q] * point.direction;
-      point.g = condition.data->value(point.x);
+      const Tensor<1, dim> closing = u[0][q] - u[1][q];
+      point.u_n = closing * point.direction;
+      point.g = pair.in(body_.scene).gap(point.x);
       if (body_.P.has_friction())
-        point.friction = friction_at(piece.patch, condition, point, closing[q]);
-      if constexpr (dim == 2)
-        if (piece.opposite) {
-          const Tensor<1, dim> n = rule.normals[q];
-          const auto &other = surface_.scene().geometry.sides[*condition.opposite];
-          const Tensor<1, 2> u_opposite = u[q] - closing[q];
-          point.opposite = {other.across(point.x, n), u_opposite, u_opposite * n};
-        }
+        point.friction = friction_at(piece, point, closing);
+      if (is_of_bodies)
+        point.across = {across[q], u[1][q], u[1][q] * rule.normals[q]};
       if (condition.exact_pressure != nullptr)
         point.p_exact = condition.exact_pressure->value(point.x);
       points.push_back(point);
@@ -159,8 +156,11 @@ public:
   }
 
 private:
-  FrictionPoint friction_at(const unsigned int patch, const BoundaryCondition<dim> &condition,
-                            const ContactPoint<dim> &at, Tensor<1, dim> slip) const {
+  FrictionPoint friction_at(const Piece<dim> &piece, const ContactPoint<dim> &at,
+                            Tensor<1, dim> slip) const {
+    const unsigned int patch = piece.patch;
+    const ContactPair<dim> pair = PairedPiece<dim>(surface_, piece).in(body_.scene);
+    const auto &exact = body_.scene.boundary[pair.side()].exact_friction;
     const Tensor<1, dim> &m = at.direction;
     const auto &[multipliers, P] = std::tie(body_.multipliers, body_.P);
     const NodeState state = P.state(multipliers.nearest_node(patch, at.s));
@@ -168,14 +168,13 @@ private:
     point.q_H = multipliers.value(P.values(), patch, at.s, 1);
     point.s_H = multipliers.value(bounds_, patch, at.s);
     point.state = !state.presses ? 0 : state.slip == State::inside ? 1 : 2;
-    if (condition.exact_friction != nullptr)
-      point.q_exact = condition.exact_friction->value(at.x);
+    if (exact != nullptr)
+      point.q_exact = exact->value(at.x);
     if constexpr (dim == 2)
-      point.slip = slip * direction_of(Component::tangential, m) -
-                   (condition.shift != nullptr ? condition.shift->value(at.x) : 0.);
+      point.slip = slip * direction_of(Component::tangential, m) - pair.shift(at.x);
     else {
-      for (unsigned int d = 0; d < dim && condition.shift != nullptr; ++d)
-        slip[d] -= condition.shift->value(at.x, d);
+      for (unsigned int d = 0; d < dim; ++d)
+        slip[d] -= pair.shift(at.x, d);
       point.slip_vector = slip - (slip * m) * m;
       point.slip = point.slip_vector.norm();
       point.traction = tangential_traction(multipliers, P, patch, at.s, m);
@@ -214,7 +213,7 @@ static ContactPiece<dim> trace_piece(ContactTracer<dim> &tracer,
           piece.face,
           piece.patch,
           patch.measure,
-          surface.condition(piece).opposite,
+          PairedPiece<dim>(surface, piece).pair().other_side(),
           !surface.condition(piece).directions.are_normals(),
           {points.begin(), middle},
           {middle, points.end()}};
@@ -241,7 +240,7 @@ TracedContact<dim> trace_contact(const BodyInContact<dim> &body) {
 template <int dim>
 static bool has_pairs(const TracedContact<dim> &contact) {
   return std::any_of(contact.begin(), contact.end(),
-                     [](const auto &piece) { return piece.opposite.has_value(); });
+                     [](const auto &piece) { return piece.other_side.has_value(); });
 }
 
 /** Returns whether contact acts along the normals of planes somewhere. */
@@ -295,24 +294,24 @@ template <int dim>
 void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
                        const std::vector<double> &bound) {
   VtuCells<dim - 1> cells;
-  const bool with_opposite = has_pairs(contact), with_directions = has_directions(contact);
+  const bool with_pairs = has_pairs(contact), with_directions = has_directions(contact);
   constexpr unsigned int n_corners = GeometryInfo<dim - 1>::vertices_per_cell;
   /** Adds the corners of one side, which may touch another one. */
   const auto add_side = [&](const ContactPiece<dim> &piece, const std::size_t first,
                             const bool is_second) {
-    const double own = piece.side_number, other = piece.opposite ? *piece.opposite : -1.;
+    const double own = piece.side_number, other = piece.other_side ? *piece.other_side : -1.;
     std::vector<Point<dim>> points;
     std::vector<VtuFields> fields;
     for (unsigned int v = 0; v < n_corners; ++v) {
       const ContactPoint<dim> &point = piece.corners[first + v];
-      points.push_back(is_second ? point.opposite->x : point.x);
-      const Tensor<1, dim> &u = is_second ? point.opposite->u : point.u;
+      points.push_back(is_second ? point.across->x : point.x);
+      const Tensor<1, dim> &u = is_second ? point.across->u : point.u;
       VtuFields all = {{"displacement", u[0]},
                        {"displacement", u[1]},
                        {"displacement", dim == 3 ? u[dim - 1] : 0.},
                        {"patch", piece.patch},
                        {"side", is_second ? other : own}};
-      if (with_opposite)
+      if (with_pairs)
         all.emplace_back("opposite", is_second ? own : other);
       if (!bound.empty())
         all.emplace_back("bound_contact", bound[piece.face]);
@@ -327,7 +326,7 @@ void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
   for (const ContactPiece<dim> &piece : contact)
     for (std::size_t first = 0; first + n_corners <= piece.corners.size(); ++first) {
       add_side(piece, first, false);
-      if (piece.opposite)
+      if (piece.other_side)
         add_side(piece, first, true);
     }
   DataOutBase::VtkFlags flags;

@@ -3,6 +3,7 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/results/output/scene_json.h>
 
 #include <nlohmann/json.hpp>
@@ -57,8 +58,8 @@ void write_scene_json(std::ostream &stream, const Scene<2> &scene,
     const SideSamples<2> samples = sample_side(scene, i);
     Json side = {{"name", scene.geometry.sides[i].name()},
                  {"role", word_for(scene.boundary[i].role)}};
-    if (const auto opposite = scene.boundary[i].opposite)
-      side["opposite"] = scene.geometry.sides[*opposite].name();
+    if (const ContactPair<2> pair(scene, i); pair.other_side())
+      side["opposite"] = pair.other_name();
     for (std::size_t k = 0; k < samples.points.size(); ++k) {
       side["points"].push_back(AnswerVector(samples.points[k]));
       side["normals"].push_back(AnswerVector(samples.normals[k]));

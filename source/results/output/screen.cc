@@ -3,6 +3,7 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/results/output/screen.h>
 
 #include <algorithm>
@@ -23,12 +24,12 @@ std::string describe_boundary(const Scene<dim> &scene) {
                           Role::traction, Role::free}) {
     std::vector<std::string> names;
     for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-      if (scene.boundary[i].role == role)
+      if (scene.boundary[i].role == role) {
+        const ContactPair<dim> pair(scene, i);
         (has_plate(i) ? plates : names)
           .push_back(scene.geometry.sides[i].name() +
-                     (scene.boundary[i].opposite
-                        ? " with " + scene.geometry.sides[*scene.boundary[i].opposite].name()
-                        : ""));
+                     (pair.other_side() ? " with " + pair.other_name() : ""));
+      }
     if (!names.empty())
       parts.push_back(word_for(role) + " " + join(names, " "));
   }

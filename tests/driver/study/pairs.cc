@@ -296,7 +296,7 @@ void test_both_sides(Checks &checks) {
     trace_contact(level.body(solution.contact.U, solution.contact.P));
   for (const ContactPiece<2> &piece : contact)
     for (const ContactPoint<2> &point : piece.rows) {
-      const OppositePoint<2> &other = point.opposite.value();
+      const PointAcross<2> &other = point.across.value();
       checks.near("half of the closing", other.u_n, -0.5 * point.u_n, 1e-12);
       checks.near("the point across", other.x.distance({point.x[0], 0.}), 0., 1e-14);
     }

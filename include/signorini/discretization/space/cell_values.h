@@ -98,13 +98,13 @@ template <int dim, int rule_dim>
 class ValuesByElement {
 public:
   /**
-   * Stores the arguments; the space and the kinks must outlive the object.
+   * The arguments must outlive the object.
    * @param n_points per direction, for degree one.
    */
   ValuesByElement(const Mapping<dim> &mapping, const DisplacementSpace<dim> &space,
                   const Kinks<dim> &kinks, const unsigned int n_points, const UpdateFlags flags)
     : kinks_(kinks)
-    , mapping_(mapping.clone())
+    , mapping_(mapping)
     , space_(space)
     , n_points_(n_points)
     , plain_(flags) {}
@@ -120,20 +120,20 @@ protected:
     const FiniteElement<dim> &element = space_.element(cell);
     const unsigned int n_points = n_points_ + element.degree - 1;
     if (!is_cut)
-      return plain_.reinit(*mapping_, element, n_points, cell, face_no...);
-    cut_ = std::make_unique<Values>(*mapping_, element, cut_rule(n_points), plain_.flags());
+      return plain_.reinit(mapping_, element, n_points, cell, face_no...);
+    cut_ = std::make_unique<Values>(mapping_, element, cut_rule(n_points), plain_.flags());
     cut_->reinit(cell, face_no...);
     return *cut_;
   }
 
   const Mapping<dim> &mapping() const {
-    return *mapping_;
+    return mapping_;
   }
 
   const Kinks<dim> &kinks_;
 
 private:
-  const std::unique_ptr<const Mapping<dim>> mapping_;
+  const Mapping<dim> &mapping_;
   const DisplacementSpace<dim> &space_;
   unsigned int n_points_;
   ValuesCache<dim, rule_dim> plain_;

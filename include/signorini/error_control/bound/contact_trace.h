@@ -71,12 +71,11 @@ struct PenetrationFace {
   std::vector<Polynomial> basis;
   /** The numbers of the conditions at the nodes, see ContactTrace::conditions(). */
   std::vector<unsigned int> conditions;
-  /** The part of a patch on the face, whether p_H presses and friction holds it there, and the
-   * direction of contact where that is not the normal. In a pair also the place on the other face.
-   */
+  /** The part of a patch on the face, its state, and the direction of contact where that is not the
+   * normal. In a pair also the place on the other face. */
   struct Pressed {
     double from, to;
-    bool presses, sticks;
+    NodeState state;
     std::optional<PieceOnFace> other;
     std::optional<Tensor<1, 2>> direction;
 
@@ -202,7 +201,7 @@ public:
                  const std::vector<FaceVector> &v) const;
   /** Returns d itself at t, up to the evaluation of g, or ũ_t - g_t. */
   double misfit(const PenetrationFace &face, Component component, double t) const;
-  /** Returns the bound of friction: s, or with Coulomb's law f |τ_n|. */
+  /** Returns the bound of friction, zero where contact is not possible. */
   double friction_bound(const PenetrationFace &face, double t) const;
   /** Returns what rounding makes of d = 0 on a face. */
   double rounding(const PenetrationFace &face) const;

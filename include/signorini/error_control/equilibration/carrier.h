@@ -4,6 +4,7 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/space/multiplier_space.h>
+#include <signorini/problem/scene/contact_pair.h>
 
 #include <array>
 #include <optional>
@@ -20,12 +21,12 @@ constexpr std::array<Component, 2> contact_components = {
  */
 bool is_carrier(const Scene<2> &scene, unsigned int side);
 
-/** Returns the number of the contact side of a pair, for the side that touches it, too. */
-unsigned int contact_side_of(const Scene<2> &scene, unsigned int side);
-
 /** Returns the point of the contact side at a point of a carrier: where data of contact is given.
  */
 Point<2> point_of_data(const Scene<2> &scene, unsigned int side, const Point<2> &x);
+
+/** Returns the bound of |τ_t| at a point of a carrier with the normal traction @p tau_n. */
+double friction_bound_at(const Scene<2> &scene, unsigned int side, const Point<2> &x, double tau_n);
 
 /** A piece on a face of the mesh: the number of the face, and its own parameters at
  * Piece::lower and Piece::upper. */

@@ -38,9 +38,11 @@ public:
   bool fix_pulling_edges();
 
 private:
-  /** Returns for each contact edge whether all patches on it and on its neighbours on the same side
-   * are in a state: next to others the best traction would leave the admissible ones. */
-  std::map<unsigned int, bool> edges_inside(const std::vector<bool> &patches) const;
+  /** Returns for each contact edge whether a component of u follows the partner on all patches on
+   * it and on its neighbours on the same side: next to others the best traction would leave the
+   * admissible ones. @param states of the patches. */
+  std::map<unsigned int, bool> edges_inside(const std::vector<NodeState> &states,
+                                            Component component) const;
   void give_friction(const std::vector<NodeState> &of_patches);
   /** Returns the coefficients of Legendre's polynomials of p_H (component 0) or q_H on an edge. */
   std::vector<double> projection_of(unsigned int edge, unsigned int component) const;
@@ -48,7 +50,7 @@ private:
   void press_by_multipliers(unsigned int edge);
   /** Sets τ_t to q_H, between the bounds of friction; where the edge slips, to one of them. */
   void rub_by_multipliers(unsigned int edge);
-  /** Returns s at the position @p s, or with Coulomb's law f |τ_n|. */
+  /** Returns the bound of friction at the position @p s. */
   double friction_bound(unsigned int edge, double s) const;
   /** Returns the coefficients of Bernstein of a polynomial that is close to this, and not above it
    * at samples. Notes the edge where it is far below. */

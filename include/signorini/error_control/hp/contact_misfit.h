@@ -16,10 +16,9 @@ namespace Signorini {
  *     modulus π/2 p/h ‖r‖_0²,
  *
  * that of a half-space with waves of the number π p/h. @throws InputError where g has no value.
- * @param follows for each patch whether the component follows the foundation there.
  */
-void add_contact_misfit(const BodyInContact<2> &body, const std::vector<bool> &follows,
-                        Component component, std::vector<CellIndicator> &indicators);
+void add_contact_misfit(const BodyInContact<2> &body, Component component,
+                        std::vector<CellIndicator> &indicators);
 
 /** Returns the active cells with a contact face on which the body penetrates the foundation
  * although no multiplier there or on a neighbouring face presses: the nodes of the multipliers have

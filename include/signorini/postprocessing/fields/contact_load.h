@@ -3,38 +3,11 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/space/multiplier.h>
-#include <signorini/discretization/space/resultant.h>
 #include <signorini/discretization/space/trace_values.h>
 
 #include <vector>
 
 namespace Signorini {
-/** The sides of a pair. */
-enum class PairSide { first, opposite };
-
-/** Returns the points of Γ_c at which tractions act: x on the side named first, and on the other
- * one the points across from these, x + d n, which are d as drawn away. */
-template <int dim>
-std::vector<Point<dim>> points_of_action(const ContactSurface<dim> &surface,
-                                         const Piece<dim> &piece, PairSide side);
-
-/** Returns the force and the moment of p_H m + q_H on a piece of Γ_c; on the opposite side of a
- * pair those of -p_H m - q_H at the points across. The forces cancel, and the moments do but for
- * the couple of q_H and d. */
-template <int dim>
-Resultant<dim> contact_resultant(const MultiplierSpace<dim> &multipliers,
-                                 const Multiplier &multiplier, const Piece<dim> &piece,
-                                 PairSide side = PairSide::first);
-
-/** Returns u_h.m - g at the points of a rule on a piece, positive where the body penetrates, or
- * the slip u_{h,t} - g_t; g is that of @p scene, whose contact sides are those of the surface.
- * @throws InputError where g has no value. */
-template <int dim>
-std::vector<double> penetration(const Scene<dim> &scene, const ContactSurface<dim> &surface,
-                                const Piece<dim> &piece, const SurfaceRule<dim> &rule,
-                                const Displacement &U, TraceValues<dim> &traces,
-                                Component component = Component::normal);
-
 /** Returns ∫_{Γ_c} q φ_j.m for all j, as the column of a coupling: @p values_on (piece, rule) is q
  * at the points of @p rule_on (piece). With t in the place of m if the component is tangential. */
 template <int dim, typename RuleOn, typename ValuesOn>

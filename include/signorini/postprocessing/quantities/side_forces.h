@@ -3,8 +3,8 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/space/multiplier.h>
+#include <signorini/discretization/space/paired_piece.h>
 #include <signorini/discretization/space/resultant.h>
-#include <signorini/postprocessing/fields/contact_load.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 
@@ -40,7 +40,7 @@ template <int dim>
 std::vector<unsigned int> sides_of_contact_force(const Scene<dim> &scene);
 
 /** Returns ∫ p_H n, with friction ∫ p_H n + q_H t, over contact sides, with the name of a single
- * one; or what acts on the opposite sides of pairs. The line of action is given by its point
+ * one; or what acts on the second bodies of pairs. The line of action is given by its point
  * nearest to the centre of pressure, which lies on a straight side. */
 template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,

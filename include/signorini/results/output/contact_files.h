@@ -33,7 +33,7 @@ struct FrictionPoint {
 /** The point of the other side of a pair that lies across on the normal of the first one: its
  * displacement u, and u.n for that normal (length). */
 template <int dim>
-struct OppositePoint {
+struct PointAcross {
   Point<dim> x;
   Tensor<1, dim> u;
   double u_n = 0.;
@@ -60,14 +60,14 @@ struct ContactPoint {
   double g = 0.;
   std::optional<double> p_exact;
   std::optional<FrictionPoint> friction;
-  std::optional<OppositePoint<dim>> opposite;
+  std::optional<PointAcross<dim>> across;
 
   template <typename Archive>
   void serialize(Archive &archive, unsigned int) {
     archive &s &x &p_H &p_recovered &u &direction &u_n &g;
     archive_optional(archive, p_exact);
     archive_optional(archive, friction);
-    archive_optional(archive, opposite);
+    archive_optional(archive, across);
   }
 };
 
@@ -80,7 +80,7 @@ struct ContactPiece {
   /** The length or area |tau| of the patch. */
   double patch_measure;
   /** The number of the side of another body that it may touch. */
-  std::optional<unsigned int> opposite;
+  std::optional<unsigned int> other_side;
   /** Whether contact acts along the normals of planes on the side. */
   bool has_direction;
   /** The points of tables. A piece with a constant has its middle; a piece with polynomials has its
@@ -94,7 +94,7 @@ struct ContactPiece {
   template <typename Archive>
   void serialize(Archive &archive, unsigned int) {
     archive &side &side_number &face &patch &patch_measure &has_direction &rows &corners;
-    archive_optional(archive, opposite);
+    archive_optional(archive, other_side);
   }
 };
 

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/problem/scene/scene.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Signorini {
+/** A limit of the traction |q| along a contact side: a function of the side, or this times |p|. */
+template <int dim>
+struct FrictionLimit {
+  /** As in "friction coefficient". */
+  const char *name;
+  /** The function, among the data of the side. */
+  FunctionPointer<dim> BoundaryCondition<dim>::*data;
+  bool follows_pressure;
+};
+
+/** Returns the limits of a law, of which the least counts; none without friction. */
+template <int dim>
+std::vector<FrictionLimit<dim>> friction_limits(Friction law);
+
+/** A contact side and its partner, a rigid foundation or a side of another body, with what the
+ * scene prescribes between them. */
+template <int dim>
+class ContactPair {
+public:
+  /** The scene must outlive the object. @param side a contact side. */
+  ContactPair(const Scene<dim> &scene, const unsigned int side)
+    : scene_(scene)
+    , side_(side) {}
+
+  /** Returns the number of the contact side. */
+  unsigned int side() const {
+    return side_;
+  }
+  /** Returns the number of the side of the other body; none where the foundation is rigid. */
+  const std::optional<unsigned int> &other_side() const {
+    return data().opposite;
+  }
+  /** Returns the name of the side of the other body; empty where the foundation is rigid. */
+  std::string other_name() const {
+    return other_side() ? scene_.geometry.sides[*other_side()].name() : std::string();
+  }
+  /** Returns the gap g at a point of the contact side. @throws InputError where it has no value. */
+  double gap(const Point<dim> &x) const {
+    return data().data->value(x);
+  }
+  /** Returns a component of the motion g_t of the foundation. */
+  double shift(const Point<dim> &x, const unsigned int component = 0) const {
+    return data().shift == nullptr ? 0. : data().shift->value(x, component);
+  }
+  /** Returns the bound s of |q| at a point with the traction @p p along the direction of contact.
+   * The scene has friction. */
+  double friction_bound(const Point<dim> &x, double p) const;
+
+private:
+  const BoundaryCondition<dim> &data() const {
+    return scene_.boundary[side_];
+  }
+
+  const Scene<dim> &scene_;
+  unsigned int side_;
+};
+
+/** Returns the pairs of the contact sides. */
+template <int dim>
+std::vector<ContactPair<dim>> contact_pairs(const Scene<dim> &scene) {
+  std::vector<ContactPair<dim>> pairs;
+  for (const unsigned int side : scene.contact_sides())
+    pairs.emplace_back(scene, side);
+  return pairs;
+}
+
+/** Returns the pair of a contact side, or of the side that touches it. */
+template <int dim>
+ContactPair<dim> pair_with(const Scene<dim> &scene, const unsigned int side) {
+  for (const ContactPair<dim> &pair : contact_pairs(scene))
+    if (pair.other_side() == side)
+      return pair;
+  return {scene, side};
+}
+
+/** Returns whether the body may touch something on a side of this role. */
+inline bool may_touch(const Role role) {
+  return role == Role::contact || role == Role::opposite;
+}
+} // namespace Signorini
