@@ -6,6 +6,7 @@
 #include <signorini/discretization/space/trace_values.h>
 #include <signorini/problem/scene/contact_pair.h>
 
+#include <array>
 #include <optional>
 #include <vector>
 
