@@ -15,6 +15,15 @@ std::string concatenate(const Parts &...parts) {
   return text.str();
 }
 
+/** Returns "(0, 1.5)": a vector or a point with six digits. */
+template <typename Vector>
+std::string vector_text(const Vector &x) {
+  std::string text;
+  for (unsigned int d = 0; d < Vector::dimension; ++d)
+    text += concatenate(d == 0 ? "(" : ", ", x[d] + 0.); // no -0
+  return text + ")";
+}
+
 /** Returns the error with these parts of its sentence. */
 template <typename... Parts>
 InputError input_error(const Parts &...parts) {

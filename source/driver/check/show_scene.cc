@@ -2,6 +2,7 @@
 // A scene before it is solved: its sides, its cost, a drawing.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/base/message.h>
 #include <signorini/base/parallel.h>
 #include <signorini/base/text.h>
 #include <signorini/discretization/mesh/mesh.h>
@@ -89,11 +90,10 @@ std::string data_of(const Scene<dim> &scene, const unsigned int side,
 /** Prints a line for every side. */
 template <int dim>
 void print_sides(const Scene<dim> &scene, std::ostream &screen) {
-  const auto point = [rounding = 1e-12 * scene.geometry.diameter()](const Point<dim> &x) {
-    std::vector<std::string> texts;
+  const auto point = [rounding = 1e-12 * scene.geometry.diameter()](Point<dim> x) {
     for (unsigned int d = 0; d < dim; ++d)
-      texts.push_back(number_text(std::abs(x[d]) < rounding ? 0. : x[d]));
-    return "(" + join(texts, ", ") + ")";
+      x[d] = std::abs(x[d]) < rounding ? 0. : x[d];
+    return vector_text(x);
   };
   std::vector<std::vector<std::string>> rows = {
     {"side", "role", "from", "to", dim == 2 ? "length" : "area", "data"}};

@@ -73,6 +73,11 @@ Curve Curve::arc_between(const Point<2> &start, const Point<2> &end, const Point
              counter_clockwise ? Body::inside : Body::outside);
 }
 
+Point<2> Curve::circumcentre(const Point<2> &a, const Tensor<1, 2> &u, const Tensor<1, 2> &v) {
+  return a + (u.norm_square() * cross_product_2d(v) - v.norm_square() * cross_product_2d(u)) /
+               (2. * (u * cross_product_2d(v)));
+}
+
 Curve Curve::between(const Point<2> &start, const Point<2> &end,
                      const std::optional<Point<2>> &centre) {
   if (!centre)

@@ -260,11 +260,12 @@ template <>
 Geometry<2> make_geometry(const GeometryParameters &given) {
   refuse_other_shapes(given, given.shape);
   Geometry<2> geometry;
+  const Entry *made_by = nullptr;
   switch (given.shape.value) {
   case Shape::rectangle: {
     const Block<2> block = read_block<2>(given);
     geometry = make_rectangle(block.lower, block.upper, block.cells);
-    check_size(geometry, given.upper_right.where());
+    made_by = &given.upper_right;
     break;
   }
   case Shape::box:
@@ -272,13 +273,13 @@ Geometry<2> make_geometry(const GeometryParameters &given) {
                    "found 'box' with Dimension = 2, allowed: Dimension = 3, or another shape.");
   case Shape::polygon:
     geometry = read_polygon(given);
-    check_size(geometry, given.vertices.where());
+    made_by = &given.vertices;
     break;
   case Shape::half_disc:
   case Shape::disc:
   case Shape::ring:
     geometry = read_round_body(given);
-    check_size(geometry, given.radius.where());
+    made_by = &given.radius;
     break;
   case Shape::file: {
     if (given.distortion.changed)
@@ -290,10 +291,11 @@ Geometry<2> make_geometry(const GeometryParameters &given) {
     if (!given.part.empty())
       keep_part(mesh, given.part, split_words(given.bodies));
     geometry = make_geometry(std::move(mesh), split_words(given.arcs), given.arcs.where());
-    check_size(geometry, given.file.where());
+    made_by = &given.file;
     break;
   }
   }
+  check_size(geometry, made_by->where());
   geometry.distortion = given.distortion;
   geometry.where_distortion = given.distortion.where();
   return geometry;

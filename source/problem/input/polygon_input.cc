@@ -183,9 +183,7 @@ PolygonArc arc_through_point(const Point<2> &x, const PolygonVertex &a, const Po
   if (!(std::abs(product) > least_sine * u.norm() * v.norm() && x.distance(b.x) > 0.))
     throw error_at(entry, "found the point (", x, ") for the arc from ", a.name, " to ", b.name,
                    ", allowed: a point beside the line through both.");
-  return {a.x + (u.norm_square() * cross_product_2d(v) - v.norm_square() * cross_product_2d(u)) /
-                  (2. * product),
-          product > 0.};
+  return {Curve::circumcentre(a.x, u, v), product > 0.};
 }
 
 /** Reads "arc cx,cy ccw", "arc radius r ccw" or "arc through x,y" between two vertices. */

@@ -121,10 +121,7 @@ Curve arc_through(const Nodes &nodes) {
   const double product = a * cross_product_2d(b);
   if (!(std::abs(product) > min_rise * a.norm() * b.norm()))
     return Curve(start, nodes[last]->x);
-  const Point<2> centre =
-    start + (a.norm_square() * cross_product_2d(b) - b.norm_square() * cross_product_2d(a)) /
-              (2. * product);
-  return Curve::arc_between(start, nodes[last]->x, centre, product > 0.);
+  return Curve::arc_between(start, nodes[last]->x, Curve::circumcentre(start, a, b), product > 0.);
 }
 
 /** The edges [first, last) of a chain, which are one segment or one arc. */

@@ -2,6 +2,7 @@
 // Sides that prescribe different displacements where they meet.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/contradictions.h>
@@ -60,14 +61,6 @@ meetings(const Geometry<3> &geometry) {
   return found;
 }
 
-template <int dim>
-std::string text_of(const Tensor<1, dim> &vector) {
-  std::vector<std::string> numbers;
-  for (unsigned int d = 0; d < dim; ++d)
-    numbers.push_back(number_text(vector[d] + 0.)); // no -0
-  return "(" + join(numbers) + ")";
-}
-
 /** Returns whether all components of u are prescribed, not u.n alone. */
 bool prescribes_all(const Role role) {
   return role == Role::clamped || role == Role::displacement;
@@ -93,9 +86,9 @@ std::vector<std::pair<Tensor<1, dim>, std::string>> motions_at(const Scene<dim> 
     for (const Plate &plate : scene.plates)
       if (plate.side == side) {
         if (plate.is_pushed)
-          found.emplace_back(plate.direction, "move along " + text_of(plate.direction));
+          found.emplace_back(plate.direction, "move along " + vector_text(plate.direction));
         if (plate.drifts)
-          found.emplace_back(plate.across(), "move along " + text_of(plate.across()));
+          found.emplace_back(plate.across(), "move along " + vector_text(plate.across()));
         if (plate.turns)
           found.emplace_back(plate.displacement({0., 0., 1.}, x), "turn");
       }
@@ -140,8 +133,8 @@ std::string contradiction_to_foundation(const Scene<dim> &scene, const Point<dim
   return !penetrates(scene, *u_n, g, size)
            ? ""
            : "the side '" + scene.geometry.sides[side].name() +
-               "' prescribes u = " + text_of(given_displacement(scene.boundary[side], x)) + " at " +
-               text_of(x) + ", where the side '" + touching.name() + "' has the gap " +
+               "' prescribes u = " + vector_text(given_displacement(scene.boundary[side], x)) +
+               " at " + vector_text(x) + ", where the side '" + touching.name() + "' has the gap " +
                number_text(g) +
                ", and no displacement of finite energy stays outside of the foundation; allowed: "
                "u.n <= g where they meet";
@@ -171,13 +164,13 @@ std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const
     for (const auto &[motion, text] : motions_at(scene, mover, x))
       if (held_part(motion).norm() > rounding * motion.norm())
         return "the plate " + name(mover) + " cannot " + text + ", because the side " +
-               name(holder) + " holds their common point " + text_of(x) +
+               name(holder) + " holds their common point " + vector_text(x) +
                ", allowed: plates whose neighbours let them move";
   if (held_part(a - b).norm() <= rounding * size)
     return "";
-  return "the side " + name(i) + " prescribes u = " + text_of(a) + " at " + text_of(x) +
+  return "the side " + name(i) + " prescribes u = " + vector_text(a) + " at " + vector_text(x) +
          ", where the side " + name(j) + " prescribes " +
-         (second_holds_all ? "u = " + text_of(b) : "u.n = 0 with n = " + text_of(n)) +
+         (second_holds_all ? "u = " + vector_text(b) : "u.n = 0 with n = " + vector_text(n)) +
          ", and no displacement of finite energy jumps; allowed: values that agree where sides "
          "meet";
 }
@@ -211,7 +204,7 @@ std::string contradiction_of_pair(const Scene<2> &scene, const Meeting<2> &meeti
             return "the sides '" + sides[side].name() + "' and '" + sides[held].name() +
                    "' close the gap " + number_text(g) + " of the pair '" + sides[contact].name() +
                    "' with '" + pair.other_name() + "' by " + number_text(*u_n - *v_n) + " at " +
-                   text_of(x) +
+                   vector_text(x) +
                    ", and no displacement of finite energy keeps the bodies apart; allowed: a "
                    "closing of at most the gap where both are held";
         }

@@ -120,20 +120,17 @@ void add_plate_conditions(const Plate &plate, const unsigned int body, Condition
     conditions.matrix(3 * body + 2, 3 * body + 2) += 1.;
 }
 
-/** Rounds a number for messages: no -0, no 1e-17. */
-double rounded(const double value) {
-  return std::round(value * 1e4) / 1e4 + 0.;
-}
-
-std::string point_text(const double x, const double y) {
-  return concatenate("(", rounded(x), ", ", rounded(y), ")");
+/** Returns a point or a direction rounded for messages: no 1e-17. */
+std::string rounded_text(Tensor<1, 2> x) {
+  for (unsigned int d = 0; d < 2; ++d)
+    x[d] = std::round(x[d] * 1e4) / 1e4;
+  return vector_text(x);
 }
 
 /** Returns the point that does not move, as text. */
 std::string pole(const BodyMotion &motion) {
   const double omega = motion.rotation / motion.size;
-  return point_text(motion.centre[0] - motion.translation[1] / omega,
-                    motion.centre[1] + motion.translation[0] / omega);
+  return rounded_text(motion.centre - cross_product_2d(motion.translation) / omega);
 }
 } // namespace
 
@@ -178,7 +175,7 @@ std::string RigidMotion::name() const {
       return "the rotation about " + pole(part);
     const Tensor<1, 2> t = part.translation / part.translation.norm();
     const double sign = (std::abs(t[0]) > 1e-6 ? t[0] : t[1]) < 0 ? -1. : 1.;
-    return "the translation along " + point_text(sign * t[0], sign * t[1]);
+    return "the translation along " + rounded_text(sign * t);
   });
 }
 
@@ -187,8 +184,7 @@ std::string RigidMotion::direction() const {
     if (!Signorini::is_translation(part))
       return std::string(part.rotation > 0. ? "counter-clockwise" : "clockwise") + " about " +
              pole(part);
-    const double length = part.translation.norm();
-    return "along " + point_text(part.translation[0] / length, part.translation[1] / length);
+    return "along " + rounded_text(part.translation / part.translation.norm());
   });
 }
 

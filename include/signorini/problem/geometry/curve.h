@@ -40,6 +40,10 @@ public:
   static Curve arc_between(const Point<2> &start, const Point<2> &end, const Point<2> &centre,
                            bool counter_clockwise);
 
+  /** Returns the centre of the circle through three points, @p a and others that differ from it by
+   * @p u and @p v, which are not parallel. */
+  static Point<2> circumcentre(const Point<2> &a, const Tensor<1, 2> &u, const Tensor<1, 2> &v);
+
   /** Returns the segment between two points, or the shorter arc about a centre, with the body on
    * its left. */
   static Curve between(const Point<2> &start, const Point<2> &end,
