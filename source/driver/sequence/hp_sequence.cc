@@ -105,8 +105,13 @@ private:
     const bool suffices = may_suffice && judge.reaches_target(record) &&
                           (is_guaranteed(record) || examination_.is_checked(findings));
     const bool has_bound = bound_of(record).has_value();
-    if (has_bound)
+    if (has_bound) {
       findings.error = std::max(findings.error, record.bound->absolute.value_or(0.));
+      // Loads that stresses do not balance exactly count, too.
+      for (std::size_t cell = 0; cell < findings.indicators.size(); ++cell)
+        findings.indicators[cell].error =
+          std::hypot(findings.indicators[cell].error, solution.bound_fields.oscillation[cell]);
+    }
     const bool is_last = fails || suffices || is_out_of_reach(findings.error, has_bound) ||
                          takes_too_many(findings) || !plan_next(findings);
     if (!may_suffice)

@@ -371,13 +371,20 @@ EnergyMisfit::Square EnergyMisfit::square(const std::size_t k, const Equilibrate
   return {value, (1e-14 + stress.defect) * size};
 }
 
+double EnergyMisfit::load_square(const EquilibratedStress &stress) const {
+  double square = 0.;
+  for (std::size_t c = 0; c < stress.fits.size() && !is_aligned(); ++c)
+    square += std::pow(stress.load_oscillation(c), 2);
+  return square;
+}
+
+double EnergyMisfit::load_term(const std::size_t k, const EquilibratedStress &stress) const {
+  return 2. * std::sqrt(load_square(stress) * fields_[k].strain);
+}
+
 double EnergyMisfit::distance(const std::size_t k, const EquilibratedStress &stress,
                               const Works &works) const {
-  // With f in place of f_K: ∫ (f - f_K).v ≤ Σ osc_K |||v|||_K.
-  double load_square = 0.;
-  for (std::size_t c = 0; c < stress.fits.size() && !is_aligned(); ++c)
-    load_square += std::pow(stress.load_oscillation(c), 2);
-  const double oscillation = 2. * std::sqrt(load_square * fields_[k].strain);
+  const double oscillation = load_term(k, stress);
   const auto [value, rounding] = square(k, stress, works);
   constexpr double most = 100.;
   if (!(value >= -most * rounding - oscillation))
@@ -421,6 +428,19 @@ Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
   return energy;
 }
 
+std::vector<double> EnergyMisfit::oscillations_by_cell(const EquilibratedStress &stress) const {
+  // Σ osc_K²/(Σ osc_K²)^{1/2} is the term that f in place of f_K adds.
+  const double factor = load_term(0, stress) > 0. ? load_term(0, stress) / load_square(stress) : 0.;
+  std::map<CellId, double> squares;
+  for (std::size_t c = 0; c < stress.fits.size(); ++c)
+    squares[stress.fits[c].id] =
+      std::pow(stress.oscillation(c), 2) + factor * std::pow(stress.load_oscillation(c), 2);
+  std::vector<double> oscillations;
+  for (const auto &cell : data_.space.mesh().triangulation().active_cell_iterators())
+    oscillations.push_back(std::sqrt(squares.at(cell->id())));
+  return oscillations;
+}
+
 StressBound EnergyMisfit::bound(const EquilibratedStress &stress, const Works &works) const {
   const double mesh = distance(0, stress, works), rest = std::sqrt(stress.oscillation_square());
   StressBound result;
@@ -436,6 +456,8 @@ StressBound EnergyMisfit::bound(const EquilibratedStress &stress, const Works &w
     result.misfit.push_back(share * mesh);
     result.oscillation.push_back(share * rest);
   }
+  if (data_.space.mesh().is_graded())
+    result.oscillation = oscillations_by_cell(stress);
   if (fields_.size() > 1 && !data_.space.mesh().is_curved() &&
       data_.space.max_element_degree() == 1)
     result.interpolated_part = {std::pow(distance(1, stress, works) + rest, 2),

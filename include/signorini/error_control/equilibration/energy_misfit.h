@@ -68,6 +68,12 @@ private:
     double value, rounding;
   };
   Square square(std::size_t field, const EquilibratedStress &stress, const Works &works) const;
+  /** Returns Σ osc_K² of body forces where f stands for f_K, otherwise zero. */
+  double load_square(const EquilibratedStress &stress) const;
+  /** Returns the bound 2 (Σ osc_K²)^{1/2} |||v||| of 2 ∫ (f - f_K).v. */
+  double load_term(std::size_t field, const EquilibratedStress &stress) const;
+  /** Returns osc_K with the share of the cell in load_term(), in the order of active cells. */
+  std::vector<double> oscillations_by_cell(const EquilibratedStress &stress) const;
   /** Returns ‖σ(v) - τ‖. */
   double distance(std::size_t field, const EquilibratedStress &stress, const Works &works) const;
   /** Returns f_K, or where cells are not aligned f, at points of a cell of u_h. */
