@@ -83,11 +83,6 @@ EquilibrationMesh::EquilibrationMesh(const BoundData &data)
   own_ = std::make_unique<Triangulation<2>>();
   data.scene.geometry.make_coarse_mesh(*own_);
   const bool is_graded = data.space.mesh().is_graded();
-  // Vertices of graded meshes lie on the lines of the data.
-  for (const auto &cell : own_->active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      if (is_graded)
-        cell->vertex(v) = follow(data.space.mesh().triangulation(), cell->id())->vertex(v);
   constexpr unsigned int most_generations = 4;
   constexpr double least_cells = 64.;
   double n_cells = data.space.mesh().triangulation().n_active_cells();
@@ -131,6 +126,8 @@ bool EquilibrationMesh::is_rough(const Cell &cell, const std::vector<Point<2>> &
 }
 
 void EquilibrationMesh::split_like_u() {
+  // Manifolds know neither distorted vertices nor those on lines of the data.
+  own_->set_all_manifold_ids(numbers::flat_manifold_id);
   for (bool changed = true; changed; own_->execute_coarsening_and_refinement()) {
     changed = false;
     for (const auto &cell : own_->active_cell_iterators())
@@ -139,6 +136,9 @@ void EquilibrationMesh::split_like_u() {
         changed = true;
       }
   }
+  for (const auto &cell : own_->active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      cell->vertex(v) = follow(data_.space.mesh().triangulation(), cell->id())->vertex(v);
 }
 
 bool EquilibrationMesh::refine(const std::vector<Cell> &cells, const bool by_degree) {

@@ -78,7 +78,7 @@ private:
     if (is_recovered_)
       fields.push_back({&field_.U, n_generations_});
     CellEvaluator<dim> u(
-      space_, fields, [&](unsigned int) { return points; }, {}, false);
+      field_.space, fields, [&](unsigned int) { return points; }, {}, false);
     for (const Cell &cell : field_.space.dofs().active_cell_iterators()) {
       if (!cell->is_locally_owned() || cell->active_fe_index() != number ||
           (by_parents_ && cell->parent()->child_index(0) != cell->index()))
