@@ -87,7 +87,7 @@ void uneven_pressure(Checks &checks) {
              0.1 * (std::pow(s[1] - c[1], 2) + 1. / 48.);
     }));
     checks.near("peak of a paraboloid", top->value, 1., 1e-13);
-    checks.near("its place", top->place.point, Vector3({c[0], c[1], 0.}), 1e-12);
+    checks.near("its place", top->at.point, Vector3({c[0], c[1], 0.}), 1e-12);
   }
   Resultant<3> screw;
   screw.add(Vector3({0., 0., 2.}), {1., 0., 0.});
@@ -129,7 +129,7 @@ void penetration(Checks &checks) {
   const auto found =
     max_penetration({box.space, scene, interpolate_at_nodes(box.space, *sinking)}, box.surface);
   checks.near("penetration", found->value, 0.04 - std::pow(0.0625, 2), 1e-15);
-  checks.that("its side", found->place.side == "bottom");
+  checks.that("its side", found->at.side == "bottom");
 }
 
 /** K/mu = 2 (1 + nu)/(3 (1 - 2 nu)), times (h/l)²; zero where it is small. */

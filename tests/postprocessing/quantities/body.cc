@@ -118,7 +118,7 @@ void penetration(Checks &checks) {
   });
   const auto found = max_penetration(level.body(U), level.discretization.surface);
   checks.near("penetration", found->value, 0.04, 1e-15);
-  checks.near("its place", found->place.point.distance({0.28125, 0.}), 0., 1e-14);
+  checks.near("its place", found->at.point.distance({0.28125, 0.}), 0., 1e-14);
   const Displacement lifted = nodal_values(level.space(), [](const dealii::Point<2> &) {
     return Vector2({0., 0.5});
   });

@@ -162,7 +162,7 @@ void graded(Checks &checks) {
   // int (xi - x)^{1/2} x = 4/15 xi^{5/2}.
   checks.near("B1: line of action", (*last.answer.contact_force.through)[0], 0.4 * xi, 1e-5);
   checks.near("B1: peak", last.answer.peak_pressure->value, std::sqrt(xi), 3e-5);
-  checks.near("B1: its place", last.answer.peak_pressure->place.arc_length, 0., 1e-12);
+  checks.near("B1: its place", last.answer.peak_pressure->at.arc_length, 0., 1e-12);
   checks.that("B1: one zone", last.answer.zones.size() == 1);
   const ContactZone &zone = last.answer.zones[0];
   checks.that("B1: it starts with the side", zone.start.at.arc_length == 0.);

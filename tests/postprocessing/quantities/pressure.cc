@@ -39,8 +39,8 @@ void peak(Checks &checks) {
   const auto parabola = [](const double x) { return -x + 4. / 3. * std::pow(x - 0.37, 3); };
   const auto found = peak_pressure(uneven.multipliers(), means(uneven.multipliers(), parabola));
   checks.near("peak of a parabola", found->value, 1., 1e-13);
-  checks.near("its place", found->place.point[0], 0.37, 1e-12);
-  checks.that("its side", found->place.side == "bottom");
+  checks.near("its place", found->at.point[0], 0.37, 1e-12);
+  checks.that("its side", found->at.side == "bottom");
   const auto &patch = uneven.discretization.surface.patches()[2];
   checks.near("mean of its patch", found->mean,
               -(parabola(patch.upper[0]) - parabola(patch.lower[0])) / patch.measure, 1e-14);
@@ -49,7 +49,7 @@ void peak(Checks &checks) {
     peak_pressure(uneven.multipliers(),
                   means(uneven.multipliers(), [](double x) { return -2. * x + 0.5 * x * x; }));
   checks.near("peak at the end of a side", at_end->value, 2., 1e-13);
-  checks.near("there", at_end->place.point[0], 0., 1e-15);
+  checks.near("there", at_end->at.point[0], 0., 1e-15);
   checks.that("no pressure, no peak",
               !peak_pressure(uneven.multipliers(), Pressure(uneven.multipliers().n_multipliers())));
 }

@@ -20,7 +20,7 @@ struct Iterated {
     // f = T^T (loads - a(k, .)), and the gap that k leaves.
     const Signorini::Displacement k = space.prescribed(scene);
     Signorini::DualVector r = assemble_right_hand_side(space, scene, 2).loads;
-    r -= internal_forces(DisplacedBody(space, scene, k)).forces;
+    r -= Signorini::internal_forces(Signorini::DisplacedBody<dim>(space, scene, k)).forces;
     f = space.condense(r);
     gap -= D.transpose_product(k);
   }
