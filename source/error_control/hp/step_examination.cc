@@ -130,7 +130,8 @@ StepFindings StepExamination::examine(const Solved<2> &solved, const EnergyScale
   StepFindings findings;
   findings.indicators = indicate(solved);
   add_contact_misfit(solved, Component::normal, findings.indicators);
-  if (solved.P.has_friction())
+  // In a step of a history the scene has none: P sticks to where the foundation has carried it.
+  if (solved.scene.friction != Friction::none)
     add_contact_misfit(solved, Component::tangential, findings.indicators);
   findings.jumps = add_jump_misfit(solved, findings.indicators);
   findings.brackets = zone_brackets(solved.multipliers, solved.P.states());

@@ -56,8 +56,8 @@ BoxTree::BoxTree(const BoundingBox<2> &body, const Look &look, const IsSmooth &i
     if (d == 2)
       continue;
     nodes_[whole.node] = {{Point<2>::unit_vector(d), whole.box.center()[d]},
-                         static_cast<unsigned int>(nodes_.size()),
-                         asks};
+                          static_cast<unsigned int>(nodes_.size()),
+                          asks};
     for (unsigned int part = 0; part < 2; ++part) {
       Open half = {static_cast<unsigned int>(nodes_.size()),
                    half_of(whole.box, nodes_[whole.node], part), whole.halvings};
