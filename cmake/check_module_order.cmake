@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Data flows one way through eight floors: a file includes only its own floor and floors before it, directly and through
-# other headers. Inside a floor, rooms include one another in one direction.
+# Data flows one way through eight floors, the library, to the ninth, which verifies it: a file includes only its own floor
+# and floors before it, directly and through other headers. Inside a floor, rooms include one another in one direction.
 #   cmake -D ROOT=<source tree> -P check_module_order.cmake
 
 cmake_minimum_required(VERSION 3.25)
 
-set(floors base problem discretization solvers postprocessing error_control results driver)
+set(floors base problem discretization solvers postprocessing error_control results driver verification)
 # Solvers of linear systems and of quadratic programs are algebra: they know the names of choices, but no scene and no
 # finite element, not even through other headers.
 set(algebra solvers/stiffness/stiffness_inverse solvers/stiffness/condensed_inverse solvers/contact/dual_problem

@@ -15,7 +15,7 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release" AND CMAKE_STRIP AND NOT SIGNORINI_INSTRUM
     \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/signorini\" COMMAND_ERROR_IS_FATAL ANY)")
 endif()
 
-install(TARGETS signorini_library EXPORT signorini-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS signorini_library signorini_verification EXPORT signorini-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT signorini-targets NAMESPACE signorini:: DESTINATION ${_package})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/signorini DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/signorini-config.cmake.in

@@ -59,7 +59,7 @@ int main(int argc, char **argv) {
   set(target test_${group})
   add_executable(${target} EXCLUDE_FROM_ALL ${main} ${joined})
   deal_ii_setup_target(${target})
-  target_link_libraries(${target} signorini_library)
+  target_link_libraries(${target} signorini_verification)
   list(REMOVE_DUPLICATES folders)
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${folders})
   target_compile_definitions(${target} PRIVATE SOURCE_DIR="${PROJECT_SOURCE_DIR}")

@@ -5,8 +5,8 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
-#include <signorini/problem/catalogue/catalogue.h>
 #include <signorini/problem/parameters/parameters.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include <deal.II/base/config.h>
 #include <deal.II/base/mpi.h>

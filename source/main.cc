@@ -4,6 +4,8 @@
 #include <signorini/base/errors.h>
 #include <signorini/driver/runs/run.h>
 #include <signorini/results/output/files.h>
+#include <signorini/verification/catalogue/catalogue.h>
+#include <signorini/verification/verify.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -45,6 +47,7 @@ RunSummary run_file(const CommandLine &command_line, const std::size_t i, MPI_Co
     input.others.assign(command_line.parameter_files.begin() + i + 1,
                         command_line.parameter_files.end());
     input.only_show = command_line.check;
+    input.known = {named_scenes(), {make_verify<2>, make_verify<3>}};
     std::vector<Sweep> sweeps;
     for (const std::string &argument : command_line.sweeps)
       sweeps.push_back(read_sweep(argument));

@@ -7,6 +7,7 @@
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/scene/functions.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -18,7 +19,8 @@
 
 /** Returns the scene of a text (scene_text.h). */
 inline Signorini::Scene<2> scene_of(const std::string &text) {
-  return Signorini::make_scene<2>(Signorini::parse_parameters(parameter_file(text), "test"));
+  return Signorini::make_scene<2>(Signorini::parse_parameters(parameter_file(text), "test"),
+                                  Signorini::named_scenes());
 }
 
 /** Returns all ranks for a level that they can share, else each one alone. */
@@ -37,12 +39,12 @@ struct OneLevel {
   OneLevel(const std::string &text, const unsigned int level,
            const std::vector<std::string> &overrides = {})
     : parameters(Signorini::parse_parameters(parameter_file(text), "test", overrides))
-    , scene(Signorini::make_scene<2>(parameters))
+    , scene(Signorini::make_scene<2>(parameters, Signorini::named_scenes()))
     , discretization(parameters, scene, level, ranks_for(scene, level)) {}
   /** On the mesh of a plan. */
   OneLevel(const std::string &text, const Signorini::MeshPlan &plan)
     : parameters(Signorini::parse_parameters(parameter_file(text), "test"))
-    , scene(Signorini::make_scene<2>(parameters))
+    , scene(Signorini::make_scene<2>(parameters, Signorini::named_scenes()))
     , discretization(parameters, scene, plan) {}
   OneLevel(const OneLevel &) = delete;
 

@@ -4,6 +4,8 @@
 #include <signorini/driver/study/study.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameters.h>
+#include <signorini/verification/catalogue/catalogue.h>
+#include <signorini/verification/verify.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -25,7 +27,8 @@ Signorini::StudyResult<dim> run(const Signorini::Parameters &parameters,
                                 const std::string &directory = "") {
   std::ostream silence(nullptr);
   return Signorini::run_study(parameters, scene, MPI_COMM_WORLD,
-                              {silence, directory, [](const std::string &) {}});
+                              {silence, directory, [](const std::string &) {}},
+                              Signorini::make_verify(parameters, scene));
 }
 
 /** Solves the scene of a text. */
@@ -34,7 +37,7 @@ Signorini::StudyResult<dim> solve(const std::string &text,
                                   const std::vector<std::string> &overrides = {}) {
   const Signorini::Parameters parameters =
     Signorini::parse_parameters(parameter_file(text), "test", overrides);
-  return run(parameters, Signorini::make_scene<dim>(parameters));
+  return run(parameters, Signorini::make_scene<dim>(parameters, Signorini::named_scenes()));
 }
 
 /** Solves the scene of a file. */
@@ -43,7 +46,8 @@ Signorini::StudyResult<dim> solve_file(const std::string &file,
                                        const std::vector<std::string> &overrides = {},
                                        const std::string &directory = "") {
   const Signorini::Parameters parameters = Signorini::read_parameters(file, overrides);
-  return run(parameters, Signorini::make_scene<dim>(parameters), directory);
+  return run(parameters, Signorini::make_scene<dim>(parameters, Signorini::named_scenes()),
+             directory);
 }
 
 /** Returns the parameter file of a scene of the catalogue. */

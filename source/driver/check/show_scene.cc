@@ -21,12 +21,6 @@
 
 namespace Signorini {
 namespace {
-/** The time of the stages in microseconds for each unknown, on a machine with two cores. */
-constexpr double time_of_level = 25., time_of_errors = 25., time_of_case = 1.5;
-/** That of the bound: bodies of straight sides and constant moduli, others, and these at the
- * degrees that graded meshes reach. */
-constexpr double time_of_bound[] = {10., 20., 100.};
-
 /** Returns "-1 to 2", or one number. */
 std::string range(double low, double high) {
   const double rounding = 1e-12 * std::max(std::abs(low), std::abs(high));
@@ -159,44 +153,15 @@ SceneNotes notes_on(const Parameters &parameters, const Scene<dim> &scene, const
   return notes;
 }
 
-/** Returns the microseconds that a run needs for each unknown. */
-template <int dim>
-double time_of_unknown(const Parameters &parameters, const Scene<dim> &scene) {
-  const bool has_bound =
-    dim == 2 && parameters.output.bound != WantedBound::none && !scene.geometry.axisymmetric;
-  const bool is_easy = !scene.geometry.curved && scene.material->is_constant_on_cells();
-  const bool is_graded = parameters.discretization.strategy == Strategy::hp;
-  double time = time_of_level;
-  if (has_bound)
-    time += is_easy ? time_of_bound[0] : time_of_bound[is_graded ? 2 : 1];
-  if (scene.exact_displacement != nullptr)
-    time += time_of_errors;
-  return time;
-}
-
-/** Returns the cost of a run. */
+/** Returns the memory and the number of unknowns that a run may need. */
 template <int dim>
 std::string cost_of(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator) {
-  constexpr double time_of_start = 0.3, time_of_mesh = 0.05;
-  const auto describe = [&](const double all, const double finest, const double n_meshes) {
-    const double seconds = time_of_start + n_meshes * time_of_mesh +
-                           1e-6 * (all * time_of_unknown(parameters, scene) +
-                                   finest * scene.load_cases.size() * time_of_case);
-    return number_text(std::ceil(seconds * 10.) / 10.) + " s";
-  };
   const DiscretizationParameters &given = parameters.discretization;
-  if (given.strategy == Strategy::hp) {
-    // Most runs take five meshes.
-    const double finest = 2e4, all = 6e4;
+  if (given.strategy == Strategy::hp)
     return "graded meshes of 1e4 to 1e5 unknowns, at most " +
-           std::to_string(given.maximum_unknowns) + "; for most scenes about " +
-           describe(all, finest, 5.) + ", up to three times more or less";
-  }
+           std::to_string(given.maximum_unknowns);
   const MemoryLimit<dim> limit(parameters, scene, communicator);
-  const double n = limit.n_unknowns(), ratio = std::pow(0.5, dim),
-               n_levels = given.finest_level - given.coarsest_level + 1.;
-  return limit.forecast() + "; about " + number_text(n) + " unknowns and " +
-         describe(n * (1. - std::pow(ratio, n_levels)) / (1. - ratio), n, n_levels);
+  return limit.forecast() + "; about " + number_text(limit.n_unknowns()) + " unknowns";
 }
 } // namespace
 

@@ -10,8 +10,6 @@
 #include <signorini/error_control/estimate/pressure_correction.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
-#include <signorini/postprocessing/norms/errors.h>
-#include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/solvers/methods/contact_method.h>
 
 #include <algorithm>
@@ -29,25 +27,10 @@ void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &soluti
   ContactSolution<dim> &contact = solution.contact;
   if (contact.dual && !writes_compliance)
     contact.dual->C = nullptr;
-  if (!solves_later)
+  if (!solves_later) {
     contact.inverse = nullptr;
-  if (!solves_later && !problem.parameters.output.lemmas)
     contact.system = nullptr;
-}
-
-/** Returns whether the constant of Lemma 1 is computed on a level of this size. Unless the user
- * sets it, it belongs to the errors against an exact solution on nested meshes: it needs a
- * factorisation of its own, a third of a level, and in 3-D more than the rest of the level from
- * some thousand unknowns on. */
-template <int dim>
-bool wants_inf_sup(const Parameters &parameters, const Scene<dim> &scene,
-                   const ContactSolution<dim> &contact) {
-  const Choice choice = parameters.output.inf_sup_constant;
-  return choice == Choice::yes ||
-         (choice == Choice::automatic && contact.inverse->has_factors() &&
-          !scene.geometry.axisymmetric && scene.exact_displacement != nullptr &&
-          parameters.discretization.strategy != Strategy::hp &&
-          contact.U.size() <= (dim == 2 ? 100000U : 5000U));
+  }
 }
 
 /** The largest number of unknowns for which the bound is computed: it takes more memory than
@@ -166,7 +149,7 @@ void add_certificate_and_answer(const Discretization<dim> &discretization,
   record.answer = compute_answer<dim>(solved, forces);
 }
 
-/** Computes what follows from U and P: β, the certificate, the answer, and the estimate and the
+/** Computes what follows from U and P: the certificate, the answer, and the estimate and the
  * bound of the error, as far as they are wanted. Collective. */
 template <int dim>
 void examine(const Parameters &parameters, const Discretization<dim> &discretization,
@@ -184,15 +167,6 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   const StageTimer timer(record.times.postprocess);
   if (contact.P.has_friction())
     record.friction = summarise_friction(discretization.multipliers, contact.P, contact.W);
-  else if (wants_inf_sup<dim>(parameters, solution.scene, contact)) {
-    progress("inf-sup constant");
-    const InfSup beta =
-      measure_inf_sup(discretization.space, discretization.multipliers, discretization.condensed_D,
-                      parameters.solver.linear_solver);
-    record.inf_sup = beta.both;
-    record.inf_sup_first = beta.first;
-    record.inf_sup_opposite = beta.opposite;
-  }
   progress("certificate");
   add_certificate_and_answer(discretization, solution);
   if (discretization.mesh.has_parents())
@@ -229,45 +203,6 @@ void finish_level(const LevelProblem<dim> &problem, const Discretization<dim> &d
   release_unused(problem, solution);
 }
 
-// The errors against the exact solution.
-
-template <int dim>
-void add_errors(const Parameters &parameters, const Scene<dim> &scene,
-                const Discretization<dim> &discretization, const ExactPressure<dim> *pressure,
-                LevelSolution<dim> &solution) {
-  if (!parameters.output.errors)
-    return;
-  const unsigned int n_points = discretization.n_points + 1;
-  const MultiplierSpace<dim> &multipliers = discretization.multipliers;
-  const ContactSolution<dim> &contact = solution.contact;
-  const Pressure &P = contact.P.normal();
-  LevelRecord &record = solution.record;
-  const StageTimer timer(record.times.errors);
-  if (scene.exact_displacement != nullptr)
-    record.displacement_errors =
-      compute_displacement_errors(DisplacedBody(discretization.space, scene, contact.U), n_points);
-  if (scene.has_exact_pressure()) {
-    record.pressure_errors = compute_pressure_errors(multipliers, P, n_points);
-    if constexpr (dim == 2)
-      record.endpoint_error = contact_end_error(multipliers, scene, P);
-  }
-  if constexpr (dim == 2)
-    if (record.friction && scene.boundary[scene.contact_sides().front()].exact_friction != nullptr)
-      record.friction->l2_error =
-        compute_pressure_errors(multipliers, contact.P.tangential()[0], n_points,
-                                &BoundaryCondition<2>::exact_friction)
-          .l2;
-  if (pressure != nullptr)
-    record.dual_norm_errors = pressure->errors(multipliers, P);
-  if constexpr (dim == 2)
-    if (parameters.output.lemmas && parameters.discretization.strategy != Strategy::hp &&
-        scene.exact_displacement != nullptr && pressure != nullptr)
-      record.lemmas =
-        compute_lemma_numbers(discretization.space, scene, multipliers, discretization.D, *pressure,
-                              contact.system->loads, parameters.solver.linear_solver, n_points);
-}
-
-INSTANTIATE_FUNCTION(add_errors);
 INSTANTIATE_FUNCTION(solve_level);
 INSTANTIATE_FUNCTION(finish_level);
 } // namespace Signorini

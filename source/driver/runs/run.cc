@@ -115,7 +115,7 @@ template <int dim>
 RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Comm communicator,
                           Screen &screen) {
   Scene<dim> scene;
-  agree(communicator, [&]() { scene = make_scene<dim>(given); });
+  agree(communicator, [&]() { scene = make_scene<dim>(given, input.known.scenes); });
   Parameters parameters = given;
   const std::string reason = decide_strategy(parameters, scene);
   std::shared_ptr<ResultsDirectory> results;
@@ -133,12 +133,17 @@ RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Co
         results->remove_if_empty();
       return {0, "shown", {}, {}};
     }
-    StudyResult<dim> result = run_study(parameters, scene, communicator, report);
+    const auto &make_verify = std::get<KnownSolutions::MakeVerify<dim>>(input.known.make_verify);
+    const auto solve = [&]() {
+      return run_study(parameters, scene, communicator, report,
+                       make_verify ? make_verify(parameters, scene) : Verify<dim>());
+    };
+    StudyResult<dim> result = solve();
     if (misses_contact(given, result)) {
       screen.out() << "\nStrategy  nested, since load cases alone touch\n";
       parameters = given;
       solve_all_nested_levels(parameters);
-      result = run_study(parameters, scene, communicator, report);
+      result = solve();
     }
     if (is_first_rank(communicator))
       describe_interruption("after the last level; the results are complete.");
@@ -170,7 +175,8 @@ Parameters parameters_of(const RunInput &input, MPI_Comm communicator) {
 
 RunInput read_input(const std::string &file_name, const std::vector<std::string> &overrides,
                     const std::filesystem::path &directory, MPI_Comm communicator) {
-  RunInput input = {file_name, shorten_path(file_name), "", overrides, {}, directory, false, {}};
+  RunInput input = {file_name, shorten_path(file_name), "", overrides, {}, directory, false, {},
+                    {}};
   agree(communicator, [&]() {
     if (is_first_rank(communicator))
       input.text = read_text_file(file_name);
@@ -214,7 +220,8 @@ RunSummary run_scene(const RunInput &input, Parameters parameters, MPI_Comm comm
   if (parameters.bodies.empty())
     read_file(parameters.geometry);
   std::for_each(parameters.bodies.begin(), parameters.bodies.end(), read_file);
-  return dimension_of(parameters) == 2 ? run_parameters<2>(parameters, input, communicator, screen)
-                                       : run_parameters<3>(parameters, input, communicator, screen);
+  return dimension_of(parameters, input.known.scenes) == 2
+           ? run_parameters<2>(parameters, input, communicator, screen)
+           : run_parameters<3>(parameters, input, communicator, screen);
 }
 } // namespace Signorini

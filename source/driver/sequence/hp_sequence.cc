@@ -81,8 +81,8 @@ public:
     record.sizes.level = n_steps_;
     progress("estimate");
     StepFindings findings = examine(discretization, solution);
-    progress("errors");
-    add_errors<2>(parameters, scene_, discretization, nullptr, solution);
+    if (context_.verify)
+      context_.verify(discretization, progress, solution);
     last_ = {next_, solution.contact.U, solution.contact.P};
     result.is_last = finish(problem, discretization, progress, findings, solution);
     ++n_steps_;

@@ -17,12 +17,7 @@ public:
   explicit NestedSequence(const StudyContext<dim> &context)
     : context_(context)
     , memory_(context.parameters, context.scene, context.communicator)
-    , next_level_(context.parameters.discretization.coarsest_level) {
-    // The norms of the trace space are those of a plane body.
-    if (context.parameters.output.errors && context.scene.has_exact_pressure() &&
-        !context.scene.geometry.axisymmetric)
-      exact_pressure_ = std::make_unique<const ExactPressure<dim>>(context.scene);
-  }
+    , next_level_(context.parameters.discretization.coarsest_level) {}
 
   std::string name_of_next() const override {
     return "level " + std::to_string(next_level_);
@@ -46,8 +41,8 @@ public:
     const Discretization<dim> &discretization = *result.discretization;
     result.solution = solve(discretization, start_for(discretization), progress);
     LevelRecord &record = result.solution.record;
-    progress("errors");
-    add_errors(parameters, context_.scene, discretization, exact_pressure_.get(), result.solution);
+    if (context_.verify)
+      context_.verify(discretization, progress, result.solution);
     result.is_last =
       next_level_ == parameters.discretization.finest_level || !record.dual.converged ||
       context_.judge.reaches_target(record) ||
@@ -147,8 +142,6 @@ private:
   /** The failure of V-cycles on an earlier level. It stands first because solvers_of() reads it. */
   std::optional<std::string> failure_of_cycles_;
   MemoryLimit<dim> memory_;
-  /** The exact pressure; null if it is not known. */
-  std::unique_ptr<const ExactPressure<dim>> exact_pressure_;
   unsigned int next_level_;
   PatchPressure<dim> pressure_;
   /** The shares of P_t of the same patches by components; none without friction. */

@@ -63,13 +63,13 @@ template <int dim>
 class Study {
 public:
   Study(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
-        const StudyReport &report)
+        const StudyReport &report, const Verify<dim> &verify)
     : parameters_(parameters)
     , scene_(scene)
     , report_(report)
     , judge_(judge_of(parameters, scene))
     , communicator_(communicator)
-    , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_}))
+    , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_, verify}))
     , writer_(parameters, judge_, scene.description, report.directory, communicator) {}
 
   StudyResult<dim> run() {
@@ -189,10 +189,11 @@ Judge judge_of(const Parameters &parameters, const Scene<dim> &scene) {
 
 template <int dim>
 StudyResult<dim> run_study(const Parameters &parameters, const Scene<dim> &scene,
-                           MPI_Comm communicator, const StudyReport &report) {
+                           MPI_Comm communicator, const StudyReport &report,
+                           const Verify<dim> &verify) {
   const LibraryThreads one_thread_in_libraries(1);
   check_settings(parameters, scene);
-  return Study<dim>(parameters, scene, communicator, report).run();
+  return Study<dim>(parameters, scene, communicator, report, verify).run();
 }
 
 INSTANTIATE_FUNCTION(judge_of);
@@ -262,6 +263,9 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene) {
   if (scene.geometry.axisymmetric && parameters.output.lemmas)
     throw error_at(parameters.output.lemmas, "found 'true' ", revolved,
                    ", allowed with it: false.");
+  refuse_if(parameters.discretization.strategy == Strategy::hp &&
+              parameters.output.inf_sup_constant == Choice::yes,
+            parameters.output.inf_sup_constant, "with Strategy 'hp'", "with it: automatic, false");
   refuse_if(scene.has_pairs() && parameters.discretization.strategy == Strategy::hp,
             parameters.discretization.strategy, "with a pair of sides", "with it: nested");
   refuse_if(dim == 3 && linear == LinearSolver::amesos_klu, linear, "in 3-D",

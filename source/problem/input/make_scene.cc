@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Problem (1) from the parameters: out of the catalogue, or described by expressions.
+// Problem (1) from the parameters: a scene with a name, or described by expressions.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
-#include <signorini/problem/catalogue/catalogue.h>
 #include <signorini/problem/input/data_scan.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/entry_error.h>
@@ -27,7 +26,7 @@ namespace {
 /** The name of the scene that the other entries describe. */
 const std::string described = "described";
 
-/** Refuses entries that describe a scene if a catalogue scene fixes them. */
+/** Refuses entries that describe a scene if a named scene fixes them. */
 void refuse_description(const Parameters &parameters) {
   if (parameters.changes_of_scene.empty())
     return;
@@ -91,31 +90,27 @@ void refuse_contradiction(const Scene<dim> &scene, const std::string &where) {
 
 /** Returns the scene that the parameters name. */
 template <int dim>
-Scene<dim> read_scene(const Parameters &parameters) {
+Scene<dim> read_scene(const Parameters &parameters, const NamedScenes &known) {
   const std::string &name = parameters.scene.name;
   if (name == described)
     return make_described_scene<dim>(parameters);
   std::vector<std::string> names = {described};
-  for (const CatalogueEntry<dim> &entry : catalogue<dim>()) {
+  for (const NamedScene<dim> &entry : std::get<std::vector<NamedScene<dim>>>(known)) {
     names.push_back(entry.name);
     if (entry.name != name)
       continue;
     refuse_description(parameters);
-    Scene<dim> scene = entry.make();
-    scene.name = entry.name;
-    scene.title = entry.title;
-    scene.description = entry.description;
-    return scene;
+    return entry.make();
   }
   throw error_at(parameters.scene.name, "found ", quote(name),
                  (dim == 2 ? "" : " with Dimension = 3"), ", allowed: ", join(names), ".");
 }
 } // namespace
 
-unsigned int dimension_of(const Parameters &parameters) {
+unsigned int dimension_of(const Parameters &parameters, const NamedScenes &known) {
   if (parameters.dimension.changed)
     return parameters.dimension;
-  const auto &entries = catalogue<3>();
+  const auto &entries = std::get<std::vector<NamedScene<3>>>(known);
   return std::any_of(entries.begin(), entries.end(),
                      [&](const auto &entry) { return entry.name == parameters.scene.name.value; })
            ? 3
@@ -135,8 +130,8 @@ static void read_patches(const Given<std::string> &given, Scene<2> &scene) {
 }
 
 template <>
-Scene<2> make_scene(const Parameters &parameters) {
-  Scene<2> scene = read_scene<2>(parameters);
+Scene<2> make_scene(const Parameters &parameters, const NamedScenes &known) {
+  Scene<2> scene = read_scene<2>(parameters, known);
   read_patches(parameters.discretization.patches, scene);
   refuse_contradiction(scene, parameters.boundary.where);
   check_free_motions(scene, parameters.boundary.where);
@@ -154,9 +149,9 @@ Scene<2> make_scene(const Parameters &parameters) {
 }
 
 template <>
-Scene<3> make_scene(const Parameters &parameters) {
+Scene<3> make_scene(const Parameters &parameters, const NamedScenes &known) {
   refuse_2d_entries(parameters);
-  Scene<3> scene = read_scene<3>(parameters);
+  Scene<3> scene = read_scene<3>(parameters, known);
   refuse_contradiction(scene, parameters.boundary.where);
   const std::vector<std::string> names = free_rigid_motions(scene);
   if (!names.empty())

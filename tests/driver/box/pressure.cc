@@ -4,9 +4,9 @@
 #include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
 #include <signorini/postprocessing/fields/recovered_pressure.h>
-#include <signorini/postprocessing/norms/cosine_norm.h>
-#include <signorini/postprocessing/norms/dual_norm_errors.h>
-#include <signorini/postprocessing/norms/errors.h>
+#include <signorini/verification/norms/cosine_norm.h>
+#include <signorini/verification/norms/errors.h>
+#include <signorini/verification/norms/exact_pressure.h>
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 // are nodes of the mesh or have to be found.
 
 #include <signorini/postprocessing/quantities/friction.h>
-#include <signorini/problem/catalogue/catalogue.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ namespace {
 StudyResult<2> solve_graded(const std::string &name, const std::string &target,
                             const bool is_known) {
   const Parameters parameters = parse_parameters(named_scene(name), "test", graded(target));
-  Scene<2> scene = make_scene<2>(parameters);
+  Scene<2> scene = make_scene<2>(parameters, named_scenes());
   if (!is_known)
     scene.kinks = Kinks<2>();
   return run(parameters, scene);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Load steps: what friction remembers is the slip since the beginning.
 
-#include <signorini/problem/catalogue/catalogue.h>
+#include <signorini/verification/catalogue/catalogue.h>
+#include <signorini/verification/verify.h>
 
 #include "one_level.h"
 #include "study_helpers.h"
@@ -22,7 +23,7 @@ std::pair<LevelRecord, dealii::Vector<double>> mindlin(const bool unloaded,
   for (unsigned int k = 0; k < slip.size(); ++k)
     G[m + k] += slip[k];
   LevelSolution<2> solution = level.solve();
-  add_errors<2>(level.parameters, level.scene, level.discretization, nullptr, solution);
+  add_errors<2>(level.parameters, level.discretization, nullptr, solution);
   dealii::Vector<double> W = level.discretization.D.transpose_product(solution.contact.U), after(m);
   W -= G;
   for (unsigned int k = 0; k < m; ++k)

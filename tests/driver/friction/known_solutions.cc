@@ -2,7 +2,8 @@
 // The catalogue's scenes with friction: orders of convergence, and errors of an independent
 // program.
 
-#include <signorini/problem/catalogue/catalogue.h>
+#include <signorini/verification/catalogue/catalogue.h>
+#include <signorini/verification/verify.h>
 
 #include <cmath>
 #include <fstream>
@@ -64,14 +65,14 @@ void test_singular_orders(Checks &checks) {
                                                              {"KOr", 1.5526, 0.4}},
                                                             1)) {
     const Parameters parameters = parse_parameters(named_scene(name), "test");
-    Scene<2> scene = make_scene<2>(parameters);
+    Scene<2> scene = make_scene<2>(parameters, named_scenes());
     std::vector<double> x, y;
     for (unsigned int half = 6; half <= 40; half += 3) {
       scene.geometry = make_rectangle({0., 0.}, {1., 1.}, {half, half});
       const Discretization<2> level(parameters, scene, 1, MPI_COMM_WORLD);
       auto solution = solve_level<2>({parameters, scene, choose_solvers(parameters, scene, 0)},
                                      level, ContactStart(), [](const std::string &) {});
-      add_errors<2>(parameters, scene, level, nullptr, solution);
+      add_errors<2>(parameters, level, nullptr, solution);
       x.push_back(-std::log(2. * half));
       y.push_back(std::log(*value(solution.record, "u_superclose_h1")));
     }
@@ -110,7 +111,7 @@ void test_references(Checks &checks) {
           1e-6);
   // 34 cells per side: stick ends in the middle of a patch.
   const Parameters parameters = parse_parameters(named_scene("TSq"), "test", levels(1, 1));
-  Scene<2> scene = make_scene<2>(parameters);
+  Scene<2> scene = make_scene<2>(parameters, named_scenes());
   scene.geometry = make_rectangle({0., 0.}, {1., 1.}, {17, 17});
   compare("TS, n = 34", run(parameters, scene).levels.back(),
           {{"contact_force_n", 1.1770615006e+00},

@@ -4,9 +4,9 @@
 // sweep of projected SOR lowers the dual objective.
 
 #include <signorini/discretization/space/internal_forces.h>
-#include <signorini/problem/catalogue/catalogue.h>
 #include <signorini/results/verdict/judge.h>
 #include <signorini/solvers/contact/projected_methods.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include "one_level.h"
 #include "study_helpers.h"

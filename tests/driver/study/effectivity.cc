@@ -4,7 +4,8 @@
 // refined with the mesh. A block without an exact solution, against a finer mesh.
 
 #include <signorini/discretization/space/internal_forces.h>
-#include <signorini/problem/catalogue/catalogue.h>
+#include <signorini/verification/catalogue/catalogue.h>
+#include <signorini/verification/verify.h>
 
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
@@ -25,7 +26,7 @@ LevelRecord level_without_bound(const std::string &scene, const std::string &par
                      {"Discretization/Finest level=" + std::to_string(level + 1),
                       "Discretization/" + partition, "Output/Inf-sup constant=false"});
   LevelSolution<2> solution = one.solve();
-  add_errors<2>(one.parameters, one.scene, one.discretization, nullptr, solution);
+  add_errors<2>(one.parameters, one.discretization, nullptr, solution);
   return solution.record;
 }
 

@@ -3,6 +3,7 @@
 // Hertz.
 
 #include <signorini/problem/scene/foundation.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -161,7 +162,7 @@ void test_disc_spring(Checks &checks) {
  * rollers on planes are in tests/driver/benchmarks. */
 void test_hertz(Checks &checks) {
   const Parameters parameters = parse_parameters(named_scene("E3"), "test", graded("1e-3"));
-  Scene<2> scene = make_scene<2>(parameters);
+  Scene<2> scene = make_scene<2>(parameters, named_scenes());
   scene.exact_displacement = scene.body_force = nullptr;
   scene.kinks = Kinks<2>();
   const std::size_t arc = scene.geometry.find_side("arc");

@@ -2,6 +2,8 @@
 // Graded meshes at the end of a contact zone, where u ~ r^{3/2}: the error falls by the same factor
 // from step to step wherever contact ends.
 
+#include <signorini/verification/catalogue/catalogue.h>
+
 #include <deal.II/base/numbers.h>
 
 #include "graded_steps.h"
@@ -25,7 +27,7 @@ FunctionPointer<2> shifted(const FunctionPointer<2> &f, const dealii::Tensor<1, 
 
 /** B1 with contact on (0, xi): its field depends on x - xi, and its gap is zero. */
 Scene<2> make_b1(const Parameters &parameters, const double xi, const bool is_known) {
-  Scene<2> scene = make_scene<2>(parameters);
+  Scene<2> scene = make_scene<2>(parameters, named_scenes());
   const auto move = [shift = dealii::Point<2>(dealii::numbers::SQRT1_2 - xi, 0.)](
                       FunctionPointer<2> &function) { function = shifted(function, shift); };
   move(scene.exact_displacement);

@@ -3,7 +3,7 @@
 // error, the bound is between the error and one and a half of it, the error falls exponentially
 // with the cubic root of the unknowns, and what it costs to come below 1e-6.
 
-#include <signorini/problem/catalogue/catalogue.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include <algorithm>
 #include <map>

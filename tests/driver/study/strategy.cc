@@ -3,6 +3,7 @@
 
 #include <signorini/driver/runs/strategy.h>
 #include <signorini/problem/input/make_scene.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include "scene_text.h"
 #include "tests.h"
@@ -21,7 +22,7 @@ struct Decision {
 
 template <int dim>
 Decision decide(Parameters parameters) {
-  const Scene<dim> scene = make_scene<dim>(parameters);
+  const Scene<dim> scene = make_scene<dim>(parameters, named_scenes());
   const std::string sentence = decide_strategy(parameters, scene);
   const DiscretizationParameters &decided = parameters.discretization;
   return {decided.strategy, decided.coarsest_level, decided.finest_level, sentence};
@@ -67,7 +68,7 @@ int main(int argc, char *argv[]) {
   }
   // The echo has the decided values, so that it repeats the run.
   Parameters repeated = parse_parameters(parameter_file(scene), "test");
-  decide_strategy(repeated, make_scene<2>(repeated));
+  decide_strategy(repeated, make_scene<2>(repeated, named_scenes()));
   checks.that("the echo repeats the decision",
               is(decide<2>(parse_parameters(repeated.echo, "echo")), hp, 3));
   solve_all_nested_levels(repeated);

@@ -2,8 +2,8 @@
 // Lemma 1 for polynomials of degree p - 2 on every contact face of degree p, and the norm in it: a
 // Gram matrix of polynomials on patches of different lengths against a series.
 
-#include <signorini/postprocessing/norms/cosine_norm.h>
-#include <signorini/postprocessing/norms/inf_sup.h>
+#include <signorini/verification/norms/cosine_norm.h>
+#include <signorini/verification/norms/inf_sup.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -14,6 +14,7 @@
 #include <cmath>
 #include <complex>
 
+#include "cosine_kernel.h"
 #include "graded.h"
 #include "tests.h"
 
@@ -26,7 +27,7 @@ const std::string square = "subsection Boundary\nset Clamped = top\nset Contact 
 
 double measure(const OneLevel &level) {
   return measure_inf_sup(level.space(), level.multipliers(), level.discretization.condensed_D,
-                         LinearSolver::automatic)
+                         cosine_kernel::gram_matrix(level.multipliers()), LinearSolver::automatic)
     .both;
 }
 
@@ -111,7 +112,7 @@ void gram_matrices(Checks &checks) {
     const GradedLevel level(square + "Geometry/Cells = 1, 1\nGeometry/Upper right = " +
                               std::to_string(length) + ", " + std::to_string((length + 3) / 4),
                             plan);
-    const auto gram = dual_gram_matrix(level.multipliers());
+    const auto gram = cosine_kernel::gram_matrix(level.multipliers());
     auto difference = series(level.multipliers(), 8192);
     difference.add(-1., gram);
     checks.near("polynomials against a series", difference.frobenius_norm() / gram.frobenius_norm(),
@@ -127,7 +128,7 @@ void constants(Checks &checks) {
     const GradedLevel graded(square, plan);
     checks.that("constants on graded patches: constants",
                 graded.multipliers().is_piecewise_constant());
-    auto by_kernel = dual_gram_matrix(graded.multipliers());
+    auto by_kernel = cosine_kernel::gram_matrix(graded.multipliers());
     const double size = by_kernel.frobenius_norm();
     by_kernel.add(-1., dual_gram_matrix(graded.discretization.surface));
     checks.near("constants on graded patches, " + std::to_string(static_cast<int>(layers)) +
@@ -136,7 +137,7 @@ void constants(Checks &checks) {
   }
   // On the whole circle: cos(s) is orthogonal to 1, and |1|² = L.
   const GradedLevel ring("Scene/Name = E1\n", uniform_plan(1, 4));
-  const auto gram = dual_gram_matrix(ring.multipliers());
+  const auto gram = cosine_kernel::gram_matrix(ring.multipliers());
   const unsigned int m = ring.multipliers().n_multipliers();
   dealii::Vector<double> one(m), linear(m), image(m);
   one = 1.;

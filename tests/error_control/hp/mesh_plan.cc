@@ -3,6 +3,7 @@
 
 #include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/error_control/hp/next_plan.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include <algorithm>
 #include <cmath>
@@ -168,7 +169,7 @@ std::size_t n_split_for(const std::string &modulus) {
  * hides nothing, and one that is singular at a point asks for layers there alone. */
 void hidden_data(Checks &checks) {
   const auto n_split_in = [](const std::string &file) {
-    return n_split(make_scene<2>(read_parameters(SOURCE_DIR "/prm/" + file, {})));
+    return n_split(make_scene<2>(read_parameters(SOURCE_DIR "/prm/" + file, {}), named_scenes()));
   };
   checks.near("splits of a smooth force", n_split_in("smooth_contact_two_ends.prm"), 0, 0.);
   checks.between("splits around a singular point", n_split_in("described_b1.prm"), 4, 24);

@@ -5,6 +5,7 @@
 #include <signorini/base/text.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameter_text.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -105,10 +106,10 @@ std::string message_of(const std::string &text, const std::vector<std::string> &
       if (late)
         run(parameters, scene);
     };
-    if (dimension_of(parameters) == 2)
-      read(make_scene<2>(parameters));
+    if (dimension_of(parameters, named_scenes()) == 2)
+      read(make_scene<2>(parameters, named_scenes()));
     else
-      read(make_scene<3>(parameters));
+      read(make_scene<3>(parameters, named_scenes()));
   } catch (const InputError &error) {
     static const std::regex memory("[0-9.]+ GiB of memory");
     return std::regex_replace(error.what(), memory, "{memory} of memory");

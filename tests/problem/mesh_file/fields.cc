@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Solutions on meshes from files: a half disc gives what the half disc of the catalogue gives.
 
+#include <signorini/verification/catalogue/catalogue.h>
+
 #include "study_helpers.h"
 #include "tests.h"
 
@@ -12,7 +14,7 @@ const std::string files = SOURCE_DIR "/tests/problem/mesh_file/", parts = SOURCE
 /** E3 of the catalogue on a mesh of the half disc from a file, which has as many cells as the
  * scene's on level 3, or a few less. */
 void check_half_disc(Checks &checks) {
-  const Scene<2> e3 = make_scene<2>(parse_parameters(named_scene("E3"), "test"));
+  const Scene<2> e3 = make_scene<2>(parse_parameters(named_scene("E3"), "test"), named_scenes());
   const StudyResult<2> built_in = solve(named_scene("E3"), levels(4, 5));
   for (const auto &[file, arcs] :
        {std::pair(parts + "half_disc.msh", ""), std::pair(files + "half_disc_1.msh", "arc")}) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Catalogue scenes and materials against numbers found elsewhere.
 
-#include <signorini/problem/catalogue/catalogue.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/strain.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include <cmath>
 
@@ -19,7 +19,7 @@ using Strain = dealii::SymmetricTensor<2, 2>;
 const double xi = std::sqrt(0.5);
 
 Scene<2> scene(const std::vector<std::string> &settings) {
-  return make_scene<2>(parse_parameters("", "scenes.prm", settings));
+  return make_scene<2>(parse_parameters("", "scenes.prm", settings), named_scenes());
 }
 
 const BoundaryCondition<2> &condition(const Scene<2> &scene, const std::string &side) {

@@ -3,8 +3,8 @@
 // are solved for only where they are asked for.
 
 #include <signorini/discretization/space/linear_system.h>
-#include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/solvers/contact/compliance.h>
+#include <signorini/verification/norms/inf_sup.h>
 
 #include "one_level.h"
 #include "tests.h"

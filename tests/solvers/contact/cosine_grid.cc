@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The cosine series on a grid of patches against closed forms.
 
-#include <signorini/postprocessing/norms/cosine_norm.h>
 #include <signorini/solvers/contact/kernel_models.h>
+#include <signorini/verification/norms/cosine_norm.h>
 
 #include <cmath>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/postprocessing/norms/dual_norm_errors.h>
 #include <signorini/results/verdict/level_result.h>
 #include <signorini/solvers/methods/contact_method.h>
+
+#include <functional>
 
 namespace Signorini {
 /** A scene, and the solvers of a level. */
@@ -29,13 +30,9 @@ template <int dim>
 void finish_level(const LevelProblem<dim> &problem, const Discretization<dim> &discretization,
                   bool wants_bound, const Progress &progress, LevelSolution<dim> &solution);
 
-/**
- * Adds the errors against the exact solution, as far as the scene has one. Collective.
- * @param pressure the exact pressure for the dual norms; null if it is not known, or if they are
- * not wanted.
- */
+/** A callback that adds numbers to the record of a solved level which its solution alone does not
+ * give, such as errors against an exact solution. Collective. */
 template <int dim>
-void add_errors(const Parameters &parameters, const Scene<dim> &scene,
-                const Discretization<dim> &discretization, const ExactPressure<dim> *pressure,
-                LevelSolution<dim> &solution);
+using Verify = std::function<void(const Discretization<dim> &discretization,
+                                  const Progress &progress, LevelSolution<dim> &solution)>;
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/driver/study/known_solutions.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/results/output/files.h>
 #include <signorini/results/verdict/level_record.h>
@@ -51,6 +52,7 @@ struct RunInput {
   bool only_show = false;
   /** Further files that are read after this run; its results must not replace them. */
   std::vector<std::filesystem::path> others;
+  KnownSolutions known;
 };
 
 /** The end of a run. */

@@ -17,6 +17,8 @@ struct StudyContext {
   const Scene<dim> &scene;
   MPI_Comm communicator;
   const Judge &judge;
+  /** Called for every level; empty: no exact solution is known. */
+  Verify<dim> verify;
 };
 
 /** The meshes of a study, one after the other, each started from the solution on the one before. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/driver/level/level.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/results/verdict/judge.h>
 #include <signorini/results/verdict/level_result.h>
@@ -40,10 +41,11 @@ struct StudyResult {
 /**
  * Solves a scene on a sequence of nested or graded meshes, until the finest level is reached or the
  * estimated error is small enough. Each mesh starts from the solution on the one before. Results
- * are written as meshes finish. Runs decide Strategy = automatic before; here it means nested.
- * Collective.
+ * are written as meshes finish, and @p verify is called for each of them. Runs decide Strategy =
+ * automatic before; here it means nested. Collective.
  */
 template <int dim>
 StudyResult<dim> run_study(const Parameters &parameters, const Scene<dim> &scene,
-                           MPI_Comm communicator, const StudyReport &report);
+                           MPI_Comm communicator, const StudyReport &report,
+                           const Verify<dim> &verify = {});
 } // namespace Signorini

@@ -6,13 +6,12 @@
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>
-#include <signorini/postprocessing/norms/dual_norm_errors.h>
-#include <signorini/postprocessing/norms/errors.h>
 #include <signorini/postprocessing/quantities/answer.h>
 #include <signorini/postprocessing/quantities/case_solver.h>
 #include <signorini/postprocessing/quantities/friction.h>
 #include <signorini/problem/parameters/options.h>
 #include <signorini/problem/scene/scene.h>
+#include <signorini/results/verdict/exact_errors.h>
 #include <signorini/solvers/methods/contact_method.h>
 
 #include <optional>

@@ -3,9 +3,9 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
-#include <signorini/problem/catalogue/catalogue.h>
 #include <signorini/problem/scene/functions.h>
 #include <signorini/problem/scene/strain.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include <algorithm>
 #include <array>
@@ -271,6 +271,17 @@ const std::vector<CatalogueEntry<3>> &catalogue() {
     {"V3", "in 3-D: the contact of D3 with a material that varies in space",
      on_disc + "Material  E = 1 + x/2 + y*z; nu = 0.3\nWith      m = 1 + x/2 + y*z\n"}};
   return entries;
+}
+
+NamedScenes named_scenes() {
+  NamedScenes scenes;
+  const auto add = [](const auto &entries, auto &named) {
+    for (const auto &entry : entries)
+      named.push_back({entry.name, [&entry]() { return entry.make(); }});
+  };
+  add(catalogue<2>(), std::get<0>(scenes));
+  add(catalogue<3>(), std::get<1>(scenes));
+  return scenes;
 }
 
 std::string describe_catalogue() {

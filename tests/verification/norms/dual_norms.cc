@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The two norms |||.|||_{-1/2} against closed forms and values of an independent implementation.
 
-#include <signorini/postprocessing/norms/cosine_norm.h>
-#include <signorini/postprocessing/norms/slobodeckij_norm.h>
+#include <signorini/verification/norms/cosine_norm.h>
+#include <signorini/verification/norms/slobodeckij_norm.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

@@ -8,8 +8,8 @@
 #include <signorini/discretization/space/nodes.h>
 #include <signorini/discretization/space/patch_interpolation.h>
 #include <signorini/postprocessing/fields/recovered_pressure.h>
-#include <signorini/postprocessing/norms/errors.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
+#include <signorini/verification/norms/errors.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -169,15 +169,6 @@ DisplacementErrors compute_displacement_errors(const DisplacedBody<dim> &body,
   return errors;
 }
 
-Columns<DisplacementErrors> DisplacementErrors::columns() {
-  return {{"u_h1", &DisplacementErrors::h1},
-          {"u_l2", &DisplacementErrors::l2},
-          {"u_superclose_h1", &DisplacementErrors::superclose_h1},
-          {"u_post_h1", &DisplacementErrors::post_h1},
-          {"u_post4_h1", &DisplacementErrors::post4_h1},
-          {"u_energy", &DisplacementErrors::energy}};
-}
-
 INSTANTIATE_FUNCTION(compute_displacement_errors);
 
 // The left-hand side of (14) and (33).
@@ -209,10 +200,6 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space, const 
       "the exact pressure has no finite value at a quadrature point, allowed: finite "
       "values inside the contact sides.");
   return {std::sqrt(l2), std::sqrt(post_l2)};
-}
-
-Columns<PressureErrors> PressureErrors::columns() {
-  return {{"p_l2", &PressureErrors::l2}, {"p_post_l2", &PressureErrors::post_l2}};
 }
 
 INSTANTIATE_FUNCTION(compute_pressure_errors);

@@ -2,10 +2,10 @@
 // Every catalogue scene with an exact solution: values from an independent program, and the
 // equations of (1) by differences.
 
-#include <signorini/problem/catalogue/catalogue.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/strain.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ Stress stress(const Scene<2> &scene, const Point &x) {
 }
 
 Scene<2> named(const std::string &name) {
-  return make_scene<2>(parse_parameters("", "a.prm", {"Scene/Name=" + name}));
+  return make_scene<2>(parse_parameters("", "a.prm", {"Scene/Name=" + name}), named_scenes());
 }
 
 struct Sample {

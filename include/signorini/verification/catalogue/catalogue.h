@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/problem/scene/scene.h>
+#include <signorini/problem/scene/named_scene.h>
 
 #include <string>
 #include <vector>
@@ -42,6 +42,9 @@ const std::vector<CatalogueEntry<3>> &catalogue();
 /** Returns the scene CM, Hertz' pressure with stick and slip; or the state after some of the
  * tangential load is taken back, which follows the slip of CM (Mindlin and Deresiewicz). */
 CatalogueEntry<2> cattaneo_mindlin(bool unloaded);
+
+/** Returns the scenes of the catalogue for make_scene(). */
+NamedScenes named_scenes();
 
 /** Returns one line per scene: name and title. */
 std::string describe_catalogue();

@@ -6,6 +6,7 @@
 #include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/problem/parameters/options.h>
 
+#include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/trilinos_sparse_matrix.h>
 
 #include <optional>
@@ -28,11 +29,12 @@ struct InfSup {
  *
  *     β² = min_q (qᵀ Dᵀ A_1⁻¹ D q) / (qᵀ S q),
  *
- * where A_1 is the Gram matrix of V^h in (.,.)_{1,Ω}, and S that of Q^H in the cosine norm
+ * where A_1 is the Gram matrix of V^h in (.,.)_{1,Ω}, and @p S that of Q^H in the cosine norm
  * |||.|||_{-1/2}. It takes one factorisation of its own and m solves. Of two
  * bodies β² >= β_1² + β_2². Collective.
  */
 template <int dim>
 InfSup measure_inf_sup(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
-                       const Coupling &condensed_D, LinearSolver linear_solver);
+                       const Coupling &condensed_D, const FullMatrix<double> &S,
+                       LinearSolver linear_solver);
 } // namespace Signorini

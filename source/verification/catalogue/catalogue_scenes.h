@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/problem/catalogue/catalogue.h>
+#include <signorini/verification/catalogue/catalogue.h>
 
 namespace Signorini {
 /** Returns the scenes on the unit square with fields of polynomials and trigonometric functions,

@@ -5,9 +5,8 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/space/cell_values.h>
 #include <signorini/discretization/space/linear_system.h>
-#include <signorini/postprocessing/norms/cosine_norm.h>
-#include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/solvers/contact/compliance.h>
+#include <signorini/verification/norms/inf_sup.h>
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
@@ -107,10 +106,10 @@ double smallest_root(const FullMatrix<double> &C, const FullMatrix<double> &S,
 
 template <int dim>
 InfSup measure_inf_sup(const DisplacementSpace<dim> &space, const MultiplierSpace<dim> &multipliers,
-                       const Coupling &condensed_D, const LinearSolver linear_solver) {
+                       const Coupling &condensed_D, const FullMatrix<double> &S,
+                       const LinearSolver linear_solver) {
   const TrilinosWrappers::SparseMatrix A_1 = assemble_h1_gram_matrix(space);
   const auto inverse = factorise(A_1, 1., linear_solver, contact_unknowns(condensed_D));
-  const FullMatrix<double> S = dual_gram_matrix(multipliers);
   std::vector<unsigned int> all(multipliers.n_multipliers()), of_pairs;
   std::iota(all.begin(), all.end(), 0);
   for (const Piece<dim> &piece : multipliers.surface().pieces())

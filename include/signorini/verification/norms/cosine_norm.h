@@ -3,7 +3,6 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/mesh/contact_surface.h>
-#include <signorini/discretization/space/multiplier_space.h>
 
 #include <deal.II/lac/full_matrix.h>
 #include <deal.II/lac/vector.h>
@@ -152,22 +151,4 @@ FullMatrix<double> values_on(const PatchGrid &grid, const dealii::Vector<double>
  * is the sum over the sides. */
 template <int dim>
 FullMatrix<double> dual_gram_matrix(const ContactSurface<dim> &surface);
-
-/**
- * Returns the Gram matrix of the basis of Q^H in the cosine norm. It is block diagonal: the square
- * of the norm is the sum over the sides.
- *
- * Constants on patches of about the same length take the series of CosineNorm. Series do not
- * resolve the patches of graded meshes; there
- *
- *     ∫_I ∫_J ψ(s) φ(t) κ(s - t) ds dt = ∫ κ(x) A(x) dx,
- *     A(x) = ∫ ψ(s) φ(s - x) ds,
- *
- * with A a polynomial between differences of the ends of I and J, and rules that are refined
- * towards the singularities of κ.
- */
-FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers);
-
-/** Returns the same matrix in 3-D, where patches have constants: the series of CosineNorm. */
-FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers);
 } // namespace Signorini

@@ -2,7 +2,7 @@
 // Error norms of functions whose norms are known in closed form, kinks and square roots included.
 
 #include <signorini/base/errors.h>
-#include <signorini/postprocessing/norms/errors.h>
+#include <signorini/verification/norms/errors.h>
 
 #include <cmath>
 

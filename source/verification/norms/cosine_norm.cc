@@ -2,7 +2,7 @@
 // |||.|||_{-1/2,Γ_c} by cosine or Fourier series, side by side.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/postprocessing/norms/cosine_norm.h>
+#include <signorini/verification/norms/cosine_norm.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/lac/lapack_full_matrix.h>
@@ -180,8 +180,4 @@ FullMatrix<double> dual_gram_matrix(const ContactSurface<dim> &surface) {
   return gram;
 }
 INSTANTIATE_FUNCTION(dual_gram_matrix);
-
-FullMatrix<double> dual_gram_matrix(const MultiplierSpace<3> &multipliers) {
-  return dual_gram_matrix(multipliers.surface());
-}
 } // namespace Signorini

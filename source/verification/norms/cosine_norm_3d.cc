@@ -3,7 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/space/cosine_modes.h>
-#include <signorini/postprocessing/norms/cosine_norm.h>
+#include <signorini/verification/norms/cosine_norm.h>
 
 #include <deal.II/base/numbers.h>
 

@@ -2,8 +2,8 @@
 // A_1, the Gram matrix of V^h in (.,.)_{1,Omega}: the squares of
 // the norms of linear fields, integrated over a polygon by hand.
 
-#include <signorini/postprocessing/norms/inf_sup.h>
 #include <signorini/problem/input/make_scene.h>
+#include <signorini/verification/norms/inf_sup.h>
 
 #include <algorithm>
 #include <cmath>

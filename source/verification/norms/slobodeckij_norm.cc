@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // |||.|||_{-1/2,Γ_c} as the paper defines it, on one side.
 
-#include <signorini/postprocessing/norms/slobodeckij_norm.h>
+#include <signorini/verification/norms/slobodeckij_norm.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/tensor.h>

@@ -1,32 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/base/columns.h>
 #include <signorini/discretization/space/displaced_body.h>
+#include <signorini/discretization/space/multiplier_space.h>
+#include <signorini/results/verdict/exact_errors.h>
 
 #include <optional>
 
 namespace Signorini {
-/** The distances of the discrete from the exact displacement; h1 is the full norm ‖.‖_{1,Ω}. */
-struct DisplacementErrors {
-  /** The error ‖u - u_h‖_{1,Ω}. */
-  double h1;
-  /** The error ‖u - u_h‖_{0,Ω}. */
-  double l2;
-  /** The distance ‖I^h u - u_h‖_{1,Ω}. */
-  double superclose_h1;
-  /** The error ‖u - π^{2h} u_h‖_{1,Ω}; empty where there is no T^{2h}. */
-  std::optional<double> post_h1;
-  /** The error ‖u - π₄^{4h} u_h‖_{1,Ω} of the interpolation of degree four on cells of
-   * T^{4h}; empty where there is no T^{4h}. */
-  std::optional<double> post4_h1;
-  /** The error |||u - u_h|||, with the strain of u_h itself and Hooke's tensor at quadrature points
-   * (root of force x length^{dim-1}). */
-  double energy = 0.;
-
-  static Columns<DisplacementErrors> columns();
-};
-
 /**
  * Integrates the errors with @p n_points Gauss points per direction, on the pieces of cells that a
  * kink crosses. Needs Scene::exact_displacement. Runs on all threads given; the sums do not depend
@@ -36,16 +17,6 @@ struct DisplacementErrors {
 template <int dim>
 DisplacementErrors compute_displacement_errors(const DisplacedBody<dim> &body,
                                                unsigned int n_points);
-
-/** The distances of the discrete from the exact contact pressure. */
-struct PressureErrors {
-  /** The error ‖p - p_H‖_{0,Γ_c}. */
-  double l2;
-  /** The error of the continuous pressure recovered from p_H. */
-  double post_l2;
-
-  static Columns<PressureErrors> columns();
-};
 
 /**
  * Integrates with at least @p n_points Gauss points per direction on every piece, refined towards

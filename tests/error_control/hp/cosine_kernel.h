@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// |||.|||_{-1/2,Γ_c} of polynomials on patches of all lengths, by its kernel.
+#pragma once
 
-#include <signorini/postprocessing/norms/cosine_norm.h>
+#include <signorini/discretization/space/multiplier_space.h>
 
 #include <deal.II/base/numbers.h>
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/lac/full_matrix.h>
 
 #include <boost/math/special_functions/bessel.hpp>
 
@@ -12,11 +13,13 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
-namespace Signorini {
-namespace {
+/** The norm |||.|||_{-1/2,Γ_c} of polynomials on patches of all lengths, by its kernel. */
+namespace cosine_kernel {
+using namespace Signorini;
 /** Returns the modified Bessel function K_0, for x > 0. */
-double bessel_K_0(const double x) {
+inline double bessel_K_0(const double x) {
   using DoubleOnly = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
   return boost::math::cyl_bessel_k(0, x, DoubleOnly());
 }
@@ -82,7 +85,7 @@ private:
 };
 
 /** Returns the Gauss rule that integrates polynomials of the given degree on [0, 1]. */
-const QGauss<1> &rule_of_degree(const unsigned int degree) {
+inline const QGauss<1> &rule_of_degree(const unsigned int degree) {
   static const std::vector<QGauss<1>> rules = []() {
     constexpr unsigned int most = 40;
     std::vector<QGauss<1>> all;
@@ -195,19 +198,18 @@ private:
   std::vector<double> on_first_, on_second_;
 };
 
-/** Returns whether a series resolves the patches. */
-bool has_equal_patches(const ContactSurface<2> &surface) {
-  double shortest = surface.longest_patch();
-  for (const Patch<2> &patch : surface.patches())
-    shortest = std::min(shortest, patch.measure);
-  return surface.longest_patch() < 8. * shortest;
-}
-} // namespace
-
-FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers) {
+/**
+ * Returns the Gram matrix of the basis of Q^H in the cosine norm. It is block diagonal: the square
+ * of the norm is the sum over the sides. Series do not resolve the patches of graded meshes; there
+ *
+ *     ∫_I ∫_J ψ(s) φ(t) κ(s - t) ds dt = ∫ κ(x) A(x) dx,
+ *     A(x) = ∫ ψ(s) φ(s - x) ds,
+ *
+ * with A a polynomial between differences of the ends of I and J, and rules that are refined
+ * towards the singularities of κ.
+ */
+inline FullMatrix<double> gram_matrix(const MultiplierSpace<2> &multipliers) {
   const ContactSurface<2> &surface = multipliers.surface();
-  if (multipliers.is_piecewise_constant() && has_equal_patches(surface))
-    return dual_gram_matrix(surface);
   const unsigned int m = multipliers.n_multipliers();
   FullMatrix<double> gram(m, m);
   for (const PatchGrid &grid : patch_grids(surface.patches())) {
@@ -221,4 +223,4 @@ FullMatrix<double> dual_gram_matrix(const MultiplierSpace<2> &multipliers) {
   }
   return gram;
 }
-} // namespace Signorini
+} // namespace cosine_kernel
