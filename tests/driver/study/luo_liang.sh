@@ -4,8 +4,9 @@
 # usage: luo_liang.sh PROGRAM ROOT
 
 program=$(realpath "$1")
-luo_liang=$(dirname "$program")/luo_liang
-source=$(realpath "$2")/source/luo_liang.cc
+luo_liang=$(dirname "$program")/tutorial/luo_liang
+folder=$(realpath "$2")/source/luo_liang
+source=$folder/luo_liang.cc
 scene=$(realpath "$2")/prm/a1_psor.prm
 . "$(dirname "$0")/../../checks.bash"
 
@@ -44,6 +45,23 @@ compare() {
     END { print compared, "compared"; exit different > 0 || compared != 60 }' "$@"
 }
 check "15 columns on four levels agree to 1e-10" compare run/convergence.csv table
+
+# A longer body has the same exact pressure.
+printf 'set Length = 2\nset Coarsest level = 4\nset Finest level = 4\n' >long.prm
+"$luo_liang" long.prm >stdout 2>stderr
+check "a body of two squares" [ $? -eq 0 ]
+check "  with the contact force 0.625" grep -q '^ *4 *512 *1122 *16 .* 6.251e-01 ' stdout
+
+python3 "$folder/page.py" "$luo_liang" page >stdout 2>stderr
+check "makes a page" [ $? -eq 0 ]
+check "  with all headings" [ "$(grep -c '<h[123] ' page/index.html)" -eq "$(grep -c '^// @sect' "$source")" ]
+check "  set formulas" grep -q '∫<sub>Ω</sub>' page/index.html
+check "  figures" [ "$(grep -o 'src="[a-z]*.svg"' page/index.html | tr '\n' ' ')" = 'src="pressure.svg" src="deformed.svg" ' ]
+check "  one of pressures" grep -q '<polyline' page/pressure.svg
+check "  and one of the mesh" grep -q '<polygon' page/deformed.svg
+check "  and no marks of the source" [ "$(grep -c '@sect\|@figure' page/index.html)" -eq 0 ]
+cmake -S "$folder" -B alone -G Ninja >stdout 2>stderr
+check "stands alone" [ $? -eq 0 ]
 
 printf 'set Patch ratio = 3\n' >wrong.prm
 "$luo_liang" wrong.prm >stdout 2>stderr

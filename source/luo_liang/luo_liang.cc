@@ -9,26 +9,26 @@
 //   with Lagrange multiplier methods, Journal of Computational Mathematics 20 (2002).
 //
 // Formulas have its numbers. Whoever knows deal.II's tutorial (step-8 for elasticity, step-7 for
-// tables of errors, step-42 for contact) can read this file from top to bottom. It shares no line
-// with the program `signorini` beside it, which treats many more bodies with faster methods; a test
-// compares the numbers of both.
+// tables of errors, step-42 for contact) can read this file from top to bottom. This folder is a
+// project of its own, and makes a page of this file. It shares no line with the program `signorini`
+// above it, which treats many more bodies with faster methods; a test compares the numbers of both.
 //
 // The commented program has eleven stages and two appendices. `signorini` has rooms for the same:
 //
 //   stage                                    folder of source and include/signorini
-//    1  the example                          problem/catalogue; by formulas: problem/input
+//    1  the example                          verification/catalogue; by formulas: problem/input
 //    2  parameters                           problem/parameters
 //    3  V^h and Q^H                          discretization/mesh, discretization/space
 //    4  A and f                              discretization/space
 //    5  D and G                              discretization/space
 //    6  A^{-1}; C, F and P; U                solvers/stiffness; solvers/contact; solvers/methods
 //    7  pi^{2h}                              postprocessing/fields
-//    8  errors                               postprocessing/norms
-//    9  the inf-sup constant                 postprocessing/norms
+//    8  errors                               verification/norms
+//    9  the inf-sup constant                 verification/norms
 //   10  tables and files                     results/verdict, results/output
 //   11  all levels                           driver/level, driver/sequence, driver/study
 //    A  quadrature at the end of contact     discretization/mesh
-//    B  the norm of order -1/2               postprocessing/norms
+//    B  the norm of order -1/2               verification/norms
 //
 //
 // @sect2{Introduction}
@@ -197,17 +197,20 @@
 //   luo_liang                  runs the example on the levels 2 to 6 (4 x 4 to 64 x 64 cells),
 //   luo_liang parameters.prm   reads parameters. All of them with their defaults:
 //
-//     set Coarsest level = 2        # refinements of the square
+//     set Length         = 1        # of the lower side, in squares
+//     set Coarsest level = 2        # refinements of the squares
 //     set Finest level   = 6
 //     set Patch ratio    = 2        # H/h
 //     set Relaxation     = 1        # omega
 //     set Tolerance      = 1e-10    # of step (iii), relative
 //     set Digits         = 3        # of the tables
 //     set Write VTU      = false    # solution-LL.vtu of every level, in the working folder
+//     set Write figures  = false    # pressure.svg and deformed.svg of the finest level
+//
+// The target `luo_liang_page` of CMake runs it with figures, and makes a page of this file.
 
 #include <deal.II/base/convergence_table.h>
 #include <deal.II/base/function.h>
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/parameter_handler.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/base/symmetric_tensor.h>
@@ -220,15 +223,14 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/hp/fe_values.h>
+#include <deal.II/hp/q_collection.h>
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/full_matrix.h>
-#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/lapack_full_matrix.h>
-#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/sparse_direct.h>
 #include <deal.II/lac/sparse_matrix.h>
-#include <deal.II/lac/trilinos_solver.h>
-#include <deal.II/lac/trilinos_sparse_matrix.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/matrix_tools.h>
@@ -241,6 +243,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -309,7 +312,7 @@ Tensor<1, dim> traction(const Point<dim> &point, const Tensor<1, dim> &normal) {
 }
 } // namespace Example
 
-// The displacement as deal.II's functions for interpolation want it.
+// The displacement as deal.II's functions for interpolation and for errors want it.
 class ExactDisplacement : public Function<dim> {
 public:
   ExactDisplacement()
@@ -318,20 +321,21 @@ public:
   double value(const Point<dim> &point, const unsigned int component) const override {
     return Example::displacement(point)[component];
   }
+  Tensor<1, dim> gradient(const Point<dim> &point, const unsigned int component) const override {
+    return Example::displacement_gradient(point)[component];
+  }
 };
 
-// The sides of the square have the numbers that GridGenerator gives them.
+// The sides of the body have the numbers that GridGenerator gives them.
 constexpr types::boundary_id contact_side = 2; // y = 0
 constexpr types::boundary_id clamped_side = 3; // y = 1
 
-// The contact side is the interval (0, length). The formulas of the example hold for every whole
-// length, of as many squares as the coarsest mesh then has.
-constexpr unsigned int length = 1;
-
 // @sect3{Stage 2: parameters}
 //
-// In-class defaults make the program run without a file.
+// In-class defaults make the program run without a file. The contact side is the interval
+// (0, Length). The formulas of the example hold for every length, and the body is a row of squares.
 struct Parameters {
+  unsigned int length = 1;
   unsigned int coarsest_level = 2;
   unsigned int finest_level = 6;
   unsigned int patch_ratio = 2;
@@ -339,9 +343,11 @@ struct Parameters {
   double tolerance = 1e-10;
   unsigned int digits = 3;
   bool write_vtu = false;
+  bool write_figures = false;
 
   void read(const std::string &file_name) {
     ParameterHandler prm;
+    prm.add_parameter("Length", length, "in squares", Patterns::Integer(1, 100));
     prm.add_parameter("Coarsest level", coarsest_level, "", Patterns::Integer(1, 10));
     prm.add_parameter("Finest level", finest_level, "", Patterns::Integer(1, 10));
     prm.add_parameter("Patch ratio", patch_ratio, "H/h", Patterns::Integer(1));
@@ -349,62 +355,15 @@ struct Parameters {
     prm.add_parameter("Tolerance", tolerance, "of step (iii)", Patterns::Double(1e-14, 1e-2));
     prm.add_parameter("Digits", digits, "of the tables", Patterns::Integer(1, 16));
     prm.add_parameter("Write VTU", write_vtu);
+    prm.add_parameter("Write figures", write_figures);
     prm.parse_input(file_name);
     AssertThrow(coarsest_level <= finest_level, ExcMessage("Coarsest level > Finest level."));
     AssertThrow(0. < relaxation && relaxation < 2.,
                 ExcMessage("Theorem 4 needs a Relaxation between 0 and 2, both excluded."));
-    AssertThrow((1u << coarsest_level) % patch_ratio == 0,
+    AssertThrow((length << coarsest_level) % patch_ratio == 0,
                 ExcMessage("Patches consist of whole edges: the Patch ratio must divide the number "
-                           "of edges on the contact side, 2^level."));
+                           "of edges on the contact side, Length 2^level."));
   }
-};
-
-// @sect3{Two tools for the errors}
-//
-// *Read this later.* The appendices behind the last stage contain two tools. They make the errors
-// exact up to rounding, and the method does not depend on them. Appendix A integrates functions
-// that are polynomials on either side of x = xi, but not across it: a reader may think of
-// QGauss<1>(4) and FEValues in their place. Appendix B computes the norm |||.|||_{-1/2} of
-// pressures.
-Quadrature<1> gauss_split_at_xi(double a, double b);
-
-class CellValues {
-public:
-  CellValues(const FiniteElement<dim> &fe, double h);
-  const FEValues<dim> &reinit(const DoFHandler<dim>::active_cell_iterator &cell);
-
-private:
-  // The number of the column of cells that xi crosses, from the left.
-  const double column;
-  const UpdateFlags flags;
-  FEValues<dim> plain, split;
-};
-
-std::vector<double> dual_norms(const std::vector<std::function<double(double)>> &functions,
-                               unsigned int n_cells);
-LAPACKFullMatrix<double> dual_gram_matrix(unsigned int n_patches);
-
-// @sect3{The direct solver}
-//
-// A sparse matrix of Trilinos, factorised by one of its direct solvers (Amesos' KLU). Trilinos has
-// vectors of its own: a product with the inverse copies the right-hand side and the solution.
-class DirectSolver {
-public:
-  void initialize(const TrilinosWrappers::SparseMatrix &matrix) {
-    solver.initialize(matrix);
-  }
-
-  void vmult(Vector<double> &x, const Vector<double> &b) {
-    LinearAlgebra::distributed::Vector<double> copy_of_b(b.size()), solution(b.size());
-    std::copy(b.begin(), b.end(), copy_of_b.begin());
-    solver.solve(solution, copy_of_b);
-    std::copy(solution.begin(), solution.end(), x.begin());
-  }
-
-private:
-  // Iterative solvers of Trilinos stop by it.
-  SolverControl control;
-  TrilinosWrappers::SolverDirect solver{control};
 };
 
 // @sect3{The class of the method}
@@ -427,15 +386,22 @@ private:
   void interpolate_on_2h();
   double inf_sup_constant(unsigned int ratio) const;
 
-  // What the theorems are about.
-  struct Errors {
-    double u_h1 = 0., p_l2 = 0., p_dual = 0.;            // (13), (14), (15)
-    double u_superclose_h1 = 0., p_superclose_dual = 0.; // (24), (25)
-    double u_post_h1 = 0.;                               // (31)
-  };
-  Errors compute_errors() const;
-  void add_displacement_errors(Errors &errors) const;
-  void add_pressure_errors(Errors &errors) const;
+  double h1_distance(const Function<dim> &w, const DoFHandler<dim> &dofs,
+                     const Vector<double> &v) const;
+  double l2_error_of_pressure() const;
+  Vector<double> means_of_pressure() const;
+
+  // The first appendix: sums over cells that are exact for polynomials on either side of x = xi. A
+  // reader may think of QGauss(4) in their place.
+  static Quadrature<1> gauss_split_at_xi(double a, double b);
+  hp::QCollection<dim> cell_rules() const;
+  static unsigned int rule_on(const CellAccessor<dim> &cell);
+  // The second one: the norm of order -1/2.
+  using Pressures = std::vector<std::function<double(double)>>;
+  LAPACKFullMatrix<double> gram_matrix(unsigned int n_cells) const;
+  std::vector<double> dual_norms(const Pressures &pressures, unsigned int n_cells) const;
+  std::vector<double> extrapolated_dual_norms(const Pressures &pressures) const;
+  LAPACKFullMatrix<double> dual_gram_matrix(unsigned int n_patches) const;
 
   double mesh_size() const;
   double patch_length() const;
@@ -444,6 +410,8 @@ private:
   unsigned int patches_of(unsigned int ratio) const;
   void add_to_tables(unsigned int level, unsigned int n_sweeps);
   void write_vtu(unsigned int level) const;
+  void write_pressure() const;
+  void write_deformed_mesh() const;
   void print_tables();
 
   const Parameters parameters;
@@ -459,10 +427,9 @@ private:
   unsigned int m;
 
   SparsityPattern sparsity_A, sparsity_D;
-  TrilinosWrappers::SparseMatrix A;
-  SparseMatrix<double> D;
+  SparseMatrix<double> A, D;
   Vector<double> f, G;
-  DirectSolver A_inverse;
+  SparseDirectUMFPACK A_inverse;
   FullMatrix<double> C;
   Vector<double> F;
   Vector<double> P, U;
@@ -480,8 +447,9 @@ LuoLiang::LuoLiang(const Parameters &parameters)
   , dof_handler(triangulation)
   , dof_handler_post(triangulation)
   , m(0) {
-  GridGenerator::subdivided_hyper_rectangle(triangulation, {length, 1}, Point<dim>(0., 0.),
-                                            Point<dim>(length, 1.), /*colorize*/ true);
+  GridGenerator::subdivided_hyper_rectangle(triangulation, {parameters.length, 1},
+                                            Point<dim>(0., 0.), Point<dim>(parameters.length, 1.),
+                                            /*colorize*/ true);
   triangulation.refine_global(parameters.coarsest_level);
 }
 
@@ -495,7 +463,7 @@ double LuoLiang::patch_length() const {
 }
 
 unsigned int LuoLiang::patches_of(const unsigned int ratio) const {
-  return static_cast<unsigned int>(std::lround(length / (ratio * mesh_size())));
+  return static_cast<unsigned int>(std::lround(parameters.length / (ratio * mesh_size())));
 }
 
 // @sect3{Stage 3: V^h and Q^H}
@@ -516,6 +484,8 @@ void LuoLiang::make_spaces() {
 //
 // This is linear elasticity as in step-8. No contact enters. The condition on Gamma_D is eliminated
 // when cells are added to the matrix: rows of nodes on Gamma_D have an entry on the diagonal only.
+// hp::FEValues chooses one of two quadrature rules for each cell (appendix A): f is a polynomial on
+// either side of x = xi only.
 void LuoLiang::assemble_A_and_f() {
   DynamicSparsityPattern dynamic(dof_handler.n_dofs());
   DoFTools::make_sparsity_pattern(dof_handler, dynamic, constraints, /*keep_constrained*/ false);
@@ -524,7 +494,9 @@ void LuoLiang::assemble_A_and_f() {
   f.reinit(dof_handler.n_dofs());
 
   const FEValuesExtractors::Vector displacement(0);
-  CellValues cell_values(fe, mesh_size());
+  hp::FEValues<dim> cell_values(dof_handler.get_fe_collection(), cell_rules(),
+                                update_values | update_gradients | update_quadrature_points |
+                                  update_JxW_values);
   FEFaceValues<dim> face_values(fe, QGauss<dim - 1>(4),
                                 update_values | update_quadrature_points | update_normal_vectors |
                                   update_JxW_values);
@@ -535,7 +507,8 @@ void LuoLiang::assemble_A_and_f() {
   for (const auto &cell : dof_handler.active_cell_iterators()) {
     cell_matrix = 0.;
     cell_rhs = 0.;
-    const FEValues<dim> &values = cell_values.reinit(cell);
+    cell_values.reinit(cell, rule_on(*cell));
+    const FEValues<dim> &values = cell_values.get_present_fe_values();
     for (const unsigned int q : values.quadrature_point_indices()) {
       const Tensor<1, dim> force = Example::body_force(values.quadrature_point(q));
       for (unsigned int i = 0; i < n; ++i) {
@@ -562,7 +535,6 @@ void LuoLiang::assemble_A_and_f() {
     cell->get_dof_indices(indices);
     constraints.distribute_local_to_global(cell_matrix, cell_rhs, indices, A, f);
   }
-  A.compress(VectorOperation::add);
 }
 
 // @sect3{Stage 5: D and G}
@@ -582,7 +554,8 @@ void LuoLiang::assemble_D(const unsigned int n_patches, SparsityPattern &sparsit
       for (const unsigned int face : cell->face_indices())
         if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == contact_side)
           visit(cell, face,
-                static_cast<unsigned int>(cell->face(face)->center()[0] / length * n_patches));
+                static_cast<unsigned int>(cell->face(face)->center()[0] / parameters.length *
+                                          n_patches));
   };
   std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
 
@@ -610,7 +583,7 @@ void LuoLiang::assemble_D(const unsigned int n_patches, SparsityPattern &sparsit
   });
 }
 
-// The gap is a function on the interval (0, length), and a polynomial on either side of xi. Patch
+// The gap is a function on the interval (0, Length), and a polynomial on either side of xi. Patch
 // tau is the interval (tau H, (tau + 1) H).
 void LuoLiang::assemble_G() {
   const double H = patch_length();
@@ -626,8 +599,10 @@ void LuoLiang::assemble_G() {
 //
 // The product D^T A^{-1} D has one column after the other: D e_i is the force of a unit pressure on
 // patch i, z = A^{-1} D e_i the displacement that answers it, and D^T z its normal part, integrated
-// over all patches.
-FullMatrix<double> compliance(DirectSolver &A_inverse, const SparseMatrix<double> &D) {
+// over all patches. D e_i is column i of D, which a matrix stored by rows gives away by a product
+// only; beside the solve it costs nothing. C is symmetric: its entries with j >= i would be enough,
+// but the solves are what takes the time, and they give whole columns.
+FullMatrix<double> compliance(const SparseDirectUMFPACK &A_inverse, const SparseMatrix<double> &D) {
   FullMatrix<double> C(D.n(), D.n());
   Vector<double> e(D.n()), column(D.n());
   Vector<double> d(D.m()), z(D.m());
@@ -643,7 +618,7 @@ FullMatrix<double> compliance(DirectSolver &A_inverse, const SparseMatrix<double
   return C;
 }
 
-// A is factorised once, by a sparse direct solver of Trilinos. C costs m solves with the factors,
+// A is factorised once, by a sparse direct solver. C costs m solves with the factors,
 // and F one more, with the loads. This is the expensive part. After these m + 1 solves the body's
 // mesh plays no role: PSOR works with a matrix of the size m x m.
 void LuoLiang::compute_C_and_F() {
@@ -752,82 +727,59 @@ void LuoLiang::interpolate_on_2h() {
 // @sect3{Stage 8: errors}
 //
 // The norm ||.||_1 is the full norm of H^1, with (||v||_0^2 + ||grad v||_0^2)^{1/2} for both
-// components. One pass over the cells integrates u - u_h, I^h u - u_h and u - pi^{2h} u_h. Function
-// VectorTools::integrate_difference() has one rule for all cells and cannot split some at xi.
-void LuoLiang::add_displacement_errors(Errors &errors) const {
-  Vector<double> difference(dof_handler.n_dofs());
-  VectorTools::interpolate(dof_handler, ExactDisplacement(), difference);
-  difference -= U;
-
+// components. This is ||w - v||_1 for a function w and a function v of a finite element space. The
+// function VectorTools::integrate_difference() has one rule for all cells and cannot split some at
+// xi.
+double LuoLiang::h1_distance(const Function<dim> &w, const DoFHandler<dim> &dofs,
+                             const Vector<double> &v) const {
   const FEValuesExtractors::Vector displacement(0);
-  CellValues cell_values(fe, mesh_size()), cell_values_post(fe_post, mesh_size());
-  std::vector<Tensor<1, dim>> u_h, superclose, post;
-  std::vector<Tensor<2, dim>> du_h, dsuperclose, dpost;
-  for (const auto &cell : dof_handler.active_cell_iterators()) {
-    const FEValues<dim> &values = cell_values.reinit(cell);
-    const DoFHandler<dim>::active_cell_iterator cell_post(&triangulation, cell->level(),
-                                                          cell->index(), &dof_handler_post);
-    const FEValues<dim> &values_post = cell_values_post.reinit(cell_post);
-    for (auto *v : {&u_h, &superclose, &post})
-      v->resize(values.n_quadrature_points);
-    for (auto *dv : {&du_h, &dsuperclose, &dpost})
-      dv->resize(values.n_quadrature_points);
-    values[displacement].get_function_values(U, u_h);
-    values[displacement].get_function_gradients(U, du_h);
-    values[displacement].get_function_values(difference, superclose);
-    values[displacement].get_function_gradients(difference, dsuperclose);
-    values_post[displacement].get_function_values(U_post, post);
-    values_post[displacement].get_function_gradients(U_post, dpost);
+  hp::FEValues<dim> cell_values(dofs.get_fe_collection(), cell_rules(),
+                                update_values | update_gradients | update_quadrature_points |
+                                  update_JxW_values);
+  double square = 0.;
+  std::vector<Tensor<1, dim>> v_q;
+  std::vector<Tensor<2, dim>> dv_q;
+  for (const auto &cell : dofs.active_cell_iterators()) {
+    cell_values.reinit(cell, rule_on(*cell));
+    const FEValues<dim> &values = cell_values.get_present_fe_values();
+    v_q.resize(values.n_quadrature_points);
+    dv_q.resize(values.n_quadrature_points);
+    values[displacement].get_function_values(v, v_q);
+    values[displacement].get_function_gradients(v, dv_q);
     for (const unsigned int q : values.quadrature_point_indices()) {
-      const Tensor<1, dim> u = Example::displacement(values.quadrature_point(q));
-      const Tensor<2, dim> du = Example::displacement_gradient(values.quadrature_point(q));
-      const auto square = [&](const Tensor<1, dim> &v, const Tensor<2, dim> &dv) {
-        return (v.norm_square() + dv.norm_square()) * values.JxW(q);
-      };
-      errors.u_h1 += square(u - u_h[q], du - du_h[q]);
-      errors.u_superclose_h1 += square(superclose[q], dsuperclose[q]);
-      errors.u_post_h1 += square(u - post[q], du - dpost[q]);
+      const Point<dim> &x = values.quadrature_point(q);
+      for (unsigned int c = 0; c < dim; ++c)
+        square +=
+          (std::pow(w.value(x, c) - v_q[q][c], 2) + (w.gradient(x, c) - dv_q[q][c]).norm_square()) *
+          values.JxW(q);
     }
   }
-  for (double *error : {&errors.u_h1, &errors.u_superclose_h1, &errors.u_post_h1})
-    *error = std::sqrt(*error);
+  return std::sqrt(square);
 }
 
 // The pressures are functions on an interval, which needs no mesh: patches are (i H, (i + 1) H).
-// The mean of p on each patch is R^H p, see (12).
-void LuoLiang::add_pressure_errors(Errors &errors) const {
+double LuoLiang::l2_error_of_pressure() const {
+  const double H = patch_length();
+  double square = 0.;
+  for (unsigned int tau = 0; tau < m; ++tau) {
+    const Quadrature<1> rule = gauss_split_at_xi(tau * H, (tau + 1) * H);
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      square +=
+        std::pow(Example::pressure((tau + rule.point(q)[0]) * H) - P[tau], 2) * rule.weight(q) * H;
+  }
+  return std::sqrt(square);
+}
+
+// R^H p, the mean of p on each patch, see (12).
+Vector<double> LuoLiang::means_of_pressure() const {
   const double H = patch_length();
   Vector<double> means(m);
   for (unsigned int tau = 0; tau < m; ++tau) {
     const Quadrature<1> rule = gauss_split_at_xi(tau * H, (tau + 1) * H);
-    for (unsigned int q = 0; q < rule.size(); ++q) {
-      const double p = Example::pressure((tau + rule.point(q)[0]) * H);
-      means[tau] += p * rule.weight(q);
-      errors.p_l2 += std::pow(p - P[tau], 2) * rule.weight(q) * H;
-    }
+    for (unsigned int q = 0; q < rule.size(); ++q)
+      means[tau] += Example::pressure((tau + rule.point(q)[0]) * H) * rule.weight(q);
   }
-  errors.p_l2 = std::sqrt(errors.p_l2);
-
-  const auto patch_of = [&](const double x) { return static_cast<unsigned int>(x / H); };
-  const auto extrapolated_norms = [&](const std::vector<std::function<double(double)>> &functions) {
-    const std::vector<double> coarse = dual_norms(functions, 8 * m);
-    std::vector<double> norms = dual_norms(functions, 16 * m);
-    for (unsigned int k = 0; k < norms.size(); ++k)
-      norms[k] += (norms[k] - coarse[k]) / 3.;
-    return norms;
-  };
-  const std::vector<double> norms =
-    extrapolated_norms({[&](const double x) { return Example::pressure(x) - P[patch_of(x)]; },
-                        [&](const double x) { return means[patch_of(x)] - P[patch_of(x)]; }});
-  errors.p_dual = norms[0];
-  errors.p_superclose_dual = norms[1];
-}
-
-LuoLiang::Errors LuoLiang::compute_errors() const {
-  Errors errors;
-  add_displacement_errors(errors);
-  add_pressure_errors(errors);
-  return errors;
+  return means;
 }
 
 // @sect3{Stage 9: the inf-sup constant}
@@ -846,10 +798,8 @@ double LuoLiang::inf_sup_constant(const unsigned int ratio) const {
                                     static_cast<const Function<dim> *>(nullptr), constraints);
   MatrixCreator::create_laplace_matrix(dof_handler, QGauss<dim>(2), gram,
                                        static_cast<const Function<dim> *>(nullptr), constraints);
-  TrilinosWrappers::SparseMatrix A_1;
-  A_1.reinit(gram);
-  DirectSolver A_1_inverse;
-  A_1_inverse.initialize(A_1);
+  SparseDirectUMFPACK A_1_inverse;
+  A_1_inverse.initialize(gram);
 
   SparsityPattern sparsity;
   SparseMatrix<double> D_ratio;
@@ -867,6 +817,11 @@ double LuoLiang::inf_sup_constant(const unsigned int ratio) const {
 // Columns have the names that they have in `convergence.csv` of the program signorini. The contact
 // force is the integral of -p_H over Gamma_c, and the largest pressure is positive here, too.
 void LuoLiang::add_to_tables(const unsigned int level, const unsigned int n_sweeps) {
+  const auto add = [&](TableHandler &table, const std::string &column, const double value) {
+    table.add_value(column, value);
+    table.set_precision(column, parameters.digits);
+    table.set_scientific(column, true);
+  };
   const auto active = std::count_if(P.begin(), P.end(), [](const double p) { return p < 0.; });
   computation.add_value("level", level);
   computation.add_value("cells", triangulation.n_active_cells());
@@ -874,24 +829,38 @@ void LuoLiang::add_to_tables(const unsigned int level, const unsigned int n_swee
   computation.add_value("multipliers", m);
   computation.add_value("active", static_cast<unsigned int>(active));
   computation.add_value("qp_iterations", n_sweeps);
-  computation.add_value("kkt", kkt_residual());
-  computation.add_value("energy", energy());
-  computation.add_value("contact_force_n", -P.mean_value() * m * patch_length());
-  computation.add_value("max_pressure", -*std::min_element(P.begin(), P.end()));
-  computation.add_value("contact_length", active * patch_length());
+  add(computation, "kkt", kkt_residual());
+  add(computation, "energy", energy());
+  add(computation, "contact_force_n", -P.mean_value() * m * patch_length());
+  add(computation, "max_pressure", -*std::min_element(P.begin(), P.end()));
+  add(computation, "contact_length", active * patch_length());
 
-  const Errors errors = compute_errors();
+  const ExactDisplacement u;
+  Vector<double> superclose(dof_handler.n_dofs());
+  VectorTools::interpolate(dof_handler, u, superclose);
+  superclose -= U;
+  const Vector<double> means = means_of_pressure();
+  const auto patch_of = [&](const double x) {
+    return static_cast<unsigned int>(x / patch_length());
+  };
+  const std::vector<double> dual =
+    extrapolated_dual_norms({[&](const double x) { return Example::pressure(x) - P[patch_of(x)]; },
+                             [&](const double x) { return means[patch_of(x)] - P[patch_of(x)]; }});
   convergence.add_value("level", level);
-  convergence.add_value("u_h1", errors.u_h1);
-  convergence.add_value("p_l2", errors.p_l2);
-  convergence.add_value("p_dual", errors.p_dual);
-  convergence.add_value("u_superclose_h1", errors.u_superclose_h1);
-  convergence.add_value("p_superclose_dual", errors.p_superclose_dual);
-  convergence.add_value("u_post_h1", errors.u_post_h1);
+  add(convergence, "u_h1", h1_distance(u, dof_handler, U));
+  add(convergence, "p_l2", l2_error_of_pressure());
+  add(convergence, "p_dual", dual[0]);
+  add(convergence, "u_superclose_h1",
+      h1_distance(Functions::ZeroFunction<dim>(dim), dof_handler, superclose));
+  add(convergence, "p_superclose_dual", dual[1]);
+  add(convergence, "u_post_h1", h1_distance(u, dof_handler_post, U_post));
 
   stability.add_value("h", "1/" + std::to_string(1u << level));
-  stability.add_value("beta, H = h", inf_sup_constant(1));
-  stability.add_value("beta, H = 2h", inf_sup_constant(2));
+  for (const unsigned int ratio : {1u, 2u}) {
+    const std::string column = ratio == 1 ? "beta, H = h" : "beta, H = 2h";
+    stability.add_value(column, inf_sup_constant(ratio));
+    stability.set_precision(column, 3);
+  }
 }
 
 void LuoLiang::write_vtu(const unsigned int level) const {
@@ -906,18 +875,74 @@ void LuoLiang::write_vtu(const unsigned int level) const {
   data_out.write_vtu(file);
 }
 
+// Both figures are drawn in SVG, a text that browsers show, so that no other program is needed. The
+// unit is 1/600 of the body's height. p is a curve, p_H a step on each patch.
+constexpr double unit = 600.;
+
+std::ofstream open_figure(const std::string &name, const double width, const double height) {
+  std::ofstream svg(name);
+  svg << "<svg xmlns='http://www.w3.org/2000/svg' viewBox='-20 -20 " << width + 40. << " "
+      << height + 40. << "' fill='none' stroke-width='2'>\n";
+  return svg;
+}
+
+void LuoLiang::write_pressure() const {
+  const double width = unit * parameters.length, height = 0.5 * unit;
+  const double scale =
+    height / std::max(-*std::min_element(P.begin(), P.end()), -Example::pressure(0.));
+  std::ofstream svg = open_figure("pressure.svg", width, height);
+  const auto line_through = [&](const char *colour, const auto &points) {
+    svg << "<polyline stroke='" << colour << "' points='";
+    for (const auto &[x, p] : points)
+      svg << unit * x << "," << height + scale * p << " ";
+    svg << "'/>\n";
+  };
+  std::vector<std::pair<double, double>> exact, steps;
+  constexpr unsigned int n_points = 500;
+  for (unsigned int i = 0; i <= n_points; ++i) {
+    const double x = double(i) * parameters.length / n_points;
+    exact.emplace_back(x, Example::pressure(x));
+  }
+  for (unsigned int tau = 0; tau < m; ++tau) {
+    steps.emplace_back(tau * patch_length(), P[tau]);
+    steps.emplace_back((tau + 1) * patch_length(), P[tau]);
+  }
+  line_through("#888888",
+               std::vector<std::pair<double, double>>{{0., 0.}, {parameters.length, 0.}});
+  line_through("#c02020", exact);
+  line_through("#2040c0", steps);
+  svg << "</svg>\n";
+}
+
+// The cells, moved by u_h, and the foundation: the contact side has come to rest on it, or has a
+// distance from it still. A fourth of u_h and of the gap is drawn: displacements are small in (1),
+// but not in this example.
+void LuoLiang::write_deformed_mesh() const {
+  constexpr double share = 0.25;
+  std::ofstream svg = open_figure("deformed.svg", unit * parameters.length, unit);
+  svg << "<polyline stroke='#c02020' stroke-width='4' points='";
+  constexpr unsigned int n_points = 500;
+  for (unsigned int i = 0; i <= n_points; ++i) {
+    const double x = double(i) * parameters.length / n_points;
+    svg << unit * (x + share * Example::displacement({x, 0.})[0]) << ","
+        << unit * (1. + share * Example::gap(x)) << " ";
+  }
+  svg << "'/>\n";
+  for (const auto &cell : dof_handler.active_cell_iterators()) {
+    svg << "<polygon stroke='#2040c0' stroke-width='1' points='";
+    for (const unsigned int v : {0, 1, 3, 2}) {
+      const double x = cell->vertex(v)[0] + share * U[cell->vertex_dof_index(v, 0)];
+      const double y = cell->vertex(v)[1] + share * U[cell->vertex_dof_index(v, 1)];
+      svg << unit * x << "," << unit * (1. - y) << " ";
+    }
+    svg << "'/>\n";
+  }
+  svg << "</svg>\n";
+}
+
 void LuoLiang::print_tables() {
-  for (const char *column :
-       {"kkt", "energy", "contact_force_n", "max_pressure", "contact_length"}) {
-    computation.set_precision(column, parameters.digits);
-    computation.set_scientific(column, true);
-  }
-  for (const char *column :
-       {"u_h1", "p_l2", "p_dual", "u_superclose_h1", "p_superclose_dual", "u_post_h1"}) {
-    convergence.set_precision(column, parameters.digits);
-    convergence.set_scientific(column, true);
-    convergence.evaluate_convergence_rates(column, ConvergenceTable::reduction_rate_log2);
-  }
+  convergence.omit_column_from_convergence_rate_evaluation("level");
+  convergence.evaluate_all_convergence_rates(ConvergenceTable::reduction_rate_log2);
   computation.write_text(std::cout);
   std::cout << "\nErrors and their orders. The paper guarantees, for H = c h,\n"
                "  u_h1              |u - u_h|_1         (13)        1 - eps\n"
@@ -928,8 +953,6 @@ void LuoLiang::print_tables() {
                "  u_post_h1         |u - pi^2h u_h|_1   (31)        5/4\n\n";
   convergence.write_text(std::cout);
   std::cout << "\nThe inf-sup constant (6) on two partitions of the contact side:\n\n";
-  for (const char *column : {"beta, H = h", "beta, H = 2h"})
-    stability.set_precision(column, 3);
   stability.write_text(std::cout);
 }
 
@@ -950,6 +973,10 @@ void LuoLiang::run() {
     if (parameters.write_vtu)
       write_vtu(level);
   }
+  if (parameters.write_figures) {
+    write_pressure();
+    write_deformed_mesh();
+  }
   print_tables();
 }
 
@@ -962,7 +989,7 @@ void LuoLiang::run() {
 // 1e-4 in the errors of Theorem 5, and more points help little. We therefore split the interval
 // (a, b) of such a cell at xi and use a rule on each part. Four points are exact for polynomials of
 // degree seven, and hence for all loads, matrices and errors below: they are exact up to rounding.
-Quadrature<1> gauss_split_at_xi(const double a, const double b) {
+Quadrature<1> LuoLiang::gauss_split_at_xi(const double a, const double b) {
   const QGauss<1> gauss(4);
   if (Example::xi <= a || b <= Example::xi)
     return gauss;
@@ -979,20 +1006,18 @@ Quadrature<1> gauss_split_at_xi(const double a, const double b) {
 }
 
 // On a cell the rule is the product of such a rule in x and a Gauss rule in y. The mesh is uniform,
-// so that xi cuts all cells of one column at the same place: two objects FEValues are enough, one
-// for this column and one for all others.
-CellValues::CellValues(const FiniteElement<dim> &fe, const double h)
-  : column(std::floor(Example::xi / h))
-  , flags(update_values | update_gradients | update_quadrature_points | update_JxW_values)
-  , plain(fe, QGauss<dim>(4), flags)
-  , split(fe, QAnisotropic<dim>(gauss_split_at_xi(column * h, (column + 1.) * h), QGauss<1>(4)),
-          flags) {}
+// so that xi cuts all cells of one column at the same place: two rules are enough, number 1 for
+// this column and number 0 for all others.
+hp::QCollection<dim> LuoLiang::cell_rules() const {
+  const double h = mesh_size(), left = std::floor(Example::xi / h) * h;
+  hp::QCollection<dim> rules;
+  rules.push_back(QGauss<dim>(4));
+  rules.push_back(QAnisotropic<dim>(gauss_split_at_xi(left, left + h), QGauss<1>(4)));
+  return rules;
+}
 
-const FEValues<dim> &CellValues::reinit(const DoFHandler<dim>::active_cell_iterator &cell) {
-  const bool crossed = cell->vertex(0)[0] < Example::xi && Example::xi < cell->vertex(1)[0];
-  FEValues<dim> &values = crossed ? split : plain;
-  values.reinit(cell);
-  return values;
+unsigned int LuoLiang::rule_on(const CellAccessor<dim> &cell) {
+  return cell.vertex(0)[0] < Example::xi && Example::xi < cell.vertex(1)[0] ? 1 : 0;
 }
 
 // @sect3{Appendix B: the norm of order -1/2}
@@ -1002,7 +1027,7 @@ const FEValues<dim> &CellValues::reinit(const DoFHandler<dim>::active_cell_itera
 //   |||q|||_{-1/2}    = sup over phi of (int q phi)/||phi||_{1/2},
 //   ||phi||^2_{1/2}   = ||phi||_0^2 + int int (phi(x) - phi(y))^2/(x - y)^2 dx dy,
 //
-// over Gamma_c, which is the interval (0, length) here. (The square in the numerator is missing in
+// over Gamma_c, which is the interval (0, Length) here. (The square in the numerator is missing in
 // the paper. If Gamma_c had several sides, the norm would be taken on each of them, and their
 // squares added.) Such a supremum becomes computable when phi is taken from a finite dimensional
 // space. We take the continuous, piecewise linear functions on N equal cells. With b_k = int q
@@ -1038,28 +1063,29 @@ PairMatrix pair_matrix(const unsigned int d) {
   if (d == 1) {
     // 2 alpha beta = (alpha + beta)^2 - alpha^2 - beta^2.
     const double square = 2. * (1. - std::log(2.)), mixed = 2. * (std::log(2.) - 0.5);
-    add_square({1., -1., 0., 0.}, square + mixed);
-    add_square({0., 0., -1., 1.}, square + mixed);
-    add_square({1., -1., -1., 1.}, -mixed);
+    add_square({{1., -1., 0., 0.}}, square + mixed);
+    add_square({{0., 0., -1., 1.}}, square + mixed);
+    add_square({{1., -1., -1., 1.}}, -mixed);
     return matrix;
   }
   static const QGauss<1> gauss(12);
   for (unsigned int p = 0; p < gauss.size(); ++p)
     for (unsigned int q = 0; q < gauss.size(); ++q) {
       const double x = gauss.point(p)[0], y = gauss.point(q)[0];
-      add_square({1. - x, x, -(1. - y), -y},
+      add_square({{1. - x, x, -(1. - y), -y}},
                  2. * gauss.weight(p) * gauss.weight(q) / std::pow(d + y - x, 2));
     }
   return matrix;
 }
 
 // S. The first loop adds ||phi||_0^2 and the pairs of each cell with itself.
-LAPACKFullMatrix<double> gram_matrix(const unsigned int n_cells) {
+LAPACKFullMatrix<double> LuoLiang::gram_matrix(const unsigned int n_cells) const {
+  const double h = double(parameters.length) / n_cells;
   LAPACKFullMatrix<double> S(n_cells + 1, n_cells + 1);
   for (unsigned int c = 0; c < n_cells; ++c)
     for (unsigned int i = 0; i < 2; ++i)
       for (unsigned int j = 0; j < 2; ++j)
-        S(c + i, c + j) += (i == j ? 1. / 3. : 1. / 6.) * length / n_cells + (i == j ? 1. : -1.);
+        S(c + i, c + j) += (i == j ? 1. / 3. : 1. / 6.) * h + (i == j ? 1. : -1.);
   for (unsigned int d = 1; d < n_cells; ++d) {
     const PairMatrix pair = pair_matrix(d);
     for (unsigned int c = 0; c + d < n_cells; ++c) {
@@ -1076,18 +1102,18 @@ LAPACKFullMatrix<double> gram_matrix(const unsigned int n_cells) {
 
 // |||q|||_N for several functions q. They must be polynomials of degree three at most on every cell
 // of the grid, but for the cut at xi.
-std::vector<double> dual_norms(const std::vector<std::function<double(double)>> &functions,
-                               const unsigned int n_cells) {
+std::vector<double> LuoLiang::dual_norms(const Pressures &pressures,
+                                         const unsigned int n_cells) const {
   const LAPACKFullMatrix<double> S = gram_matrix(n_cells);
-  const double h = double(length) / n_cells;
+  const double h = double(parameters.length) / n_cells;
   std::vector<double> norms;
-  for (const auto &function : functions) {
+  for (const auto &pressure : pressures) {
     Vector<double> b(n_cells + 1);
     for (unsigned int c = 0; c < n_cells; ++c) {
       const Quadrature<1> rule = gauss_split_at_xi(c * h, (c + 1) * h);
       for (unsigned int q = 0; q < rule.size(); ++q) {
         const double s = rule.point(q)[0];
-        const double value = function((c + s) * h) * rule.weight(q) * h;
+        const double value = pressure((c + s) * h) * rule.weight(q) * h;
         b[c] += (1. - s) * value;
         b[c + 1] += s * value;
       }
@@ -1099,21 +1125,30 @@ std::vector<double> dual_norms(const std::vector<std::function<double(double)>> 
   return norms;
 }
 
+std::vector<double> LuoLiang::extrapolated_dual_norms(const Pressures &pressures) const {
+  const std::vector<double> coarse = dual_norms(pressures, 8 * m);
+  std::vector<double> norms = dual_norms(pressures, 16 * m);
+  for (unsigned int k = 0; k < norms.size(); ++k)
+    norms[k] += (norms[k] - coarse[k]) / 3.;
+  return norms;
+}
+
 // The Gram matrix of Q^H in this norm, B^T S^{-1} B, where column tau of B has the entries
 // int_tau phi_k. Eight cells on each patch give beta to about one per cent.
-LAPACKFullMatrix<double> dual_gram_matrix(const unsigned int n_patches) {
+LAPACKFullMatrix<double> LuoLiang::dual_gram_matrix(const unsigned int n_patches) const {
   constexpr unsigned int n_parts = 8;
   const unsigned int n_cells = n_parts * n_patches;
+  const double h = double(parameters.length) / n_cells;
   const LAPACKFullMatrix<double> S = gram_matrix(n_cells);
   LAPACKFullMatrix<double> gram(n_patches, n_patches);
   for (unsigned int tau = 0; tau < n_patches; ++tau) {
     Vector<double> x(n_cells + 1);
     for (unsigned int c = n_parts * tau; c < n_parts * (tau + 1); ++c)
       for (unsigned int i = 0; i < 2; ++i)
-        x[c + i] += 0.5 * length / n_cells;
+        x[c + i] += 0.5 * h;
     S.solve(x);
     for (unsigned int c = 0; c < n_cells; ++c)
-      gram(c / n_parts, tau) += 0.5 * (x[c] + x[c + 1]) * length / n_cells;
+      gram(c / n_parts, tau) += 0.5 * (x[c] + x[c + 1]) * h;
   }
   return gram;
 }
@@ -1121,8 +1156,6 @@ LAPACKFullMatrix<double> dual_gram_matrix(const unsigned int n_patches) {
 
 int main(int argc, char **argv) {
   try {
-    // Trilinos needs MPI, here with one process and one thread.
-    Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
     Parameters parameters;
     if (argc > 1)
       parameters.read(argv[1]);
@@ -1160,6 +1193,13 @@ int main(int argc, char **argv) {
 // 1/32       0.184        0.873
 // 1/64       0.093        0.873
 //
+// The figures are those of the finest level.
+//
+// @figure{pressure.svg}{The pressures p (red) and p_H (blue) on the contact side.}
+//
+// @figure{deformed.svg}{The deformed mesh, and the foundation (red). A fourth of u_h and of the gap
+// is drawn.}
+//
 // The contact force of the exact solution is 10 xi^4/4 = 0.625. Its largest pressure is
 // 10 xi^3 = 3.536, at the corner; the mean over the patch there tends to it with order one.
 //
@@ -1169,13 +1209,17 @@ int main(int argc, char **argv) {
 //   disappears if R^H p is replaced by zero on them in the proof.
 // * 2 belongs to H = 2h. With Patch ratio = 4 there are displacements in V^h with the mean zero on
 //   every patch, on which p does work and p_H does none. Then (24) and (31) fall towards 3/2: 1.74
-//   and 1.71 from level 6 to level 7.
-// * For H = 2h the inf-sup constant does not depend on h. For H = h it falls like h, so that (6)
-//   fails. With Patch ratio = 1 the displacement does not suffer, nor does the smooth pressure of
-//   this example. The algorithm does: 159, 615, 3200, 12996 sweeps on the levels 3 to 6.
-// * On level 5 PSOR takes 5853, 1241, 62, 89, 1158, 5792 sweeps for Relaxation = 0.02, 0.1, 1, 1.5,
-//   1.95, 1.99. The answer is the same, but a small omega stops too early: with the same tolerance
-//   in step (iii) the residual is 1.3e-9 for omega = 0.02 and 8.9e-12 for omega = 1.
+//   and 1.71 from level 6 to level 7 (`set Patch ratio = 4`, `set Finest level = 7`).
+// * For H = 2h the inf-sup constant does not depend on h: 0.873 is the quotient of a smooth
+//   pressure. For H = h the pressure +1, -1, +1, ... has a quotient of about 5.9 h, and (6) fails.
+//   On the coarsest mesh this is still more than 0.872: the smooth pressure decides there, and both
+//   columns agree. With `set Patch ratio = 1` the displacement does not suffer, nor does the smooth
+//   pressure of this example. The algorithm does: 159, 615, 3200, 12996 sweeps on the levels 3 to
+//   6.
+// * On level 5 (`set Finest level = 5`) PSOR takes 5853, 1241, 62, 89, 1158, 5792 sweeps with
+//   `set Relaxation` = 0.02, 0.1, 1, 1.5, 1.95, 1.99. The answer is the same, but a small omega
+//   stops too early: with the same tolerance in step (iii) the residual is 1.3e-9 for omega = 0.02
+//   and 8.9e-12 for omega = 1.
 //
 // What one could do next: replace PSOR, whose sweeps grow with m, by an active set method, which
 // needs two steps on most levels here; replace the factors of A by multigrid; take curved sides and
