@@ -124,22 +124,26 @@ std::array<double, 3> energies(EnergyMeasure<2> &measure, const CellEvaluator<2>
   return sums;
 }
 
-/** Returns u_h at a corner of the smallest cell. Coordinates round hanging nodes off their edges by
- * a share of tiny cells, which leaves a force there: as the translation c, this u_h gives it no
- * work. */
-Tensor<1, 2> displacement_of_smallest_cell(const BoundData &data) {
-  auto smallest = data.space.dofs().begin_active();
+/** Returns u_h at a corner of the smallest cell of each body. Coordinates round hanging nodes off
+ * their edges by a share of tiny cells, which leaves a force there: as the translation c, this u_h
+ * gives it no work. */
+std::vector<Tensor<1, 2>> displacements_of_smallest_cells(const BoundData &data) {
+  const Geometry<2> &geometry = data.scene.geometry;
+  std::vector<Tensor<1, 2>> displacements(geometry.n_bodies());
+  std::vector<int> levels(displacements.size(), -1);
   for (const auto &cell : data.space.dofs().active_cell_iterators())
-    if (cell->level() > smallest->level())
-      smallest = cell;
-  return CellField(smallest, data.U).on_face(0, 0.);
+    if (const unsigned int body = geometry.body_of(cell); cell->level() > levels[body]) {
+      levels[body] = cell->level();
+      displacements[body] = CellField(cell, data.U).on_face(0, 0.);
+    }
+  return displacements;
 }
 } // namespace
 
 EnergyMisfit::EnergyMisfit(const BoundData &data)
   : data_(data)
   , maps_(data.space.mesh(), data.scene.geometry.sides)
-  , translation_(displacement_of_smallest_cell(data))
+  , translations_(displacements_of_smallest_cells(data))
   , distances_(data.space.mesh().triangulation().n_active_cells()) {
   find_bubbles();
   for (std::size_t k = 0; k < fields_of(data).size(); ++k)
@@ -229,7 +233,8 @@ std::vector<Tensor<1, 2>> EnergyMisfit::force(const EquilibrationMesh &mesh,
 
 EnergyMisfit::Works EnergyMisfit::works(const EquilibrationMesh &mesh,
                                         const EquilibratedStress &stress) const {
-  Works works(fields_.size(), {0., dealii::Vector<double>(stress.tractions.x.size())});
+  const dealii::Vector<double> none(stress.tractions.x.size());
+  Works works(fields_.size(), {0., none, none});
   if (data_.scene.body_force != nullptr)
     add_load_works(mesh, stress, works);
   add_moments(stress.tractions.space, works);
@@ -255,7 +260,7 @@ void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const Equilibra
           const auto f = force(mesh, stress, cell, u.points());
           for (std::size_t k = 0; k < fields_.size(); ++k)
             for (unsigned int q = 0; q < u.size(); ++q)
-              sums[k] += u.measure(q) * (f[q] * (u.value(q, k) - translation_));
+              sums[k] += u.measure(q) * (f[q] * (u.value(q, k) - translation_of(cell)));
         });
       }
       return sums;
@@ -299,13 +304,13 @@ void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
         const Tensor<1, 2> t = face.tangent(length, 0.), n({t[1], -t[0]});
         const auto L = legendre_values(edge.degree, edge.position_of(x));
         for (std::size_t k = 0; k < works.size(); ++k) {
-          Tensor<1, 2> v = u.on_face(f, s) - translation_;
+          Tensor<1, 2> v = u.on_face(f, s) - translation_of(cell);
           if (k == 1)
             v += 4. * s * (1. - s) * bubbles_.at(line->index());
           if (condition.role == Role::displacement || condition.role == Role::traction)
             condition.data->vector_value(x, given);
           if (condition.role == Role::displacement)
-            v = Tensor<1, 2>({given[0], given[1]}) - translation_;
+            v = Tensor<1, 2>({given[0], given[1]}) - translation_of(cell);
           // Tractions that are given on arcs are no coefficients.
           if (condition.role == Role::traction && !edge.line.is_flat())
             works[k].load += weight * (given[0] * v[0] + given[1] * v[1]);
@@ -334,14 +339,17 @@ void EnergyMisfit::add_pair_moments(const TractionSpace &space, Works &works) co
         const auto L = legendre_values(edge.degree, edge.position_of(rule.points[q]));
         const double s = points[q][0];
         for (std::size_t k = 0; k < works.size(); ++k) {
-          Tensor<1, 2> v = u.on_face(face.face_no, s) - translation_;
+          const Tensor<1, 2> &translation = translation_of(face.cell);
+          Tensor<1, 2> v = u.on_face(face.face_no, s) - translation;
           if (k == 1)
             v += 4. * s * (1. - s) * bubbles_.at(line);
           for (unsigned int c = 0; c < 2; ++c)
-            for (unsigned int i = 0; i <= edge.degree; ++i)
-              works[k].moments[edge.position(c, i)] +=
-                sign * rule.weights[q] * L[i] *
-                (direction_of(contact_components[c], rule.directions[q]) * v);
+            for (unsigned int i = 0; i <= edge.degree; ++i) {
+              const Tensor<1, 2> traction = sign * rule.weights[q] * L[i] *
+                                            direction_of(contact_components[c], rule.directions[q]);
+              works[k].moments[edge.position(c, i)] += traction * v;
+              works[k].translated[edge.position(c, i)] += traction * translation;
+            }
         }
       }
     }
@@ -411,13 +419,14 @@ Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
         !stress.tractions.space.shared_parts(e).empty())
       continue;
     for (unsigned int i = edge.first; i < edge.first + edge.n_coefficients(); ++i)
-      work += x[i] * works[0].moments[i];
-    // Shared tractions push both bodies: the translation of both does no work.
+      work += x[i] * (works[0].moments[i] + works[0].translated[i]);
+    // Shared tractions push both bodies: a translation of both would do no work.
     if (edge.is_shared)
       continue;
     const auto forces = edge.resultants(data_.scene.geometry, {});
+    const Tensor<1, 2> &c = translations_[data_.scene.geometry.body_of_side(edge.side)];
     for (std::size_t i = 0; i < forces.size(); ++i)
-      work += x[edge.first + i] * (forces[i][0] * translation_[0] + forces[i][1] * translation_[1]);
+      work += x[edge.first + i] * (forces[i][0] * c[0] + forces[i][1] * c[1]);
   }
   Bracket energy = {-work, -work};
   for (std::size_t c = 0; c < stress.fits.size(); ++c) {

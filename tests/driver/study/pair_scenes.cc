@@ -210,10 +210,29 @@ void test_revolution(Checks &checks) {
   const double peak = 2. * 0.2 / (1.82 * PI);
   checks.near("ball: peak", ball.levels.back().answer.peak_pressure->mean, peak, 0.03 * peak);
 }
+
+/** Two blocks that are moved apart by different translations: nothing touches, and rounding is all
+ * that the bound has left. */
+void test_moved_apart(Checks &checks) {
+  for (const std::string travel : {"1e-3", "0.1"}) {
+    const StudyResult<2> found =
+      solve("Geometry/Bodies = a b\nGeometry/Lower left = a: 0, 0 | b: 0, 1\n"
+            "Geometry/Upper right = a: 1, 1 | b: 1, 2\n"
+            "Boundary/Contact = a.top with b.bottom\n"
+            "Boundary/Displacement = a.left: 0; -" +
+              travel + " | b.left: 0; " + travel + "\n",
+            levels(2, 4));
+    checks.about("blocks moved apart by " + travel);
+    checks.that("certified", found.verdict.outcome == Outcome::certified);
+    for (const LevelRecord &level : found.levels)
+      checks.between("bound", level.bound->relative.value_or(1.), 0., 1e-8);
+  }
+}
 } // namespace
 
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
-                   {test_hertz, test_narrow_arc, test_rigid_pin, test_plates_and_cases,
-                    test_overlap, test_couple, test_leaves, test_revolution});
+                   {test_moved_apart, test_hertz, test_narrow_arc, test_rigid_pin,
+                    test_plates_and_cases, test_overlap, test_couple, test_leaves,
+                    test_revolution});
 }

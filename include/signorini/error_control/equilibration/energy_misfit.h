@@ -13,8 +13,8 @@
 
 namespace Signorini {
 /**
- * ‖σ(v) - τ‖ of a stress on a mesh of its own, by energies: with a translation c and div τ + f_K =
- * 0
+ * ‖σ(v) - τ‖ of a stress on a mesh of its own, by energies: with a translation c of each body and
+ * div τ + f_K = 0
  *
  *     ‖σ(v) - τ‖² = |||v|||² - 2 ∫ f_K.(v - c) - 2 ∫_Γ τ n.(v - c) + ‖τ‖².
  *
@@ -32,6 +32,8 @@ public:
     /** The integrals of (v - c)_n and (v - c)_t times Legendre's polynomials, by coefficients of
      * edges on Γ; on shared edges those of Bv, with u_n and u_t of both bodies. */
     dealii::Vector<double> moments;
+    /** The same of c, on shared edges. */
+    dealii::Vector<double> translated;
   };
   using Works = std::vector<Work>;
 
@@ -59,6 +61,10 @@ private:
   /** Returns whether every cell of u_h is a part of one cell of the stress. */
   bool is_aligned() const {
     return EquilibrationMesh::aligns(data_);
+  }
+  template <typename AnyCell>
+  const Tensor<1, 2> &translation_of(const AnyCell &cell) const {
+    return translations_[data_.scene.geometry.body_of(cell)];
   }
   void integrate_energies();
   void find_bubbles();
@@ -88,8 +94,9 @@ private:
 
   const BoundData &data_;
   const ExactMaps maps_;
-  /** The translation c. */
-  Tensor<1, 2> translation_;
+  /** The translation c of each body. Of two bodies that move apart, one c would do work on what
+   * rounding leaves of tractions. */
+  std::vector<Tensor<1, 2>> translations_;
   /** What is known of one v: |||v|||², z and |||z|||. */
   struct Field {
     double strain = 0.;
