@@ -104,6 +104,7 @@ private:
       finish_level(problem, discretization, true, progress, solution);
     const bool suffices = may_suffice && judge.reaches_target(record) &&
                           (is_guaranteed(record) || examination_.is_checked(findings));
+    n_paths_ = record.dual.by_path ? n_paths_ + 1 : 0;
     const bool has_bound = bound_of(record).has_value();
     if (has_bound) {
       findings.error = std::max(findings.error, record.bound->absolute.value_or(0.));
@@ -112,8 +113,9 @@ private:
         findings.indicators[cell].error =
           std::hypot(findings.indicators[cell].error, solution.bound_fields.oscillation[cell]);
     }
-    const bool is_last = fails || suffices || is_out_of_reach(findings.error, has_bound) ||
-                         takes_too_many(findings) || !plan_next(findings);
+    const bool is_last = fails || suffices || states_differ() ||
+                         is_out_of_reach(findings.error, has_bound) || takes_too_many(findings) ||
+                         !plan_next(findings);
     if (!may_suffice)
       finish_level(problem, discretization, is_last, progress, solution);
     return is_last;
@@ -165,6 +167,15 @@ private:
       missed_.push_back(error);
     return n_steps_ > patience && missed_.size() > n_compared &&
            error > 0.5 * missed_[missed_.size() - 1 - n_compared];
+  }
+
+  /** Returns whether a finer mesh did not lessen the estimate although its dual problem is solved,
+   * where only paths have found the states for some steps: with a very large coefficient of
+   * friction patches stick and slip by turns, on each mesh others. Each path costs the cube of
+   * their number. */
+  bool states_differ() const {
+    constexpr unsigned int patience = 3;
+    return n_paths_ >= patience && !examination_.falls();
   }
 
   /** Returns whether jumps of the moduli in cells need more unknowns for the target than there may
@@ -247,7 +258,8 @@ private:
   std::optional<LevelResult<2>> best_;
   /** The errors of the steps since a bound has missed the target. */
   std::vector<double> missed_;
-  unsigned int n_steps_ = 0, n_equal_steps_ = 0;
+  /** The number of steps, of the last ones on equal meshes, and of the last ones by paths. */
+  unsigned int n_steps_ = 0, n_equal_steps_ = 0, n_paths_ = 0;
 };
 } // namespace
 

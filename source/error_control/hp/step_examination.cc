@@ -43,6 +43,11 @@ bool ErrorHistory::stagnates() const {
          estimates_.back() > 0.5 * estimates_[estimates_.size() - 1 - n_compared];
 }
 
+bool ErrorHistory::falls() const {
+  const std::size_t n = estimates_.size();
+  return n < 2 || estimates_[n - 1] < 0.9 * estimates_[n - 2];
+}
+
 // The distance between the solutions of two steps.
 
 namespace {

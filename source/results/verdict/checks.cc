@@ -238,6 +238,15 @@ std::string check_energy(const std::vector<LevelRecord> &levels, const Judge &ju
                      " %); ", remedy_for(finest));
 }
 
+/** Returns whether the last of graded meshes did not lessen the estimate, where Newton's method
+ * does not find the states of patches: they differ from mesh to mesh. */
+bool states_differ(const std::vector<LevelRecord> &levels) {
+  const LevelRecord &finest = levels.back();
+  return finest.sizes.is_graded() && finest.dual.by_path && levels.size() > 1 && finest.estimate &&
+         levels.end()[-2].estimate &&
+         finest.estimate->relative >= 0.9 * levels.end()[-2].estimate->relative;
+}
+
 /** Returns whether a target that the user has not set is missed by an error that is guaranteed and
  * tolerated. */
 bool misses_default_target(const LevelRecord &level, const Demands &demands) {
@@ -273,13 +282,18 @@ std::string check_target(const std::vector<LevelRecord> &levels, const Judge &ju
          << (missed->bound->dominant_part() == ErrorBound::Part::contact
                ? missed->bound->worst_face
                : missed->bound->largest_cell);
-  text << (bound_exceeds_mesh(finest)
-             ? "; what is left is rounding, or data that no mesh resolves: take a larger Target "
-               "error."
-           : finest.sizes.is_graded()
-             ? "; raise Maximum unknowns, or see where the mesh is finest (mesh-LL.svg, with "
-               "Output/Pictures): data that contradict each other there have no solution."
-             : "; raise Finest level.");
+  text
+    << (bound_exceeds_mesh(finest)
+          ? "; what is left is rounding, or data that no mesh resolves: take a larger Target "
+            "error."
+        : states_differ(levels)
+          ? "; finer meshes do not come closer, because other patches stick and slip on each, as "
+            "happens with large coefficients of friction: take a smaller Friction coefficient, "
+            "or a larger Target error."
+        : finest.sizes.is_graded()
+          ? "; raise Maximum unknowns, or see where the mesh is finest (mesh-LL.svg, with "
+            "Output/Pictures): data that contradict each other there have no solution."
+          : "; raise Finest level.");
   return text.str();
 }
 

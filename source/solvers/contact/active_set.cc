@@ -67,14 +67,6 @@ bool step_to_first_end(const BoundConstrainedQP &qp, const Vector &wanted, Vecto
   return false;
 }
 
-/** Returns random states. */
-States any_states(const BoundConstrainedQP &qp, std::minstd_rand &random) {
-  States states(qp.size());
-  for (unsigned int i = 0; i < states.size(); ++i)
-    states[i] = static_cast<State>(qp.K.coefficient(i) > 0. ? random() % 3 : 1 + random() % 2);
-  return states;
-}
-
 /** Lets the unknown join whose residual is largest. @return whether there is one above rounding. */
 bool join_deepest(const BoundConstrainedQP &qp, const Iterate &x, States &states) {
   const Vector W = qp.gradient(x.P, x.z);
@@ -190,15 +182,6 @@ BoundConstrainedQP held_by_springs(const BoundConstrainedQP &qp, const Vector &z
   return held;
 }
 
-/** Returns how many systems are tried: with bounds that move states are random after some of them,
- * and further ones of many unknowns would take long. */
-unsigned int affordable_solves(const BoundConstrainedQP &qp) {
-  constexpr double least = 22., most_products = 5e9, unlimited = 1e9;
-  const double products = std::pow(qp.size() + 1., 3);
-  return static_cast<unsigned int>(
-    qp.K.moves() ? std::min(unlimited, least + most_products / products) : unlimited);
-}
-
 /** Searches the set by Newton's method, and where a set comes back by a primal method, whose energy
  * falls in every step. */
 class ActiveSetSearch {
@@ -212,9 +195,8 @@ public:
                                 : states_of(qp.K.at(start), start)) {}
 
   QPResult run() {
-    const unsigned int max_solves =
-      std::min({options_.maximum_iterations, 20 * qp_.size() + 100, affordable_solves(qp_)});
-    while (!settled_ && result_.iterations < max_solves) {
+    const unsigned int max_solves = std::min(options_.maximum_iterations, 20 * qp_.size() + 100);
+    while (!settled_ && !gives_up_ && result_.iterations < max_solves) {
       ++result_.iterations;
       // Where a set comes back although the energy falls, it leaves bodies free.
       if (result_.cycled && moves_ && !held_ && !visited_.insert(states_).second)
@@ -260,19 +242,20 @@ private:
                (came_back && residual <= 1e-3 * options_.tolerance);
     result_.cycled = came_back && !settled_;
     states_ = next;
-    const bool wanders = !settled_ && !has_path_ && result_.iterations > max_wandering;
+    const bool wanders = !settled_ && !result_.by_path && result_.iterations > max_wandering;
     if ((result_.cycled || wanders) && qp_.K.moves())
       follow_path();
     else if (result_.cycled)
       begin_primal_method();
   }
 
-  /** No energy falls where bounds move. A path leads to the solution; if rounding spoils it, random
-   * states are tried. */
+  /** No energy falls where bounds move. A path leads to the solution, unless rounding spoils it. */
   void follow_path() {
-    const auto end = has_path_ ? std::nullopt : follow_solutions(qp_);
-    has_path_ = true;
-    states_ = end ? *end : any_states(qp_, random_);
+    const auto end = result_.by_path ? std::nullopt : follow_solutions(qp_);
+    result_.by_path = true;
+    gives_up_ = !end;
+    if (end)
+      states_ = *end;
     result_.cycled = false;
   }
 
@@ -313,8 +296,7 @@ private:
   Iterate x_;
   States states_;
   std::set<States> visited_;
-  std::minstd_rand random_;
-  bool settled_ = false, has_path_ = false;
+  bool settled_ = false, gives_up_ = false;
   /** The problem with springs, where they are needed. */
   std::optional<BoundConstrainedQP> held_;
 };

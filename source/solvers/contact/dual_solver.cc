@@ -49,6 +49,7 @@ QPResult by_chosen_method(const BoundConstrainedQP &qp, const Vector &start,
   }
   IterationOptions sweeps = options;
   sweeps.maximum_iterations = std::min(options.maximum_iterations, affordable_sweeps(qp));
+  sweeps.may_give_up = true;
   QPResult swept = solve_by_psor(qp, start, sweeps);
   if (result.P.size() > 0 && !swept.converged)
     return result;

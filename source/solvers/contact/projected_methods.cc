@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace Signorini {
@@ -52,6 +53,28 @@ double psor_sweep(const BoundConstrainedQP &qp, const double relaxation, Vector 
 }
 
 namespace {
+/** The pace of sweeps, which decides whether those that are left may reach the tolerance. */
+class Pace {
+public:
+  explicit Pace(const IterationOptions &options)
+    : options_(options) {}
+
+  /** Returns whether sweeps may go on; asked after each of them. */
+  bool suffices(const BoundConstrainedQP &qp, const QPResult &result) {
+    constexpr unsigned int window = 100;
+    if (!options_.may_give_up || result.iterations % window > 0)
+      return true;
+    const double residual = qp.kkt_residual(result.P), fall = residual / before_;
+    before_ = residual;
+    const double n_windows = double(options_.maximum_iterations - result.iterations) / window;
+    return residual * std::pow(fall, n_windows) <= options_.tolerance;
+  }
+
+private:
+  const IterationOptions &options_;
+  double before_ = std::numeric_limits<double>::infinity();
+};
+
 /** Solves a problem without balances. */
 QPResult sweep_until_settled(const BoundConstrainedQP &qp, const Vector &start,
                              const IterationOptions &options) {
@@ -60,7 +83,9 @@ QPResult sweep_until_settled(const BoundConstrainedQP &qp, const Vector &start,
   qp.K.at(result.P).project(result.P);
   result.converged = qp.size() == 0; // nothing to do
   double last_increment = 0.;
-  while (result.iterations < options.maximum_iterations && !result.converged) {
+  Pace pace(options);
+  while (result.iterations < options.maximum_iterations && !result.converged &&
+         pace.suffices(qp, result)) {
     ++result.iterations;
     const double increment = psor_sweep(qp, options.relaxation, result.P);
     const double small = options.tolerance * result.P.l2_norm();

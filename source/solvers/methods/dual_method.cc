@@ -187,6 +187,7 @@ DualSolve summary_of(const QPResult &result, const ContactSolver method) {
     summary.increment_iterations = result.increment_iterations;
   summary.kkt = result.kkt_residual;
   summary.converged = result.converged;
+  summary.by_path = result.by_path;
   summary.unique = result.unique;
   summary.active_set_failure = result.active_set_failure;
   return summary;
@@ -359,6 +360,7 @@ private:
     // Corrections begin with the P that the first solve found, and are not counted.
     state.report.iterations = first.iterations;
     state.report.increment_iterations = first.increment_iterations;
+    state.report.by_path = first.by_path;
   }
 
   /** Returns the estimated algebraic error in the energy norm. */

@@ -133,6 +133,20 @@ void test_stick_without_limit(Checks &checks) {
     "Contact/Friction coefficient = 50");
 }
 
+/** A coefficient with which other patches stick and slip on each mesh: the run ends with that
+ * reason where a finer mesh does not lessen the estimate. */
+void test_states_that_differ(Checks &checks) {
+  const StudyResult<2> found =
+    solve("Boundary/Clamped = top\nBoundary/Contact = bottom\nContact/Gap = -0.02\n"
+          "Contact/Friction = coulomb\nContact/Friction coefficient = 1000\n"
+          "Contact/Foundation shift = 0.05*x\n",
+          graded("1e-3"));
+  checks.between("steps", found.levels.size(), 1., 6.);
+  checks.between("KKT residual", found.levels.back().dual.kkt, 0., 1e-13);
+  checks.that("the reason",
+              found.verdict.reason.find("other patches stick and slip") != std::string::npos);
+}
+
 /** Load steps on the last mesh, whose smallest faces have 1e-10 of the length of the largest. */
 void test_steps(Checks &checks) {
   const StudyResult<2> found = solve_scene("dragged_block", "1e-4");
@@ -143,7 +157,7 @@ void test_steps(Checks &checks) {
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(
-    argc, argv,
-    {test_exponential, test_limit_of_levels, test_free_body, test_stick_without_limit, test_steps});
+  return run_tests(argc, argv,
+                   {test_exponential, test_limit_of_levels, test_free_body,
+                    test_stick_without_limit, test_states_that_differ, test_steps});
 }

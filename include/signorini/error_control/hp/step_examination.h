@@ -40,6 +40,8 @@ public:
    * energy, or the mesh cannot be refined further where it is singular. A number that overflows
    * stagnates. */
   bool stagnates() const;
+  /** Returns whether the last estimate is below nine tenths of the one before. */
+  bool falls() const;
 
 private:
   std::vector<double> estimates_;
@@ -71,6 +73,10 @@ public:
   /** Returns whether the estimates do not fall any more, see ErrorHistory. */
   bool stagnates() const {
     return history_.stagnates();
+  }
+  /** Returns whether the estimate of this step is smaller than that of the step before. */
+  bool falls() const {
+    return history_.falls();
   }
   /** Returns whether forces press a plate into the foundation at a corner of a contact side. They
    * do so on every mesh, because no displacement of finite energy solves such a scene. The first

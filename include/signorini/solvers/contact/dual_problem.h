@@ -181,6 +181,9 @@ struct IterationOptions {
   unsigned int maximum_iterations = 100000;
   /** The factor ω of projected SOR, 0 < ω < 2. */
   double relaxation = 1.1;
+  /** Whether projected SOR ends where, at the pace of the last hundred sweeps, the others that are
+   * allowed would not reach the tolerance. */
+  bool may_give_up = false;
 };
 
 /** The result of a solver of the dual problem. */
@@ -198,6 +201,9 @@ struct QPResult {
   /** Whether a set of the active set method came back, and steps by single patches ended the
    * search. */
   bool cycled = false;
+  /** Whether Newton's method did not end with Coulomb's law, so that the path of solutions was
+   * followed. */
+  bool by_path = false;
   /** Whether P is the only solution; true if that was not examined. */
   bool unique = true;
   /** The reason why the active set method failed and projected SOR took its place. */

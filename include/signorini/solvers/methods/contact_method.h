@@ -30,6 +30,8 @@ struct DualSolve {
   std::optional<unsigned int> increment_iterations;
   double kkt = 0.;
   bool converged = true;
+  /** Whether Newton's method did not find the states with Coulomb's law, see QPResult. */
+  bool by_path = false;
   /** Whether the pressure is the only one that solves the dual problem. */
   bool unique = true;
   /** The reason why the active set method failed and projected SOR took its place; empty if the
