@@ -112,10 +112,14 @@ bool misses_contact(const Parameters &given, const StudyResult<dim> &result) {
 
 /** Runs the scene of some parameters. @throws InputError for wrong input. */
 template <int dim>
-RunSummary run_parameters(const Parameters &given, const RunInput &input, MPI_Comm communicator,
+RunSummary run_parameters(Parameters given, const RunInput &input, MPI_Comm communicator,
                           Screen &screen) {
   Scene<dim> scene;
   agree(communicator, [&]() { scene = make_scene<dim>(given, input.known.scenes); });
+  // The scene has the meshes of files now, whose texts may be long.
+  given.geometry.mesh.clear();
+  for (GeometryParameters &body : given.bodies)
+    body.mesh.clear();
   Parameters parameters = given;
   const std::string reason = decide_strategy(parameters, scene);
   std::shared_ptr<ResultsDirectory> results;
@@ -221,7 +225,7 @@ RunSummary run_scene(const RunInput &input, Parameters parameters, MPI_Comm comm
     read_file(parameters.geometry);
   std::for_each(parameters.bodies.begin(), parameters.bodies.end(), read_file);
   return dimension_of(parameters, input.known.scenes) == 2
-           ? run_parameters<2>(parameters, input, communicator, screen)
-           : run_parameters<3>(parameters, input, communicator, screen);
+           ? run_parameters<2>(std::move(parameters), input, communicator, screen)
+           : run_parameters<3>(std::move(parameters), input, communicator, screen);
 }
 } // namespace Signorini

@@ -109,6 +109,7 @@ private:
     if (has_bound) {
       findings.error = std::max(findings.error, record.bound->absolute.value_or(0.));
       // Loads that stresses do not balance exactly count, too.
+      AssertDimension(findings.indicators.size(), solution.bound_fields.oscillation.size());
       for (std::size_t cell = 0; cell < findings.indicators.size(); ++cell)
         findings.indicators[cell].error =
           std::hypot(findings.indicators[cell].error, solution.bound_fields.oscillation[cell]);

@@ -137,9 +137,7 @@ public:
       else if (report.extremes.empty())
         add(label, report.growth.empty() ? "no point of this mesh lies there" : "");
       // The other fields at a single point follow from these.
-      for (std::size_t k = 0; k < (is_point ? std::min<std::size_t>(1, report.extremes.size())
-                                            : report.extremes.size());
-           ++k) {
+      for (std::size_t k = 0; k < report.extremes.size() && !(is_point && k > 0); ++k) {
         std::string name = to_text(static_cast<ReportField>(k));
         boost::replace_all(name, "_m", " M");
         boost::replace_all(name, "_", " ");
