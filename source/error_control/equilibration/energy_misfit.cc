@@ -27,10 +27,10 @@ std::vector<EvaluatedField> fields_of(const BoundData &data) {
   return fields;
 }
 
-/** Visits the points of cells with these fields. */
-class FieldVisitor {
+/** Visits the parts of cells with these fields. */
+class PartVisitor {
 public:
-  FieldVisitor(const BoundData &data, const Kinks<2> &kinks, const ExactMaps &maps)
+  PartVisitor(const BoundData &data, const Kinks<2> &kinks, const ExactMaps &maps)
     : data_(data)
     , kinks_(kinks)
     , maps_(maps)
@@ -173,7 +173,7 @@ void EnergyMisfit::integrate_energies() {
   integrate_by_chunks<ChunkEnergies, 2>(
     data_.space,
     [&](const Cells<2> &cells) {
-      FieldVisitor visit(data_, data_.scene.law_kinks, maps_);
+      PartVisitor visit(data_, data_.scene.law_kinks, maps_);
       EnergyMeasure<2> measure(data_.scene);
       ChunkEnergies chunk;
       for (const auto &cell : cells) {
@@ -251,7 +251,7 @@ void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const Equilibra
     [&](const Cells<2> &cells) {
       // f_K is smooth in cells of u_h, but may have a higher degree than the fields.
       const Kinks<2> &kinks = is_aligned() ? none : data_.scene.kinks;
-      FieldVisitor visit(data_, kinks, maps_);
+      PartVisitor visit(data_, kinks, maps_);
       Sums sums = {{0., 0.}};
       for (const auto &cell : cells) {
         const unsigned int degree =
