@@ -36,14 +36,17 @@ std::string text(const Number &number) {
 std::vector<Given> all_scenes() {
   const std::string wide = "Geometry/Lower left = -1, 0\nGeometry/Cells = 2, 1\n";
   std::vector<Given> scenes;
+  // On the wide zone of the last size 1 to 30 patches press, on one level more.
+  constexpr double widest = 10.;
   const auto add = [&](const std::string &law, const std::string &rest, const double R,
                        const double d, const std::string &centre = "0") {
     scenes.push_back({law + ", R = " + text(R) + ", d = " + text(d),
                       rest + "Boundary/Contact = bottom\nBoundary/Displacement = top: 0; -" +
-                        text(d) + "\nContact/Gap = (x-" + centre + ")^2/" + text(2. * R) + "\n"});
+                        text(d) + "\nContact/Gap = (x-" + centre + ")^2/" + text(2. * R) + "\n",
+                      R < widest ? 7U : 8U});
   };
   const std::vector<std::pair<double, double>> sizes = {{1., 0.03},  {0.5, 0.002}, {0.15, 0.005},
-                                                        {2., 0.005}, {5., 0.02},   {10., 0.01}};
+                                                        {2., 0.005}, {5., 0.02},   {widest, 0.025}};
   for (const auto &[R, d] : sizes)
     add("revolution", "Material/Plane state = axisymmetric\n", R, d);
   for (const auto &[R, d] : sizes)
