@@ -7,7 +7,6 @@
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
-#include <signorini/solvers/methods/contact_method.h>
 
 namespace Signorini {
 namespace {
