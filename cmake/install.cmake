@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# cmake --install: the program, and the library with its headers and the target signorini::signorini for
+# cmake --install: the program, and the library with its headers and the targets signorini::signorini, signorini::verification for
 # find_package(signorini), scenes and documents.
 
 include(GNUInstallDirs)
