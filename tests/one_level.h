@@ -70,8 +70,9 @@ struct OneLevel {
     const Signorini::LevelProblem<2> problem = {parameters, scene, solvers()};
     auto solution =
       Signorini::solve_level(problem, discretization, Signorini::ContactStart(), ignore);
-    Signorini::finish_level(problem, discretization, parameters.discretization.target_error > 0.,
-                            ignore, solution);
+    if (parameters.discretization.target_error > 0.)
+      Signorini::add_bound(parameters, discretization, ignore, solution);
+    Signorini::release_unused(problem, solution);
     return solution;
   }
 

@@ -53,7 +53,7 @@ void add_errors(const Parameters &parameters, const Discretization<dim> &discret
     return;
   const unsigned int n_points = discretization.n_points + 1;
   const MultiplierSpace<dim> &multipliers = discretization.multipliers;
-  const ContactSolution<dim> &contact = solution.contact;
+  const ContactSolution &contact = solution.contact;
   const Scene<dim> &scene = solution.scene;
   const Pressure &P = contact.P.normal();
   LevelRecord &record = solution.record;

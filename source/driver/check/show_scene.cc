@@ -13,7 +13,7 @@
 #include <signorini/results/output/scene_json.h>
 #include <signorini/results/output/screen.h>
 #include <signorini/results/output/tables.h>
-#include <signorini/solvers/methods/contact_method.h>
+#include <signorini/solvers/methods/memory_limit.h>
 
 #include <deal.II/base/mpi.h>
 

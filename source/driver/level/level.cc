@@ -9,7 +9,7 @@
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/error_control/estimate/pressure_correction.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>
-#include <signorini/postprocessing/fields/nodal_forces.h>
+#include <signorini/postprocessing/fields/energies.h>
 #include <signorini/solvers/methods/contact_method.h>
 
 #include <algorithm>
@@ -17,22 +17,6 @@
 
 namespace Signorini {
 namespace {
-/** Releases factors, C and the system matrix, which take most of the memory, where nothing needs
- * them later. */
-template <int dim>
-void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &solution) {
-  // C of several ranks is written column by column, each by a solve.
-  const bool writes_compliance = problem.parameters.output.compliance;
-  const bool solves_later = writes_compliance || !problem.scene.load_cases.empty();
-  ContactSolution<dim> &contact = solution.contact;
-  if (contact.dual && !writes_compliance)
-    contact.dual->C = nullptr;
-  if (!solves_later) {
-    contact.inverse = nullptr;
-    contact.system = nullptr;
-  }
-}
-
 /** The largest number of unknowns for which the bound is computed: it takes more memory than
  * V-cycles do, 0.6 kB for each unknown, and more time than all the rest. */
 constexpr unsigned long long max_bounded_unknowns = 10000000;
@@ -54,12 +38,12 @@ LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy st
 
 /** Returns the records of all plates: their motions, and the forces that hold them there. */
 template <int dim>
-std::vector<PlateRecord> plates_of(const Solved<dim> &solved, const NodalForces &nodal) {
+std::vector<PlateRecord> plates_of(const Solved<dim> &solved, const MotionModes<dim> &modes,
+                                   const NodalForces &nodal) {
   std::vector<PlateRecord> plates;
   if constexpr (dim == 2) {
     const Scene<2> &scene = solved.scene;
-    const std::vector<PlateMotion> motions =
-      solved.contact.modes.plate_motions(scene.plates, solved.contact.q);
+    const std::vector<PlateMotion> motions = modes.plate_motions(scene.plates, solved.contact.q);
     const std::vector<PlateForce> forces = plate_forces(solved.space, scene, nodal);
     for (std::size_t p = 0; p < scene.plates.size(); ++p)
       plates.push_back({scene.geometry.sides[scene.plates[p].side].name(), scene.plates[p],
@@ -85,49 +69,35 @@ double motion_balance(const std::vector<Plate> &plates, const MotionModes<dim> &
 
 /** Computes the estimate of the error. */
 template <int dim>
-ErrorEstimate estimate_of(const Solved<dim> &solved, const EnergyScale &scale) {
+ErrorEstimate estimate_of(const Solved<dim> &solved, const LevelSolution<dim> &solution) {
   OtherErrors others;
   others.algebra = solved.contact.algebraic_error;
   others.contact = contact_part(solved);
-  return estimate_error(solved, scale, correct_pressure(solved), others);
+  return estimate_error(solved, solution.scale,
+                        correct_by_finer_patches(solved, *solution.operators), others);
 }
 
-/** Computes the bound of the error of U and P, and its parts by cell; or says why there is none. */
-void add_bound(const Given<WantedBound> &wanted, const Discretization<2> &discretization,
-               LevelSolution<2> &solution) {
-  LevelRecord &record = solution.record;
-  const StageTimer timer(record.times.postprocess), bound_timer(record.times.bound);
-  LocatedBound located;
-  const ContactSolution<2> &contact = solution.contact;
+/** Returns the bound of the error of U and P, and its parts by cell; or says why there is none. */
+LocatedBound located_bound(const Given<WantedBound> &wanted, const Solved<2> &solved,
+                           const LevelSolution<2> &solution) {
+  LocatedBound none;
   if (wanted == WantedBound::none)
-    located.bound.missing = wanted.name + " is false";
-  else if (contact.U.size() > max_bounded_unknowns)
-    located.bound.missing =
+    none.bound.missing = wanted.name + " is false";
+  else if (solved.U.size() > max_bounded_unknowns)
+    none.bound.missing =
       "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
-  else {
-    const double work = contact.modes.work_of_plates(solution.scene.plates, contact.q),
-                 dissipation = record.friction ? record.friction->dissipation : 0.;
-    located = compute_located_bound({{discretization, solution.scene, contact},
-                                     record.certificate.energy + work - dissipation,
-                                     solution.energy});
-    for (std::optional<double> *const energy :
-         {&located.bound.energy_lower, &located.bound.energy_upper})
-      if (*energy)
-        **energy -= work;
-  }
-  record.bound = located.bound;
-  solution.bound_fields = std::move(located.fields);
+  else
+    return compute_located_bound(
+      {solved, *solution.operators->inverse, solution.energies, solution.scale});
+  return none;
 }
 
 /** Adds what is known about other solutions with Coulomb's friction. */
-void add_regularity(const Discretization<2> &discretization, LevelSolution<2> &solution) {
-  FrictionSummary &friction = *solution.record.friction;
-  const StageTimer timer(solution.record.times.postprocess);
-  const ContactSolution<2> &contact = solution.contact;
-  if (contact.dual->C == nullptr)
-    return;
-  if (const auto found = examine_regularity(contact.dual->C, contact.dual->motions,
-                                            discretization.K, contact.P.values())) {
+void add_regularity(const Discretization<2> &discretization,
+                    const std::shared_ptr<const ComplianceOperator> &C,
+                    const ContactSolution &contact, FrictionSummary &friction) {
+  if (const auto found =
+        examine_regularity(C, contact.dual()->motions, discretization.K, contact.P.values())) {
     friction.critical_factor = found->critical_factor;
     friction.fixed_point_rate = found->fixed_point_rate;
     friction.is_regular = found->has_sign_of_no_friction;
@@ -136,25 +106,25 @@ void add_regularity(const Discretization<2> &discretization, LevelSolution<2> &s
 
 /** Adds the certificate, and the answer, which needs the same nodal forces. */
 template <int dim>
-void add_certificate_and_answer(const Discretization<dim> &discretization,
-                                LevelSolution<dim> &solution) {
-  const auto &[contact, scene] = std::tie(solution.contact, solution.scene);
-  const Solved<dim> solved(discretization, scene, contact);
+void add_certificate_and_answer(const Solved<dim> &solved, LevelSolution<dim> &solution) {
+  const LevelOperators<dim> &operators = *solution.operators;
   LevelRecord &record = solution.record;
-  const NodalForces forces = nodal_forces(solved, contact.system->loads, discretization.D);
-  solution.energy = forces.energy;
-  record.certificate = certify(solved, forces);
-  record.certificate.motion_balance = motion_balance(scene.plates, contact.modes, forces);
-  record.motions.plates = plates_of(solved, forces);
+  const NodalForces forces = nodal_forces(solved, operators.system->loads, solved.discretization.D);
+  solution.scale = forces.energy;
+  solution.energies = energies_of(solved, operators.modes, forces);
+  record.certificate = certify(solved, operators.system->applied, forces, solution.energies);
+  record.certificate.motion_balance = motion_balance(solved.scene.plates, operators.modes, forces);
+  record.motions.plates = plates_of(solved, operators.modes, forces);
   record.answer = compute_answer<dim>(solved, forces);
 }
 
-/** Computes what follows from U and P: the certificate, the answer, and the estimate and the
- * bound of the error, as far as they are wanted. Collective. */
+/** Computes what follows from U and P: the certificate, the answer and the estimate of the error, as
+ * far as they are wanted. Collective. */
 template <int dim>
-void examine(const Parameters &parameters, const Discretization<dim> &discretization,
-             const Progress &progress, LevelSolution<dim> &solution) {
-  const ContactSolution<dim> &contact = solution.contact;
+void examine(const Parameters &parameters, const Solved<dim> &solved, const Progress &progress,
+             LevelSolution<dim> &solution) {
+  const Discretization<dim> &discretization = solved.discretization;
+  const ContactSolution &contact = solved.contact;
   LevelRecord &record = solution.record;
   record.sizes = sizes_of(discretization, parameters.discretization.strategy);
   record.times = contact.times;
@@ -163,15 +133,14 @@ void examine(const Parameters &parameters, const Discretization<dim> &discretiza
   record.linear = contact.linear;
   record.dual = contact.report;
   record.motions.undetermined = contact.undetermined;
-  record.contact = summarise_contact(discretization.multipliers, contact.P.normal());
+  record.contact = summarise_contact(solved.multipliers, contact.P.normal());
   const StageTimer timer(record.times.postprocess);
   if (contact.P.has_friction())
-    record.friction = summarise_friction(discretization.multipliers, contact.P, contact.W);
+    record.friction = summarise_friction(solved.multipliers, contact.P, contact.W);
   progress("certificate");
-  add_certificate_and_answer(discretization, solution);
+  add_certificate_and_answer(solved, solution);
   if (discretization.mesh.has_parents())
-    record.estimate =
-      estimate_of(Solved<dim>(discretization, solution.scene, contact), solution.energy);
+    record.estimate = estimate_of(solved, solution);
 }
 } // namespace
 
@@ -182,27 +151,40 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
   const auto [parameters, scene, solvers] = problem;
   const auto method = make_contact_method(parameters, scene, solvers);
   LevelSolution<dim> solution;
-  solution.contact = method->solve(discretization, start, progress);
-  const ContactSolution<dim> &contact = solution.contact;
-  solution.scene = with_plates_moved(scene, contact.modes.plate_motions(scene.plates, contact.q));
-  examine(parameters, discretization, progress, solution);
+  solution.operators =
+    std::make_shared<const LevelOperators<dim>>(method->make_operators(discretization, progress));
+  solution.contact = method->solve(discretization, *solution.operators, start, progress);
+  solution.scene = with_plates_moved(
+    scene, solution.operators->modes.plate_motions(scene.plates, solution.contact.q));
+  examine(parameters, solution.on(discretization), progress, solution);
   return solution;
 }
 
 template <int dim>
-void finish_level(const LevelProblem<dim> &problem, const Discretization<dim> &discretization,
-                  const bool wants_bound, const Progress &progress, LevelSolution<dim> &solution) {
+void add_bound(const Parameters &parameters, const Discretization<dim> &discretization,
+               const Progress &progress, LevelSolution<dim> &solution) {
   if constexpr (dim == 2) {
-    if (wants_bound) {
-      if (solution.record.friction)
-        add_regularity(discretization, solution);
-      progress("bound of the error");
-      add_bound(problem.parameters.output.bound, discretization, solution);
-    }
+    LevelRecord &record = solution.record;
+    const StageTimer timer(record.times.postprocess);
+    if (record.friction && solution.contact.touches())
+      add_regularity(discretization, solution.operators->C, solution.contact, *record.friction);
+    progress("bound of the error");
+    const StageTimer bound_timer(record.times.bound);
+    LocatedBound located =
+      located_bound(parameters.output.bound, solution.on(discretization), solution);
+    record.bound = located.bound;
+    solution.bound_fields = std::move(located.fields);
   }
-  release_unused(problem, solution);
+}
+
+template <int dim>
+void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &solution) {
+  const OutputParameters &output = problem.parameters.output;
+  if (!output.compliance && problem.scene.load_cases.empty())
+    solution.operators.reset();
 }
 
 INSTANTIATE_FUNCTION(solve_level);
-INSTANTIATE_FUNCTION(finish_level);
+INSTANTIATE_FUNCTION(add_bound);
+INSTANTIATE_FUNCTION(release_unused);
 } // namespace Signorini

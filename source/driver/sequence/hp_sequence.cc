@@ -77,14 +77,14 @@ public:
     LevelSolution<2> &solution = result.solution;
     const LevelProblem<2> problem = {parameters, scene_, choose_solvers(parameters, scene_, 0)};
     solution = solve_level(problem, discretization, start, progress);
-    LevelRecord &record = solution.record;
-    record.sizes.level = n_steps_;
+    solution.record.sizes.level = n_steps_;
     progress("estimate");
     StepFindings findings = examine(discretization, solution);
     if (context_.verify)
       context_.verify(discretization, progress, solution);
     last_ = {next_, solution.contact.U, solution.contact.P};
-    result.is_last = finish(problem, discretization, progress, findings, solution);
+    result.is_last = finish(discretization, progress, findings, solution);
+    release_unused(problem, solution);
     ++n_steps_;
     return keep_best(std::move(result));
   }
@@ -92,19 +92,22 @@ public:
 private:
   /** Adds the bound where the estimate reaches the target or the sequence ends. @return whether
    * this step is the last. */
-  bool finish(const LevelProblem<2> &problem, const Discretization<2> &discretization,
-              const Progress &progress, StepFindings &findings, LevelSolution<2> &solution) {
+  bool finish(const Discretization<2> &discretization, const Progress &progress,
+              StepFindings &findings, LevelSolution<2> &solution) {
     const LevelRecord &record = solution.record;
     const Judge &judge = context_.judge;
     // Where the contact solver did not converge, there is no solution to plan a mesh from.
     const bool fails = !record.dual.converged || examination_.stagnates() ||
                        examination_.plates_penetrate(solution.scene);
     const bool may_suffice = !fails && judge.reaches_target(record);
-    if (may_suffice)
-      finish_level(problem, discretization, true, progress, solution);
-    const bool suffices = may_suffice && judge.reaches_target(record) &&
-                          (is_guaranteed(record) || examination_.is_checked(findings));
     n_paths_ = record.dual.by_path ? n_paths_ + 1 : 0;
+    const bool ends = !may_suffice && (fails || cannot_go_on(findings, false));
+    if (!may_suffice && !ends)
+      return false;
+    add_bound(context_.parameters, discretization, progress, solution);
+    if (ends || (judge.reaches_target(record) &&
+                 (is_guaranteed(record) || examination_.is_checked(findings))))
+      return true;
     const bool has_bound = bound_of(record).has_value();
     if (has_bound) {
       findings.error = std::max(findings.error, record.bound->absolute.value_or(0.));
@@ -114,12 +117,13 @@ private:
         findings.indicators[cell].error =
           std::hypot(findings.indicators[cell].error, solution.bound_fields.oscillation[cell]);
     }
-    const bool is_last = fails || suffices || states_differ() ||
-                         is_out_of_reach(findings.error, has_bound) || takes_too_many(findings) ||
-                         !plan_next(findings);
-    if (!may_suffice)
-      finish_level(problem, discretization, is_last, progress, solution);
-    return is_last;
+    return cannot_go_on(findings, has_bound);
+  }
+
+  /** Returns whether no further step is worth solving; else plans the next one. */
+  bool cannot_go_on(const StepFindings &findings, const bool has_bound) {
+    return states_differ() || is_out_of_reach(findings.error, has_bound) ||
+           takes_too_many(findings) || !plan_next(findings);
   }
 
   /** Keeps the step with the smallest bound. A step with a larger one ends the run if its estimate
@@ -219,8 +223,8 @@ private:
     std::optional<DisplacedBody<2>> before;
     if (last_.discretization != nullptr)
       before.emplace(last_.discretization->space, scene_, last_.U);
-    StepFindings findings = examination_.examine({discretization, solution.scene, solution.contact},
-                                                 solution.energy, before, plan_.aim);
+    StepFindings findings =
+      examination_.examine(solution.on(discretization), solution.scale, before, plan_.aim);
     if (findings.has_estimate())
       solution.record.estimate = ErrorEstimate{
         {}, findings.error, findings.error > 0. ? findings.error / findings.scale : 0., {}, {}};

@@ -20,7 +20,8 @@ namespace {
 /** Returns the estimated relative error of a case, at least the largest penetration over the
  * largest displacement and at most 1, which it is where a graded mesh has missed the contact;
  * nothing where there is no T^{2h}. */
-std::optional<double> error_of_case(const Parameters &parameters, const Solved<2> &solved) {
+std::optional<double> error_of_case(const Parameters &parameters, const Solved<2> &solved,
+                                    const LevelOperators<2> &operators) {
   const auto &[space, U] = std::tie(solved.space, solved.U);
   const bool is_graded = parameters.discretization.strategy == Strategy::hp;
   if (!is_graded && !space.mesh().has_parents())
@@ -34,7 +35,7 @@ std::optional<double> error_of_case(const Parameters &parameters, const Solved<2
   if (!is_graded) {
     OtherErrors others;
     others.contact = contact_part(solved);
-    error = estimate_error(solved, scale, correct_pressure(solved), others).relative;
+    error = estimate_error(solved, scale, correct_pressure(solved, operators), others).relative;
   } else {
     const StepFindings found = StepExamination(1.).examine(solved, scale, {}, 1.);
     if (found.has_estimate())
@@ -59,13 +60,14 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
     progress("load cases");
     const SolverParameters &given = parameters.solver;
     const bool are_steps = parameters.load_cases.sequence == CaseSequence::steps;
-    CaseSolver solver(*level.discretization, scene, level.solution.contact,
+    const LevelOperators<2> &operators = *level.solution.operators;
+    CaseSolver solver(*level.discretization, scene, operators,
                       {{given.tolerance, given.maximum_iterations, given.relaxation},
                        given.contact_solver,
                        is_unstable(*level.discretization)},
                       are_steps);
-    ContactSolution<2> contact = level.solution.contact;
-    contact.dual.reset();
+    const auto edges =
+      scene.probes.empty() ? std::vector<SingularEdge<2>>() : singular_edges(scene);
     const auto since_start = [start = std::chrono::steady_clock::now()] {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
@@ -76,17 +78,18 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
       result.number = results.size();
       result.level = level.discretization->mesh.level();
       if (level.is_last && result.escape.empty()) {
-        contact.U = solver.displacement();
-        contact.P = solver.multiplier();
+        ContactSolution contact = solver.contact();
+        contact.algebraic_error = level.solution.contact.algebraic_error;
         Scene<2> moved = with_plates_moved(scene_of_case(scene, load_case), result.plates);
+        const Solved<2> solved(*level.discretization, moved, contact);
         result.reactions = solver.reactions(contact.U);
-        result.reports = solver.report(contact.U);
+        result.reports = report_on_probes<2>(solved, edges);
         if (load_case.has_fields)
-          use_fields(result.number, {*level.discretization, moved, contact});
+          use_fields(result.number, solved);
         // What sticks in a step follows the foundation from the slip of the steps before.
         if (are_steps)
           moved.friction = Friction::none;
-        result.estimate = error_of_case(parameters, {*level.discretization, moved, contact});
+        result.estimate = error_of_case(parameters, solved, operators);
       }
       if (const std::size_t done = results.size(); done % every == 0)
         progress("load cases: " + std::to_string(done) + " of " + std::to_string(n) +
@@ -96,7 +99,6 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
   LevelRecord &record = level.solution.record;
   record.load_cases = summarise(results, seconds);
   record.times.postprocess += seconds;
-  level.solution.contact.inverse = nullptr;
   return results;
 }
 } // namespace Signorini

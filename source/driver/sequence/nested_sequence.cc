@@ -7,6 +7,7 @@
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
+#include <signorini/solvers/methods/memory_limit.h>
 
 namespace Signorini {
 namespace {
@@ -83,9 +84,9 @@ private:
       LevelSolution<dim> solution = solve_level(problem, discretization, start, progress);
       // The bound is computed on levels where the study may stop.
       const DiscretizationParameters &given = context_.parameters.discretization;
-      finish_level(problem, discretization,
-                   next_level_ == given.finest_level || given.target_error > 0. || may_end_early(),
-                   progress, solution);
+      if (next_level_ == given.finest_level || given.target_error > 0. || may_end_early())
+        add_bound(problem.parameters, discretization, progress, solution);
+      release_unused(problem, solution);
       solution.record.dual.failure_of_cycles = failure_of_cycles_;
       return solution;
     };
@@ -127,10 +128,11 @@ private:
   }
 
   void keep_for_next(const LevelResult<dim> &result) {
-    const ContactSolution<dim> &contact = result.solution.contact;
+    const ContactSolution &contact = result.solution.contact;
     pressure_ = result.pressure();
     shares_ = contact.P.shares();
-    scale_ = contact.cycles ? contact.cycles->scale : 0.;
+    const auto *const cycles = std::get_if<CycleData>(&contact.data);
+    scale_ = cycles != nullptr ? cycles->scale : 0.;
     if (solvers_of(result.discretization->mesh.level() + 1).is_by_cycles()) {
       coarse_ = result.discretization;
       coarse_U_ = contact.U;

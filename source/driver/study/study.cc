@@ -160,8 +160,13 @@ private:
       const auto write_fields = [&](const unsigned int number, const Solved<2> &solved) {
         writer_.write_case_fields(solved, number);
       };
-      if (!scene.load_cases.empty() && (level.is_last || on_every_level))
-        return solve_load_cases(parameters_, scene, level, write_fields, progress);
+      if (!scene.load_cases.empty() && (level.is_last || on_every_level)) {
+        std::vector<CaseResult> found =
+          solve_load_cases(parameters_, scene, level, write_fields, progress);
+        if (!parameters_.output.compliance)
+          level.solution.operators.reset();
+        return found;
+      }
     }
     return {};
   }

@@ -83,8 +83,8 @@ struct Consequences {
  * @param change ∫ (τ_n - p_H) over Γ_c. */
 void add_consequences(const BoundData &data, const Consequences &known, const ContactLift &lift,
                       const double change, ErrorBound &result) {
-  result.energy_lower = known.energy.lower;
-  result.energy_upper = known.energy.upper;
+  result.energy_lower = known.energy.lower - data.energies.plates;
+  result.energy_upper = known.energy.upper - data.energies.plates;
   // The contact force is that of one pair.
   if (data.scene.has_pairs() && data.scene.contact_sides().size() > 1)
     return;

@@ -160,39 +160,6 @@ double support_error(const DisplacedBody<dim> &body) {
                   Utilities::MPI::max(scale, communicator));
 }
 
-/** The displacement V = U without the translation of the whole body, and the size of that. */
-struct Deformation {
-  Displacement V;
-  /** Certificate::translation. */
-  double translation = 1.;
-};
-
-/** Computes U without the translation, which is the middle of the range of each component. */
-template <int dim>
-Deformation deformation(const DisplacementSpace<dim> &space, const Displacement &U) {
-  Deformation result = {U};
-  double range = 0.;
-  const std::vector<IndexSet> components = DoFTools::locally_owned_dofs_per_component(space.dofs());
-  for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d) {
-    const IndexSet &rows = components[d];
-    double low = std::numeric_limits<double>::max(), high = -low;
-    for (const auto i : rows) {
-      low = std::min(low, U(i));
-      high = std::max(high, U(i));
-    }
-    low = Utilities::MPI::min(low, space.mesh().communicator());
-    high = Utilities::MPI::max(high, space.mesh().communicator());
-    range = std::max(range, 0.5 * (high - low));
-    for (const auto i : rows)
-      result.V(i) -= 0.5 * (low + high);
-  }
-  result.V.update_ghost_values();
-  const double size = U.linfty_norm();
-  if (range < size)
-    result.translation = size / std::max(range, std::numeric_limits<double>::epsilon() * size);
-  return result;
-}
-
 /** The least share of the displacement without contact that counts as a scale: contact may leave
  * less of it than rounding does. 1e-8 of this share is 50 times the unit roundoff. */
 constexpr double min_share_of_free_state = 1e-6;
@@ -201,16 +168,15 @@ constexpr double min_share_of_free_state = 1e-6;
  */
 template <int dim>
 void check_contact(const Solved<dim> &solved, const double energy_scale, Certificate &certificate) {
-  const ContactSolution<dim> &solution = solved.contact;
+  const ContactSolution &solution = solved.contact;
   const dealii::Vector<double> measures = solved.multipliers.integrals(), &P = solution.P.values(),
                                &W = solution.W;
   const AdmissibleSet &K = solution.P.set();
   const unsigned int m = measures.size();
   double deepest = 0., outside = 0.;
   double length_scale = solution.U.linfty_norm();
-  if (solution.dual)
-    length_scale =
-      std::max(length_scale, min_share_of_free_state * solution.dual->free.U.linfty_norm());
+  if (const DualData *const dual = solution.dual())
+    length_scale = std::max(length_scale, min_share_of_free_state * dual->free.U.linfty_norm());
   for (unsigned int tau = 0; tau < m; ++tau) {
     deepest = std::max(deepest, W[tau] / measures[tau]);
     length_scale = std::max(length_scale, std::abs(solved.discretization.G[tau]) / measures[tau]);
@@ -238,27 +204,24 @@ void check_contact(const Solved<dim> &solved, const double energy_scale, Certifi
  * With V = U - U_0 the primal one is Π(U) - Π(U_0) = a(V,V)/2, where a(V,V) = a(U,V) - f(V), with
  * friction plus its dissipation; the dual one is Pᵀ F - Pᵀ C P/2.
  */
-template <int dim>
-double duality_gap(const ContactSolution<dim> &contact, const DualData &data,
-                   const NodalForces &forces, const double dissipation, const double energy_scale) {
+double duality_gap(const ContactSolution &contact, const DualData &data, const NodalForces &forces,
+                   const double dissipation, const double energy_scale) {
   Displacement V = contact.U;
   V -= data.free.U;
   const dealii::Vector<double> &P = contact.P.values();
   const double primal = 0.5 * (V * forces.internal - V * forces.loads) + dissipation;
-  const double dual = P * data.free.F - 0.5 * (P * data.C_P);
+  const double dual = P * data.free.F - 0.5 * (P * contact.C_P);
   return relative(primal - dual, std::max(energy_scale, std::abs(dual)));
 }
 
 /** Returns the relative duality gap where the body without contact is not computed: with r = f + D
  * P - A U it is Pᵀ W + ½ rᵀ A⁻¹ r. */
-template <int dim>
-double duality_gap(const ContactSolution<dim> &contact, const dealii::Vector<double> &G,
-                   const NodalForces &forces) {
-  const dealii::Vector<double> &P = contact.P.values();
+double duality_gap(const ContactSolution &contact, const CycleData &data, const NodalForces &forces,
+                   const Energies &energies) {
   const double scale =
-    std::max({0.5 * std::abs(contact.U * forces.internal), std::abs(contact.U * forces.loads),
-              std::abs(P * G), forces.rigid_energy()});
-  return relative(P * contact.W + contact.cycles->energy_of_residual, scale);
+    std::max({0.5 * std::abs(contact.U * forces.internal), std::abs(energies.loads),
+              std::abs(energies.gap), forces.rigid_energy()});
+  return relative(energies.opening + data.energy_of_residual, scale);
 }
 } // namespace
 
@@ -267,39 +230,32 @@ Columns<Certificate> Certificate::columns() {
 }
 
 template <int dim>
-Certificate certify(const Solved<dim> &solved, const NodalForces &forces) {
+Certificate certify(const Solved<dim> &solved, const std::vector<Resultant<dim>> &applied,
+                    const NodalForces &forces, const Energies &energies) {
   const DisplacementSpace<dim> &space = solved.space;
-  const ContactSolution<dim> &solution = solved.contact;
-  const dealii::Vector<double> &P = solution.P.values(), &W = solution.W,
-                               &G = solved.discretization.G;
-  const AdmissibleSet &K = solution.P.set();
+  const ContactSolution &solution = solved.contact;
   Certificate certificate;
   certificate.moments_are_exact = !space.mesh().is_curved();
   // |Tᵀ r|₂ relative to the largest term of r.
   certificate.stationarity = relative(space.condense(forces.residual).l2_norm(), forces.scale());
   certificate.support = support_error<dim>(solved);
-  const Deformation deformed = deformation(space, solution.U);
-  certificate.translation = deformed.translation;
+  certificate.translation = forces.translation;
   auto [sums, size_of_contact] = contact_by_body<dim>(solved);
   for (unsigned int k = 0; k < sums.size(); ++k)
-    sums[k] += solution.system->applied[k];
+    sums[k] += applied[k];
   balance(space, solved.scene, std::move(sums), size_of_contact, forces, certificate);
 
-  // A translation has no strain energy, but its product with rounding of forces may be large.
-  const double strain_energy = 0.5 * (deformed.V * forces.internal);
-  const double work_of_loads = solution.U * forces.loads;
-  const double work_of_gap = P * G, dissipation = K.dissipation(K.slip(P, W));
+  const DualData *const dual = solution.dual();
   double energy_scale = std::max(
-    {strain_energy, std::abs(work_of_loads), std::abs(work_of_gap), forces.rigid_energy()});
-  if (solution.dual)
-    energy_scale =
-      std::max(energy_scale, min_share_of_free_state * std::abs(P * solution.dual->free.F));
+    {energies.strain, std::abs(energies.loads), std::abs(energies.gap), forces.rigid_energy()});
+  if (dual != nullptr)
+    energy_scale = std::max(energy_scale,
+                            min_share_of_free_state * std::abs(solution.P.values() * dual->free.F));
   check_contact(solved, energy_scale, certificate);
-  // The energy J of (22); [p, Bu - g] is Pᵀ W.
-  certificate.energy = strain_energy - work_of_loads - P * W -
-                       solution.modes.work_of_plates(solved.scene.plates, solution.q);
+  certificate.energy = energies.J();
   if (solution.P.has_friction()) {
-    double work = solution.U * forces.internal - work_of_loads - work_of_gap + dissipation;
+    double work =
+      solution.U * forces.internal - energies.loads - energies.gap + energies.dissipation;
     double work_of_supports = 0.;
     for (const auto support : space.supports())
       if (forces.residual.in_local_range(support))
@@ -308,11 +264,11 @@ Certificate certify(const Solved<dim> &solved, const NodalForces &forces) {
     certificate.dissipation_balance = relative(work, energy_scale);
   }
 
-  if (solution.cycles)
-    certificate.duality_gap = duality_gap(solution, G, forces);
-  else if (solution.dual && solution.dual->C_P.size() > 0)
+  if (const auto *const cycles = std::get_if<CycleData>(&solution.data))
+    certificate.duality_gap = duality_gap(solution, *cycles, forces, energies);
+  else if (solution.touches())
     certificate.duality_gap =
-      duality_gap(solution, *solution.dual, forces, dissipation, energy_scale);
+      duality_gap(solution, *dual, forces, energies.dissipation, energy_scale);
   const double unit_roundoff = std::numeric_limits<double>::epsilon();
   const double noise = unit_roundoff * forces.magnitude;
   certificate.rounding = forces.energy.rigid ? unit_roundoff

@@ -8,6 +8,7 @@
 #include <signorini/postprocessing/fields/pressure_transfer.h>
 #include <signorini/postprocessing/fields/recovered_pressure.h>
 #include <signorini/solvers/contact/compliance.h>
+#include <signorini/solvers/methods/contact_method.h>
 
 #include <algorithm>
 #include <cmath>
@@ -29,22 +30,21 @@ bool presses_nowhere(const dealii::Vector<double> &P) {
  * where the solver fails. */
 template <int dim>
 std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multipliers,
-                                               const Solved<dim> &solved) {
+                                               const Solved<dim> &solved, const DualData &dual,
+                                               const LevelOperators<dim> &operators) {
   const Discretization<dim> &given = solved.discretization;
-  const ContactSolution<dim> &contact = solved.contact;
   const Coupling D = assemble_coupling(given.space, multipliers);
   const Coupling condensed_D = condense(D, given.space.constraints());
   if (condensed_D.empty_column(given.space.mesh().communicator()))
     return {};
   FreeState free;
   free.F = assemble_gap(multipliers, multipliers.surface().scene().boundary, given.n_points);
-  free.F -= D.transpose_product(contact.dual->free.U);
+  free.F -= D.transpose_product(dual.free.U);
   if (free.nothing_touches(AdmissibleSet::nonpositive(free.F.size())))
     return dealii::Vector<double>(multipliers.n_multipliers());
-  return solve_on_other_patches(
-    contact, {D, condensed_D}, free.F,
-    transfer_pressure<dim>({given.surface.patches(), contact.P.normal()},
-                           multipliers.surface().patches()));
+  return solve_on_other_patches(operators, dual.motions, solved.contact.q, {D, condensed_D}, free.F,
+                                transfer_pressure<dim>({given.surface.patches(), solved.P.normal()},
+                                                       multipliers.surface().patches()));
 }
 
 /** The recovered p or q, shifted on every patch so that its mean is that of p_H or q_H; p is cut
@@ -152,7 +152,8 @@ void add_friction_load(const BodyInContact<dim> &body, Coupling::Column &load) {
 
 /** Returns z_h for a load. */
 template <int dim>
-PressureCorrection correct_by(const Coupling &load, const Solved<dim> &solved) {
+PressureCorrection correct_by(const Coupling &load, const Solved<dim> &solved,
+                              const StiffnessInverse &inverse) {
   const DisplacementSpace<dim> &space = solved.space;
   dealii::Vector<double> minus_P(solved.P.values());
   minus_P *= -1.;
@@ -160,7 +161,7 @@ PressureCorrection correct_by(const Coupling &load, const Solved<dim> &solved) {
   load.add_product(dealii::Vector<double>{1.}, forces);
   solved.discretization.condensed_D.add_product(minus_P, forces);
   PressureCorrection correction;
-  correction.z = solve_homogeneous(*solved.contact.inverse, space, forces);
+  correction.z = solve_homogeneous(inverse, space, forces);
   // b.z = a(z, z): z is in V^h with homogeneous conditions.
   const double work = forces * correction.z;
   correction.energy_norm = std::sqrt(std::max(0., work));
@@ -183,30 +184,39 @@ Coupling recovered_load(const DisplacementSpace<dim> &space,
 }
 
 template <int dim>
-PressureCorrection correct_pressure(const Solved<dim> &solved) {
-  const auto &[space, surface, multipliers, contact] =
-    std::tie(solved.space, solved.surface(), solved.multipliers, solved.contact);
-  const Pressure &given = contact.P.normal();
-  if (surface.has_unstable_patch())
+PressureCorrection correct_pressure(const Solved<dim> &solved,
+                                    const LevelOperators<dim> &operators) {
+  const auto &[space, multipliers] = std::tie(solved.space, solved.multipliers);
+  const Pressure &given = solved.P.normal();
+  const bool has_friction = solved.P.has_friction();
+  if (solved.surface().has_unstable_patch() || (!has_friction && presses_nowhere(given)))
     return {};
-  if (contact.P.has_friction()) {
-    Coupling::Column load = pressure_load(space, multipliers, given);
+  Coupling::Column load = pressure_load(space, multipliers, given);
+  if (has_friction)
     add_friction_load(solved, load);
-    return correct_by(condense(sum_columns(space, {load}), space.constraints()), solved);
-  }
-  if (contact.dual) {
-    const ContactSurface<dim> finer(space.mesh(), solved.scene, Partition{recovery_ratio});
+  return correct_by(condense(sum_columns(space, {load}), space.constraints()), solved,
+                    *operators.inverse);
+}
+
+template <int dim>
+PressureCorrection correct_by_finer_patches(const Solved<dim> &solved,
+                                            const LevelOperators<dim> &operators) {
+  const ContactSurface<dim> &surface = solved.surface();
+  const DualData *const dual = solved.contact.dual();
+  if (dual != nullptr && !solved.P.has_friction() && !surface.has_unstable_patch()) {
+    const ContactSurface<dim> finer(solved.space.mesh(), solved.scene, Partition{recovery_ratio});
     const MultiplierSpace<dim> finer_multipliers(finer);
     if (finer.patches().size() > surface.patches().size())
-      if (const auto P = solve_on(finer_multipliers, solved))
-        return presses_nowhere(given) && presses_nowhere(*P)
+      if (const auto P = solve_on(finer_multipliers, solved, *dual, operators))
+        return presses_nowhere(solved.P.normal()) && presses_nowhere(*P)
                  ? PressureCorrection()
-                 : correct_by(recovered_load(space, finer_multipliers, Pressure(*P)), solved);
+                 : correct_by(recovered_load(solved.space, finer_multipliers, Pressure(*P)), solved,
+                              *operators.inverse);
   }
-  return presses_nowhere(given) ? PressureCorrection()
-                                : correct_by(recovered_load(space, multipliers, given), solved);
+  return correct_pressure(solved, operators);
 }
 
 INSTANTIATE_FUNCTION(recovered_load);
 INSTANTIATE_FUNCTION(correct_pressure);
+INSTANTIATE_FUNCTION(correct_by_finer_patches);
 } // namespace Signorini

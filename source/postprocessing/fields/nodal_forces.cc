@@ -4,12 +4,52 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 
+#include <deal.II/base/index_set.h>
+#include <deal.II/base/mpi.h>
+#include <deal.II/dofs/dof_tools.h>
+
 #include <algorithm>
+#include <limits>
 
 namespace Signorini {
 double NodalForces::largest() const {
   return std::max({internal.l2_norm(), loads.l2_norm(), contact.l2_norm()});
 }
+
+namespace {
+/** The displacement V = U without the translation of the whole body, and the size of that. */
+struct Deformation {
+  Displacement V;
+  /** NodalForces::translation. */
+  double translation = 1.;
+};
+
+/** Computes U without the translation, which is the middle of the range of each component. */
+template <int dim>
+Deformation deformation(const DisplacementSpace<dim> &space, const Displacement &U) {
+  Deformation result = {U};
+  double range = 0.;
+  const std::vector<IndexSet> components = DoFTools::locally_owned_dofs_per_component(space.dofs());
+  for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d) {
+    const IndexSet &rows = components[d];
+    double low = std::numeric_limits<double>::max(), high = -low;
+    for (const auto i : rows) {
+      low = std::min(low, U(i));
+      high = std::max(high, U(i));
+    }
+    low = Utilities::MPI::min(low, space.mesh().communicator());
+    high = Utilities::MPI::max(high, space.mesh().communicator());
+    range = std::max(range, 0.5 * (high - low));
+    for (const auto i : rows)
+      result.V(i) -= 0.5 * (low + high);
+  }
+  result.V.update_ghost_values();
+  const double size = U.linfty_norm();
+  if (range < size)
+    result.translation = size / std::max(range, std::numeric_limits<double>::epsilon() * size);
+  return result;
+}
+} // namespace
 
 template <int dim>
 NodalForces nodal_forces(const BodyInContact<dim> &body, const DualVector &loads,
@@ -25,6 +65,9 @@ NodalForces nodal_forces(const BodyInContact<dim> &body, const DualVector &loads
   forces.residual -= forces.contact;
   body.space.carry_to_masters(forces.residual);
   forces.magnitude = internal.magnitudes.l2_norm();
+  const Deformation deformed = deformation(body.space, body.U);
+  forces.strain_energy = 0.5 * (deformed.V * forces.internal);
+  forces.translation = deformed.translation;
   forces.energy = {internal.energy_norm, norm_of_rigid_motion(body)};
   return forces;
 }

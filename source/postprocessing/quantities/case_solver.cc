@@ -14,23 +14,20 @@
 
 namespace Signorini {
 CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &scene,
-                       const ContactSolution<2> &contact, const DualSolverOptions &options,
+                       const LevelOperators<2> &operators, const DualSolverOptions &options,
                        const bool are_steps)
   : discretization_(discretization)
   , scene_(scene)
-  , contact_(contact)
+  , operators_(operators)
   , options_(options)
   , are_steps_(are_steps)
-  , C_(make_compliance(*contact_.inverse, discretization_.condensed_D))
-  , B_(contact_.modes.couple(discretization_.D))
+  , B_(operators_.modes.couple(discretization_.D))
   , G_(discretization_.assemble_gap_of(scene_))
   , reactions_(discretization_.space, scene_)
   , slip_(discretization_.multipliers.n_multipliers()) {
   for (const CaseFactor &factor : case_factors())
     if (factor.kind && has_load(scene_, *factor.kind))
       responses_.push_back(respond(factor));
-  if (!scene_.probes.empty())
-    singular_edges_ = singular_edges(scene_);
 }
 
 CaseSolver::LoadResponse CaseSolver::respond(const CaseFactor &factor) const {
@@ -39,11 +36,11 @@ CaseSolver::LoadResponse CaseSolver::respond(const CaseFactor &factor) const {
   const LinearSystem<2> system = assemble_right_hand_side(space, scene, discretization_.n_points);
   LoadResponse response;
   response.factor = factor.number;
-  response.U = solve_homogeneous(*contact_.inverse, space, system.f);
+  response.U = solve_homogeneous(*operators_.inverse, space, system.f);
   response.U += space.prescribed(scene);
   response.closing = discretization_.D.transpose_product(response.U);
   response.loads = system.loads;
-  response.work = contact_.modes.work(scene.plates, system.loads, response.U);
+  response.work = operators_.modes.work(scene.plates, system.loads, response.U);
   return response;
 }
 
@@ -57,7 +54,7 @@ dealii::Vector<double> CaseSolver::gap_of(const LoadCase &load_case) const {
 }
 
 FrictionSummary CaseSolver::finish_step(const dealii::Vector<double> &F) {
-  dealii::Vector<double> W = C_->apply(P_.values());
+  dealii::Vector<double> W = operators_.C->apply(P_.values());
   W -= F;
   if (q_.size() > 0)
     B_.vmult_add(W, q_);
@@ -78,10 +75,10 @@ DualVector CaseSolver::loads_of(const LoadCase &load_case) const {
 }
 
 bool CaseSolver::slides(const LoadCase &load_case) const {
-  if (contact_.modes.unseen.empty())
+  if (operators_.modes.unseen.empty())
     return false;
   const std::vector<Plate> plates = plates_of_case(scene_.plates, load_case);
-  return contact_.modes.driven_unseen(plates, loads_of(load_case)).has_value();
+  return operators_.modes.driven_unseen(plates, loads_of(load_case)).has_value();
 }
 
 CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {
@@ -91,8 +88,8 @@ CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {
   const unsigned int m = discretization_.multipliers.n_multipliers();
   for (unsigned int k = m; k < F.size(); ++k)
     F[k] += slip_[k - m];
-  FreeMotions motions = {B_, contact_.modes.K, dealii::Vector<double>(contact_.modes.size()),
-                         dealii::Vector<double>(contact_.modes.size())};
+  FreeMotions motions = {B_, operators_.modes.K, dealii::Vector<double>(operators_.modes.size()),
+                         dealii::Vector<double>(operators_.modes.size())};
   for (const LoadResponse &response : responses_) {
     const double share = load_case.*response.factor;
     F.add(-share, response.closing);
@@ -100,9 +97,9 @@ CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {
     motions.b_magnitude.add(std::abs(share), response.work.magnitude);
   }
   const MotionResult solved =
-    solve_dual_problem(C_, F, discretization_.K, motions, P_.values(), options_);
+    solve_dual_problem(operators_.C, F, discretization_.K, motions, P_.values(), options_);
   if (solved.escape)
-    result.escape = text_of_escape(rigid_part(contact_.modes, *solved.escape),
+    result.escape = text_of_escape(rigid_part(operators_.modes, *solved.escape),
                                    opens(B_, *solved.escape, m) && !solved.sliding);
   const QPResult &qp = solved.qp;
   q_ = solved.q;
@@ -136,7 +133,7 @@ CaseResult CaseSolver::solve(const LoadCase &load_case) {
     ++result.n_zones;
   }
   result.active = summarise_contact(discretization_.multipliers, P_.normal()).active;
-  result.plates = contact_.modes.plate_motions(plates_of_case(scene_.plates, load_case), q_);
+  result.plates = operators_.modes.plate_motions(plates_of_case(scene_.plates, load_case), q_);
   return result;
 }
 
@@ -146,19 +143,16 @@ std::vector<std::pair<std::string, double>> CaseSolver::reactions(const Displace
   return reactions_.of(U, forces);
 }
 
-std::vector<ProbeReport> CaseSolver::report(const Displacement &U) const {
-  return report_on_probes<2>({{discretization_.space, scene_, U}, discretization_.multipliers, P_},
-                             singular_edges_);
-}
-
-Displacement CaseSolver::displacement() const {
+ContactSolution CaseSolver::contact() const {
+  ContactSolution contact;
+  contact.P = P_;
+  contact.q = q_;
   DualVector forces = discretization_.space.make_vector();
   discretization_.condensed_D.add_product(P_.values(), forces);
-  Displacement U = solve_homogeneous(*contact_.inverse, discretization_.space, forces);
+  contact.U = solve_homogeneous(*operators_.inverse, discretization_.space, forces);
   for (const LoadResponse &response : responses_)
-    U.add(last_.*response.factor, response.U);
-  if (contact_.modes.size() > 0)
-    contact_.modes.add_to(U, q_);
-  return U;
+    contact.U.add(last_.*response.factor, response.U);
+  operators_.modes.add_to(contact.U, q_);
+  return contact;
 }
 } // namespace Signorini

@@ -164,9 +164,9 @@ template <int dim>
 void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization,
                                        const LevelSolution<dim> &solution) {
   const DisplacementSpace<dim> &space = discretization.space;
-  const ContactSolution<dim> &contact = solution.contact;
-  const LinearSystem<dim> &system = *contact.system;
-  const DualData &dual = *contact.dual;
+  const ContactSolution &contact = solution.contact;
+  const LinearSystem<dim> &system = *solution.operators->system;
+  const DualData &dual = *contact.dual();
   const std::string A = lower_triangle(system.matrix, system.unit);
   const dealii::Vector<double> f(system.f.begin(), system.f.end());
   // F = G - Dᵀ A⁻¹ f for unconstrained unknowns: prescribed displacements count as gap.
@@ -202,8 +202,8 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
     write_matrix("B", dual.motions.B);
     write_matrix("K", dual.motions.K, true);
   }
-  if (dual.C)
-    write_matrix("C", dual.C->dense(), true);
+  if (contact.touches())
+    write_matrix("C", solution.operators->C->dense(), true);
 }
 
 void ResultsWriter::write_tables(const std::vector<LevelRecord> &levels,

@@ -53,59 +53,69 @@ public:
     : parameters_(parameters)
     , scene_(scene) {}
 
-  ContactSolution<dim> solve(const Discretization<dim> &discretization, const ContactStart &start,
-                             const Progress &progress) const override {
+  LevelOperators<dim> make_operators(const Discretization<dim> &discretization,
+                                     const Progress &progress) const override {
     const DisplacementSpace<dim> &space = discretization.space;
-    ContactSolution<dim> state;
+    StageTimes times;
     progress("assembly");
-    state.system = timed(state.times.assembly, [&]() {
+    const auto system = timed(times.assembly, [&]() {
       return std::make_shared<const LinearSystem<dim>>(
         assemble_right_hand_side(space, scene_, discretization.n_points));
     });
     progress("factorisation");
-    const std::shared_ptr<const MultigridInverse> inverse = timed(state.times.factor, [&]() {
+    const std::shared_ptr<const StiffnessInverse> inverse = timed(times.factor, [&]() {
       return make_multigrid_inverse(space, scene_, tolerance_of_estimates);
     });
-    state.inverse = inverse;
-    state.modes = make_motion_modes(space, scene_, *inverse);
-    if (state.modes.size() > 0 || !state.modes.unseen.empty())
+    MotionModes<dim> modes = make_motion_modes(space, scene_, *inverse);
+    if (modes.size() > 0 || !modes.unseen.empty())
       throw InputError(parameters_.solver.contact_solver.where() +
                        ": found 'multigrid' for a body or a plate that moves freely, allowed "
                        "there: psor, active set.");
+    return {system, inverse, std::move(modes), nullptr, times};
+  }
+
+  ContactSolution solve(const Discretization<dim> &discretization,
+                        const LevelOperators<dim> &operators, const ContactStart &start,
+                        const Progress &progress) const override {
     progress("V-cycles");
-    const StageTimer timer(state.times.qp);
-    iterate(discretization, *inverse->cycles(), start, state);
-    return state;
+    StageTimes times = operators.times;
+    ContactSolution contact =
+      timed(times.qp, [&]() { return iterate(discretization, operators, start); });
+    contact.times = times;
+    return contact;
   }
 
 private:
-  void iterate(const Discretization<dim> &discretization, const StiffnessOperator &A,
-               const ContactStart &start, ContactSolution<dim> &state) const {
+  ContactSolution iterate(const Discretization<dim> &discretization,
+                          const LevelOperators<dim> &operators, const ContactStart &start) const {
     const DisplacementSpace<dim> &space = discretization.space;
+    const StiffnessOperator &A = *operators.inverse->cycles();
     const auto model = make_boundary_model(discretization.multipliers);
     Vector gap(discretization.G);
     gap -= discretization.D.transpose_product(space.complete(space.zero()));
     const ContactIterationOptions options = options_for(start);
     const ContactIterationResult result = solve_contact_by_cycles(
-      {A, state.system->f, discretization.condensed_D, gap, *model,
-       space.condense(state.system->loads).l2_norm()},
+      {A, operators.system->f, discretization.condensed_D, gap, *model,
+       space.condense(operators.system->loads).l2_norm()},
       free_part(space, start.U, A), start.P.size() > 0 ? start.P : Vector(gap.size()), options);
-    state.P = Multiplier(result.P, discretization.K);
-    state.U = complete_free_part(space, result.U);
-    state.W = discretization.gap_residual(state.U);
-    state.cycles = CycleData{result.scale, result.energy_of_residual};
-    state.report.method = ContactSolver::multigrid;
-    state.report.iterations = result.cycles + result.cycles_for_scale;
-    state.report.kkt = result.kkt_residual;
-    state.report.converged = result.converged;
-    state.report.stalled = result.stalled;
+    ContactSolution contact;
+    contact.P = Multiplier(result.P, discretization.K);
+    contact.U = complete_free_part(space, result.U);
+    contact.W = discretization.gap_residual(contact.U);
+    contact.data = CycleData{result.scale, result.energy_of_residual};
+    contact.report.method = ContactSolver::multigrid;
+    contact.report.iterations = result.cycles + result.cycles_for_scale;
+    contact.report.kkt = result.kkt_residual;
+    contact.report.converged = result.converged;
+    contact.report.stalled = result.stalled;
     Vector diagonal = model->diagonal();
     diagonal *= result.scale;
-    state.diagonal_P = result.P;
-    state.diagonal_P.scale(diagonal);
-    state.algebraic_error =
-      std::hypot(algebraic_error(discretization.K, result.P, state.W, diagonal),
+    contact.diagonal_P = result.P;
+    contact.diagonal_P.scale(diagonal);
+    contact.algebraic_error =
+      std::hypot(algebraic_error(discretization.K, result.P, contact.W, diagonal),
                  std::sqrt(2. * std::abs(result.energy_of_residual)));
+    return contact;
   }
 
   ContactIterationOptions options_for(const ContactStart &start) const {

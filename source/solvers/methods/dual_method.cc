@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "methods.h"
 
@@ -87,28 +88,27 @@ bool points_balance(const Discretization<2> &discretization, const MotionModes<2
 /** Refuses a motion of the body that the pressing patches leave free, where no load works in
  * motions and only a negative gap presses. @throws InputError if there is such a motion. */
 void refuse_undetermined(const Parameters &parameters, const Discretization<2> &discretization,
-                         const MotionModes<2> &modes, const DualData &dual, const Vector &P) {
-  const FreeMotions &motions = dual.motions;
+                         const LevelOperators<2> &operators, const FreeMotions &motions,
+                         const Vector &F, const Vector &P) {
   const unsigned int m = discretization.multipliers.n_multipliers();
   constexpr double rounding = 1e-10;
-  const double touches = rounding * std::max(discretization.G.linfty_norm(), dual.F.linfty_norm());
+  const double touches = rounding * std::max(discretization.G.linfty_norm(), F.linfty_norm());
   // Loads in balance strain the body, wherever it comes to rest.
   if (!motions.b_magnitude.all_zero() ||
-      std::none_of(dual.F.begin(), dual.F.begin() + m, [&](double F_k) { return F_k < -touches; }))
+      std::none_of(F.begin(), F.begin() + m, [&](double F_k) { return F_k < -touches; }))
     return;
   // A body that has lifted off keeps pressures that are rounding, or what the tolerance allows: its
   // KKT residual compares C_ii P_i with F. They hold nothing. Friction holds with its bound,
   // however little of it is needed.
-  const double negligible =
-    std::max<double>(rounding, parameters.solver.tolerance) * dual.F.l2_norm();
+  const double negligible = std::max<double>(rounding, parameters.solver.tolerance) * F.l2_norm();
   Vector holding(P);
   const AdmissibleSet K = discretization.K.at(P);
   for (unsigned int i = m; i < P.size(); ++i)
     holding[i] = K[i].upper;
-  const Vector closing = dual.C->diagonal_times(holding);
+  const Vector closing = operators.C->diagonal_times(holding);
   FreeMotions pressing_motions = motions;
   for (unsigned int i = 0; i < P.size(); ++i)
-    for (unsigned int j = 0; j < modes.size() && std::abs(closing[i]) <= negligible; ++j)
+    for (unsigned int j = 0; j < motions.b.size() && std::abs(closing[i]) <= negligible; ++j)
       pressing_motions.B(i, j) = 0.;
   const auto unseen =
     ReducedMotions(pressing_motions, discretization.K, typical_stiffness(motions)).unseen;
@@ -116,7 +116,7 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
     throw InputError(parameters.boundary.where +
                      ": no load moves the body, and the pressure of the foundation, into which it "
                      "begins, leaves " +
-                     rigid_part(modes, unseen.front()).name() + " free" +
+                     rigid_part(operators.modes, unseen.front()).name() + " free" +
                      (K.has_friction() ? ", along which friction is too weak to hold it; allowed: "
                                          "more friction, "
                                        : "; allowed: ") +
@@ -196,11 +196,38 @@ DualSolve summary_of(const QPResult &result, const ContactSolver method) {
 /** Returns a callback that reports every twentieth part of the columns of C. */
 ColumnProgress column_progress(const Progress &progress, const unsigned int n_columns) {
   const unsigned int every = std::max(1U, n_columns / 20);
-  return [&progress, every, n_columns](const unsigned int done) {
+  return [progress, every, n_columns](const unsigned int done) {
     if (done % every == 0)
       progress("compliance: " + std::to_string(done) + " columns, up to " +
                std::to_string(n_columns));
   };
+}
+
+/** Returns the names of the motions that contact does not resist. @throws InputError if loads drive
+ * one of them. */
+template <int dim>
+std::vector<std::string> undetermined_motions(const Parameters &parameters,
+                                              const std::vector<Plate> &plates,
+                                              const LevelOperators<dim> &operators) {
+  const MotionModes<dim> &modes = operators.modes;
+  std::vector<std::string> names;
+  if (modes.unseen.empty())
+    return names;
+  if (const auto driven = modes.driven_unseen(plates, operators.system->loads))
+    refuse_sliding(parameters, *modes.unseen[*driven].rigid);
+  for (const FreeMotion &motion : modes.unseen)
+    names.push_back(motion.rigid->name());
+  return names;
+}
+
+/** Returns the estimated algebraic error in the energy norm. */
+double algebraic_part(const ComplianceOperator &C, const ContactSolution &contact) {
+  const Vector &P = contact.P.values(), &W = contact.W;
+  // Where nothing presses nor penetrates, a column of C may cost a solve.
+  Vector counted(P.size());
+  for (unsigned int k = 0; k < counted.size(); ++k)
+    counted[k] = P[k] != 0. || W[k] > 0. ? 1. : 0.;
+  return algebraic_error(contact.P.set(), P, W, C.diagonal_times(counted));
 }
 
 template <int dim>
@@ -211,176 +238,149 @@ public:
     , scene_(scene)
     , choice_(choice) {}
 
-  ContactSolution<dim> solve(const Discretization<dim> &discretization, const ContactStart &start,
-                             const Progress &progress) const override {
-    ContactSolution<dim> state;
-    state.dual.emplace();
-    factorise_stiffness(discretization, progress, state);
-    find_free_state(discretization, state);
-    DualData &dual = *state.dual;
-    state.P = Multiplier(Vector(discretization.K.size()), discretization.K);
-    if (state.modes.size() == 0 && dual.free.nothing_touches(discretization.K))
-      set_displacement(discretization, dual.free.U, state);
-    else {
-      form_compliance(discretization, progress, state);
-      progress("dual problem");
-      find_pressure(discretization, start.P, state);
-      recover(discretization, state);
-      correct_rounding(discretization, state);
-      state.algebraic_error = algebraic_part(state);
-    }
-    prescribe_motions(state);
-    state.linear = {state.inverse->n_solves(), state.inverse->max_residual(),
-                    state.inverse->rounding_error()};
-    return state;
-  }
-
-private:
-  /** Computes A, f and A⁻¹. */
-  void factorise_stiffness(const Discretization<dim> &discretization, const Progress &progress,
-                           ContactSolution<dim> &state) const {
+  LevelOperators<dim> make_operators(const Discretization<dim> &discretization,
+                                     const Progress &progress) const override {
     const DisplacementSpace<dim> &space = discretization.space;
+    const Coupling &D = discretization.condensed_D;
+    StageTimes times;
     progress("assembly");
-    state.system = timed(state.times.assembly, [&]() {
+    const auto system = timed(times.assembly, [&]() {
       return std::make_shared<const LinearSystem<dim>>(
         choice_.is_matrix_free() ? assemble_right_hand_side(space, scene_, discretization.n_points)
                                  : assemble_linear_system(space, scene_, discretization.n_points));
     });
     progress("factorisation");
-    state.inverse = timed(state.times.factor, [&]() -> std::unique_ptr<StiffnessInverse> {
-      if (choice_.is_matrix_free())
-        return make_multigrid_inverse(space, scene_, solve_tolerance);
-      return factorise(state.system->matrix, state.system->unit, choice_.linear,
-                       contact_unknowns(discretization.condensed_D));
+    const std::shared_ptr<const StiffnessInverse> inverse =
+      timed(times.factor, [&]() -> std::unique_ptr<StiffnessInverse> {
+        if (choice_.is_matrix_free())
+          return make_multigrid_inverse(space, scene_, solve_tolerance);
+        return factorise(system->matrix, system->unit, choice_.linear, contact_unknowns(D));
+      });
+    MotionModes<dim> modes =
+      timed(times.compliance, [&]() { return make_motion_modes(space, scene_, *inverse); });
+    const auto C = timed(times.compliance, [&]() {
+      return make_compliance(*inverse, D, column_progress(progress, D.n_columns()));
     });
+    return {system, inverse, std::move(modes), C, times};
   }
 
-  /** Computes F and the free motions. @throws InputError if loads drive a motion that no
-   * contact resists. */
-  void find_free_state(const Discretization<dim> &discretization,
-                       ContactSolution<dim> &state) const {
-    const StageTimer timer(state.times.compliance);
-    const DisplacementSpace<dim> &space = discretization.space;
-    DualData &dual = *state.dual;
-    dual.free =
-      solve_free_state(*state.inverse, space, state.system->f, discretization.D, discretization.G);
-    dual.F = dual.free.F;
-    state.modes = make_motion_modes(space, scene_, *state.inverse);
-    const MotionModes<dim> &modes = state.modes;
-    const DualVector &loads = state.system->loads;
-    if (modes.size() > 0) {
-      const MotionWork work = modes.work(scene_.plates, loads, dual.free.U);
-      dual.motions = {modes.couple(discretization.D), modes.K, work.value, work.magnitude};
+  ContactSolution solve(const Discretization<dim> &discretization,
+                        const LevelOperators<dim> &operators, const ContactStart &start,
+                        const Progress &progress) const override {
+    const MotionModes<dim> &modes = operators.modes;
+    StageTimes times = operators.times;
+    DualData data =
+      timed(times.compliance, [&]() { return free_of_contact(discretization, operators); });
+    const std::vector<std::string> undetermined =
+      undetermined_motions(parameters_, scene_.plates, operators);
+    ContactSolution contact;
+    if (modes.size() == 0 && data.free.nothing_touches(discretization.K)) {
+      contact.P = Multiplier(Vector(discretization.K.size()), discretization.K);
+      contact.U = data.free.U;
+      contact.W = discretization.gap_residual(contact.U);
+    } else {
+      progress("dual problem");
+      contact = press_without_rounding(discretization, operators, data, start.P, times);
+      contact.algebraic_error = algebraic_part(*operators.C, contact);
     }
-    if (modes.unseen.empty())
-      return;
-    if (const auto driven = modes.driven_unseen(scene_.plates, loads))
-      refuse_sliding(parameters_, *modes.unseen[*driven].rigid);
-    for (const FreeMotion &motion : modes.unseen)
-      state.undetermined.push_back(motion.rigid->name());
+    if (modes.size() > 0) {
+      // U_0 + Z q is then the body without contact.
+      modes.add_to(data.free.U, contact.q);
+      Vector B_q(data.F.size());
+      data.motions.B.vmult(B_q, contact.q);
+      data.free.F -= B_q;
+    }
+    contact.undetermined = undetermined;
+    contact.data = std::move(data);
+    contact.times = times;
+    contact.linear = {operators.inverse->n_solves(), operators.inverse->max_residual(),
+                      operators.inverse->rounding_error()};
+    return contact;
   }
 
-  /** Makes C. */
-  void form_compliance(const Discretization<dim> &discretization, const Progress &progress,
-                       ContactSolution<dim> &state) const {
-    const Coupling &D = discretization.condensed_D;
-    const StageTimer timer(state.times.compliance);
-    state.dual->C = make_compliance(*state.inverse, D, column_progress(progress, D.n_columns()));
+private:
+  /** Returns the body without contact, and the free motions. */
+  DualData free_of_contact(const Discretization<dim> &discretization,
+                           const LevelOperators<dim> &operators) const {
+    const auto &[system, modes] = std::tie(*operators.system, operators.modes);
+    DualData data;
+    data.free = solve_free_state(*operators.inverse, discretization.space, system.f,
+                                 discretization.D, discretization.G);
+    data.F = data.free.F;
+    if (modes.size() > 0) {
+      const MotionWork work = modes.work(scene_.plates, system.loads, data.free.U);
+      data.motions = {modes.couple(discretization.D), modes.K, work.value, work.magnitude};
+    }
+    return data;
   }
 
-  /** Computes P, and q where motions are free. */
-  void find_pressure(const Discretization<dim> &discretization, const Vector &start,
-                     ContactSolution<dim> &state) const {
-    const StageTimer timer(state.times.qp);
-    const DualData &dual = *state.dual;
-    const MotionResult found = solve_dual_problem(dual.C, dual.F, discretization.K, dual.motions,
-                                                  start, options_for(discretization));
-    if constexpr (dim == 2)
-      if (found.escape)
-        refuse_escape(parameters_, discretization, state.modes, dual.motions, *found.escape,
-                      found.sliding);
-    if constexpr (dim == 2)
-      if (state.modes.size() > 0)
-        refuse_undetermined(parameters_, discretization, state.modes, dual, found.qp.P);
-    state.q = found.q;
-    state.report = summary_of(found.qp, choice_.contact);
-    state.P = Multiplier(found.qp.P, discretization.K);
-    state.dual->C_P = dual.C->apply(found.qp.P);
-    state.diagonal_P = dual.C->diagonal_times(found.qp.P);
-  }
-
-  /** Computes U = A⁻¹(f + D P) + Z q. */
-  void recover(const Discretization<dim> &discretization, ContactSolution<dim> &state) const {
-    const StageTimer timer(state.times.recovery);
-    Displacement U =
-      recover_displacement(*state.inverse, discretization.space, discretization.condensed_D,
-                           state.P.values(), state.system->f);
-    state.modes.add_to(U, state.q);
-    set_displacement(discretization, U, state);
-  }
-
-  /** Stores U with its W. */
-  void set_displacement(const Discretization<dim> &discretization, const Displacement &U,
-                        ContactSolution<dim> &state) const {
-    state.U = U;
-    state.W = discretization.gap_residual(state.U);
+  /** Solves the dual problem with the opening F, and computes U = A⁻¹(f + D P) + Z q. */
+  ContactSolution press(const Discretization<dim> &discretization,
+                        const LevelOperators<dim> &operators, const FreeMotions &motions,
+                        const Vector &F, const Vector &start, StageTimes &times) const {
+    ContactSolution contact;
+    {
+      const StageTimer timer(times.qp);
+      const MotionResult found = solve_dual_problem(operators.C, F, discretization.K, motions,
+                                                    start, options_for(discretization));
+      if constexpr (dim == 2)
+        if (found.escape)
+          refuse_escape(parameters_, discretization, operators.modes, motions, *found.escape,
+                        found.sliding);
+      if constexpr (dim == 2)
+        if (operators.modes.size() > 0)
+          refuse_undetermined(parameters_, discretization, operators, motions, F, found.qp.P);
+      contact.q = found.q;
+      contact.report = summary_of(found.qp, choice_.contact);
+      contact.P = Multiplier(found.qp.P, discretization.K);
+      contact.C_P = operators.C->apply(found.qp.P);
+      contact.diagonal_P = operators.C->diagonal_times(found.qp.P);
+    }
+    const StageTimer timer(times.recovery);
+    contact.U =
+      recover_displacement(*operators.inverse, discretization.space, discretization.condensed_D,
+                           contact.P.values(), operators.system->f);
+    operators.modes.add_to(contact.U, contact.q);
+    contact.W = discretization.gap_residual(contact.U);
+    return contact;
   }
 
   /**
-   * Corrects the effect of rounding on C, by which the openings from U and from C differ: Dᵀ U - G
-   * is C P + B q - F + r. F - r takes the place of F, up to three times. Without rounding r is
-   * zero, however P was found.
+   * Presses, and corrects the effect of rounding on C, by which the openings from U and from C
+   * differ: Dᵀ U - G is C P + B q - F + r. F - r takes the place of F, up to three times. Without
+   * rounding r is zero, however P was found.
    */
-  void correct_rounding(const Discretization<dim> &discretization,
-                        ContactSolution<dim> &state) const {
+  ContactSolution press_without_rounding(const Discretization<dim> &discretization,
+                                         const LevelOperators<dim> &operators, const DualData &data,
+                                         const Vector &start, StageTimes &times) const {
     constexpr unsigned int max_passes = 3;
     // What was given up would be given up again.
     constexpr double negligible = 1e-12, hopeless = 1e-4;
     const double measure = discretization.multipliers.integrals().l2_norm();
-    const Vector F = state.dual->F;
-    const DualSolve first = state.report;
-    for (unsigned int pass = 0; pass < max_passes && state.report.kkt < hopeless; ++pass) {
+    Vector F = data.F;
+    ContactSolution contact = press(discretization, operators, data.motions, F, start, times);
+    const DualSolve first = contact.report;
+    for (unsigned int pass = 0; pass < max_passes && contact.report.kkt < hopeless; ++pass) {
       // F - r = C P + B q - W
-      Vector corrected(state.dual->C_P);
-      if (state.modes.size() > 0)
-        state.dual->motions.B.vmult_add(corrected, state.q);
-      corrected -= state.W;
+      Vector corrected(contact.C_P);
+      if (operators.modes.size() > 0)
+        data.motions.B.vmult_add(corrected, contact.q);
+      corrected -= contact.W;
       Vector r(corrected);
-      r -= state.dual->F;
-      if (r.l2_norm() <= negligible * measure * state.U.linfty_norm())
+      r -= F;
+      if (r.l2_norm() <= negligible * measure * contact.U.linfty_norm())
         break;
-      state.dual->F = corrected;
-      find_pressure(discretization, state.P.values(), state);
-      recover(discretization, state);
+      F = corrected;
+      contact = press(discretization, operators, data.motions, F, contact.P.values(), times);
     }
     // The product with C has the same correction.
-    state.dual->C_P -= state.dual->F;
-    state.dual->C_P += F;
-    state.dual->F = F;
+    contact.C_P -= F;
+    contact.C_P += data.F;
     // Corrections begin with the P that the first solve found, and are not counted.
-    state.report.iterations = first.iterations;
-    state.report.increment_iterations = first.increment_iterations;
-    state.report.by_path = first.by_path;
-  }
-
-  /** Returns the estimated algebraic error in the energy norm. */
-  double algebraic_part(const ContactSolution<dim> &state) const {
-    const Vector &P = state.P.values(), &W = state.W;
-    // Where nothing presses nor penetrates, a column of C may cost a solve.
-    Vector counted(P.size());
-    for (unsigned int k = 0; k < counted.size(); ++k)
-      counted[k] = P[k] != 0. || W[k] > 0. ? 1. : 0.;
-    return algebraic_error(state.P.set(), P, W, state.dual->C->diagonal_times(counted));
-  }
-
-  /** Adds the free motions to the free state: U_0 + Z q is then the body without contact. */
-  void prescribe_motions(ContactSolution<dim> &state) const {
-    if (state.modes.size() == 0)
-      return;
-    state.modes.add_to(state.dual->free.U, state.q);
-    Vector B_q(state.dual->free.F.size());
-    state.dual->motions.B.vmult(B_q, state.q);
-    state.dual->free.F -= B_q;
+    contact.report.iterations = first.iterations;
+    contact.report.increment_iterations = first.increment_iterations;
+    contact.report.by_path = first.by_path;
+    return contact;
   }
 
   DualSolverOptions options_for(const Discretization<dim> &discretization) const {
@@ -404,16 +404,15 @@ std::unique_ptr<ContactMethod<dim>> make_dual_method(const Parameters &parameter
 }
 
 template <int dim>
-std::optional<Vector> solve_on_other_patches(const ContactSolution<dim> &contact,
+std::optional<Vector> solve_on_other_patches(const LevelOperators<dim> &operators,
+                                             FreeMotions motions, const Vector &q,
                                              const CouplingPair &patches, const Vector &F,
                                              const Vector &start) {
-  const auto C = make_compliance(*contact.inverse, patches.condensed_D);
-  FreeMotions motions;
-  if (contact.modes.size() > 0) {
-    motions = contact.dual->motions;
-    motions.B = contact.modes.couple(patches.D);
-    Vector K_q(contact.q.size());
-    motions.K.vmult(K_q, contact.q);
+  const auto C = make_compliance(*operators.inverse, patches.condensed_D);
+  if (operators.modes.size() > 0) {
+    motions.B = operators.modes.couple(patches.D);
+    Vector K_q(q.size());
+    motions.K.vmult(K_q, q);
     motions.b -= K_q;
   }
   const QPResult result =

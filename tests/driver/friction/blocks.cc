@@ -279,7 +279,7 @@ void test_three_solutions(Checks &checks) {
     "Boundary/Clamped = top\nBoundary/Contact = bottom\nContact/Friction = coulomb\n"
     "Contact/Friction coefficient = 2.5\nLoad/Body force = 0; -0.01\nOutput/Compliance = true\n",
     4);
-  const auto C = level.solve().contact.dual->C;
+  const auto C = level.solve().operators->C;
   const dealii::Vector<double> lengths = level.multipliers().integrals();
   const unsigned int m = lengths.size();
   const auto problem = [&](const double f, const dealii::Vector<double> &P) {

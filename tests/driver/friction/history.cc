@@ -45,7 +45,7 @@ void test_unloading(Checks &checks) {
 }
 
 CaseSolver make_solver(const OneLevel &level, const LevelSolution<2> &solution, const bool steps) {
-  return CaseSolver(level.discretization, level.scene, solution.contact, {}, steps);
+  return CaseSolver(level.discretization, level.scene, *solution.operators, {}, steps);
 }
 
 /** A block that a moving foundation drags to and fro. */

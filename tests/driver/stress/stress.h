@@ -119,11 +119,11 @@ inline Measured measure(const std::string &text, const std::vector<std::string> 
                          "Discretization/Finest level=14"});
   const OneLevel one(text, measured.finest().sizes.level, all);
   const LevelSolution<2> level = one.solve();
-  if (level.contact.dual->C == nullptr)
+  if (!level.contact.touches())
     return measured;
-  const BoundConstrainedQP qp(level.contact.dual->C->dense(), level.contact.dual->F);
+  const BoundConstrainedQP qp(level.operators->C->dense(), level.contact.dual()->F);
   const SolverParameters &solver = one.parameters.solver;
-  measured.condition = condition_number(level.contact.dual->C->dense());
+  measured.condition = condition_number(level.operators->C->dense());
   measured.psor = solve_by_psor(qp, dealii::Vector<double>(qp.size()),
                                 {solver.tolerance, solver.maximum_iterations, solver.relaxation})
                     .iterations;

@@ -93,8 +93,8 @@ void compare(Checks &checks, const Settings &settings, const std::vector<Setting
     solve_by({"Solver/Contact solver=active set", "Output/Compliance=true"});
   checks.about(settings[0] + ", " + settings.back());
   checks.near("the mixed problem", max_residual(exact.record.certificate).value, 0., 1e-10);
-  if (exact.contact.dual->C != nullptr)
-    check_sweeps(checks, BoundConstrainedQP(exact.contact.dual->C->dense(), exact.contact.dual->F));
+  if (exact.contact.touches())
+    check_sweeps(checks, BoundConstrainedQP(exact.operators->C->dense(), exact.contact.dual()->F));
   for (const Settings &solver : solvers) {
     const LevelSolution<2> found = solve_by(solver);
     checks.about(settings[0] + ", " + settings.back() + ", " + solver.back());

@@ -343,7 +343,7 @@ void test_limits(Checks &checks) {
     dealii::Vector<double> P(13);
     for (unsigned int k = 0; k < 13; ++k)
       P[k] = std::sin(1. + k);
-    const dealii::Vector<double> C_P = solution.contact.dual->C->apply(P);
+    const dealii::Vector<double> C_P = solution.operators->C->apply(P);
     return std::vector<double>(C_P.begin(), C_P.end());
   };
   std::vector<double> sum = compliance(own);

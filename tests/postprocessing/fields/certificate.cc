@@ -18,11 +18,11 @@ struct CertifiedLevel : public SolvedLevel {
 
   Certificate judge(const Displacement &displacement, const Pressure &pressure,
                     const LinearSystem<2> &linear_system) const {
-    ContactSolution<2> found = contact(displacement, pressure);
-    // Lives as long as the caller's.
-    found.system = {std::shared_ptr<void>(), &linear_system};
+    const ContactSolution found = contact(displacement, pressure);
     const Solved<2> solved(discretization, scene, found);
-    return certify(solved, nodal_forces(solved, linear_system.loads, discretization.D));
+    const NodalForces forces = nodal_forces(solved, linear_system.loads, discretization.D);
+    return certify(solved, linear_system.applied, forces,
+                   energies_of(solved, MotionModes<2>(), forces));
   }
   Certificate judge(const Displacement &displacement, const Pressure &pressure) const {
     return judge(displacement, pressure, system);

@@ -22,8 +22,9 @@ std::string with_ratio(const std::string &text, const unsigned int ratio) {
 }
 
 PressureCorrection correct(const SolvedLevel &given, const Pressure &P) {
-  const ContactSolution<2> contact = given.contact(given.U, P);
-  return correct_pressure(Solved<2>(given.discretization, given.scene, contact));
+  const ContactSolution contact = given.contact(given.U, P);
+  return correct_by_finer_patches(Solved<2>(given.discretization, given.scene, contact),
+                                  given.operators());
 }
 
 /** b.v for a function of V^h that is zero on the supports. */

@@ -23,23 +23,23 @@ struct SolvedLevel : public OneLevel {
     return recover_displacement(*inverse, space(), discretization.condensed_D, pressure, system.f);
   }
 
-  /** Returns contact as a method hands it on, with another U and P. The level must outlive it. */
-  Signorini::ContactSolution<2> contact(const Signorini::Displacement &displacement,
-                                        const Signorini::Pressure &pressure) const {
-    Signorini::ContactSolution<2> contact;
+  /** Returns contact as a method hands it on, with another U and P. */
+  Signorini::ContactSolution contact(const Signorini::Displacement &displacement,
+                                     const Signorini::Pressure &pressure) const {
+    Signorini::ContactSolution contact;
     contact.U = displacement;
     contact.P = pressure;
     contact.W = discretization.gap_residual(displacement);
+    contact.C_P = C->apply(pressure);
     contact.diagonal_P = C->diagonal_times(pressure);
-    contact.inverse = inverse;
-    // Lives as long as the level.
-    contact.system = {std::shared_ptr<void>(), &system};
-    contact.dual.emplace();
-    contact.dual->free = free;
-    contact.dual->F = free.F;
-    contact.dual->C_P = C->apply(pressure);
-    contact.dual->C = C;
+    contact.data = Signorini::DualData{free, free.F, {}};
     return contact;
+  }
+  Signorini::LevelOperators<2> operators() const {
+    Signorini::LevelOperators<2> operators;
+    operators.inverse = inverse;
+    operators.C = C;
+    return operators;
   }
 
   Signorini::LinearSystem<2> system;

@@ -31,7 +31,7 @@ std::string block(const LoadCase &load_case) {
 }
 
 CaseSolver make_solver(const OneLevel &level, const LevelSolution<2> &solution) {
-  return CaseSolver(level.discretization, level.scene, solution.contact, {});
+  return CaseSolver(level.discretization, level.scene, *solution.operators, {});
 }
 
 void compare(Checks &checks, const std::string &name, const std::string &foundation,
@@ -44,9 +44,9 @@ void compare(Checks &checks, const std::string &name, const std::string &foundat
     const std::string at = name + ", case " + std::to_string(i + 1);
     const CaseResult result = solver.solve(cases[i]);
     const LevelSolution<2> own = OneLevel(block(cases[i]) + foundation, 4).solve();
-    checks.near(at + ": P", distance(solver.multiplier().normal(), own.contact.P.normal()), 0.,
+    checks.near(at + ": P", distance(solver.contact().P.normal(), own.contact.P.normal()), 0.,
                 1e-9);
-    checks.near(at + ": U", relative_distance(solver.displacement(), own.contact.U), 0., 1e-9);
+    checks.near(at + ": U", relative_distance(solver.contact().U, own.contact.U), 0., 1e-9);
     const PlateMotion motion = own.record.motions.plates.at(0).motion;
     const auto &force = own.record.answer.contact_force.resultant.force;
     const auto &peak = own.record.answer.peak_pressure;

@@ -24,11 +24,15 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
                                const Discretization<dim> &discretization, const ContactStart &start,
                                const Progress &progress);
 
-/** Adds the bound of the error, where it is wanted, and releases what nothing needs later.
- * Collective. */
+/** Adds the bound of the error of a 2-D body, or says why there is none, and what is known about
+ * other solutions with Coulomb's friction. Collective. */
 template <int dim>
-void finish_level(const LevelProblem<dim> &problem, const Discretization<dim> &discretization,
-                  bool wants_bound, const Progress &progress, LevelSolution<dim> &solution);
+void add_bound(const Parameters &parameters, const Discretization<dim> &discretization,
+               const Progress &progress, LevelSolution<dim> &solution);
+
+/** Releases the operators, which take most of the memory, unless load cases or files need them. */
+template <int dim>
+void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &solution);
 
 /** A callback that adds numbers to the record of a solved level which its solution alone does not
  * give, such as errors against an exact solution. Collective. */

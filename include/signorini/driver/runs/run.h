@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/base/progress.h>
 #include <signorini/driver/study/known_solutions.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/results/output/files.h>

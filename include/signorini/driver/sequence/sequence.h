@@ -65,8 +65,7 @@ using CaseFields = std::function<void(unsigned int, const Solved<2> &)>;
 
 /**
  * Solves the load cases of the scene on a level that is solved, on the last level with estimates of
- * their errors, and adds the summary to the record. The factors of the level are released.
- * Collective.
+ * their errors, and adds the summary to the record. Collective.
  * @param use_fields is called on the last level for each case whose fields are wanted, as soon as
  * it is solved.
  */

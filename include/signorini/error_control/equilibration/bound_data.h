@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/discretization/space/internal_forces.h>
-#include <signorini/solvers/methods/solved.h>
+#include <signorini/postprocessing/fields/energies.h>
 
 namespace Signorini {
-/** The data of the bound: a solved level, and its energies. Everything must outlive it. */
+/** The data of the bound: a solved level, A⁻¹, its energies and the size of u_h. Everything must
+ * outlive it. */
 struct BoundData : Solved<2> {
-  BoundData(const Solved<2> &solved, const double energy, const EnergyScale &scale)
+  BoundData(const Solved<2> &solved, const StiffnessInverse &inverse, const Energies &energies,
+            const EnergyScale &scale)
     : Solved<2>(solved)
-    , energy(energy)
+    , inverse(inverse)
+    , energies(energies)
     , scale(scale)
-    , inverse(*solved.contact.inverse)
     , condensed_D(solved.discretization.condensed_D) {}
 
-  /** The energy J(u_h) = a(u_h, u_h)/2 - f(u_h) (force x length per thickness). */
-  double energy;
-  EnergyScale scale;
   const StiffnessInverse &inverse;
+  const Energies &energies;
+  EnergyScale scale;
   const Coupling &condensed_D;
 
   bool has_friction() const {

@@ -5,7 +5,7 @@
 #include <signorini/discretization/mesh/mesh.h>
 #include <signorini/discretization/space/linear_system.h>
 #include <signorini/discretization/space/multiplier_space.h>
-#include <signorini/postprocessing/fields/nodal_forces.h>
+#include <signorini/postprocessing/fields/energies.h>
 #include <signorini/problem/scene/material.h>
 #include <signorini/solvers/methods/solved.h>
 
@@ -62,10 +62,11 @@ struct Certificate {
 /**
  * Computes the certificate from the cells' integrals, without the assembled and factorised A.
  * Collective.
- * @param forces of U and P, see nodal_forces().
+ * @param applied LinearSystem::applied. @param forces of U and P, see nodal_forces().
  */
 template <int dim>
-Certificate certify(const Solved<dim> &solved, const NodalForces &forces);
+Certificate certify(const Solved<dim> &solved, const std::vector<Resultant<dim>> &applied,
+                    const NodalForces &forces, const Energies &energies);
 
 /**
  * Returns the locking number K/μ (h/l)² with the largest ratio of bulk to shear modulus K =

@@ -26,6 +26,11 @@ struct NodalForces {
   /** The size |A| |U| of the terms that make up the internal forces. */
   double magnitude = 0.;
 
+  /** The energy a(u_h, u_h)/2, without the translation of the whole body: that has no strain
+   * energy, but its product with rounding of forces may be large. */
+  double strain_energy = 0.;
+  /** The largest displacement, relative to the largest without this translation. */
+  double translation = 1.;
   /** The size of u_h; where it is rigid, all forces are rounding. */
   EnergyScale energy;
 

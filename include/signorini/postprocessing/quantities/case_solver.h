@@ -2,12 +2,15 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/space/discretization.h>
 #include <signorini/discretization/space/resultant.h>
 #include <signorini/postprocessing/quantities/friction.h>
 #include <signorini/postprocessing/quantities/probe_report.h>
 #include <signorini/postprocessing/quantities/side_forces.h>
 #include <signorini/problem/scene/scene.h>
-#include <signorini/solvers/methods/contact_method.h>
+#include <signorini/solvers/contact/dual_solver.h>
+#include <signorini/solvers/methods/contact_solution.h>
+#include <signorini/solvers/methods/level_operators.h>
 
 #include <memory>
 #include <optional>
@@ -67,11 +70,11 @@ class CaseSolver {
 public:
   /**
    * Solves once for each kind of load that the scene has. Collective.
-   * @param scene, discretization, contact the solved level; they must outlive the object.
+   * @param discretization, scene, operators those of the level; they must outlive the object.
    * @param are_steps whether each case goes on from the slip of the one before.
    */
   CaseSolver(const Discretization<2> &discretization, const Scene<2> &scene,
-             const ContactSolution<2> &contact, const DualSolverOptions &options,
+             const LevelOperators<2> &operators, const DualSolverOptions &options,
              bool are_steps = false);
   CaseSolver(const CaseSolver &) = delete;
   CaseSolver &operator=(const CaseSolver &) = delete;
@@ -79,16 +82,10 @@ public:
   /** Solves a case. Collective. */
   CaseResult solve(const LoadCase &load_case);
 
-  /** Returns P of the last case. */
-  const Multiplier &multiplier() const {
-    return P_;
-  }
-  /** Returns U of the last case by one more solve. Collective. */
-  Displacement displacement() const;
+  /** Returns U, P and q of the last case, U by one more solve. Collective. */
+  ContactSolution contact() const;
   /** Returns the reactions of the last case, whose displacement is given. */
   std::vector<std::pair<std::string, double>> reactions(const Displacement &U) const;
-  /** Returns the report of the last case, whose displacement is given. Collective. */
-  std::vector<ProbeReport> report(const Displacement &U) const;
 
 private:
   /** The response to one kind of load. */
@@ -121,16 +118,13 @@ private:
 
   const Discretization<2> &discretization_;
   const Scene<2> &scene_;
-  const ContactSolution<2> &contact_;
+  const LevelOperators<2> &operators_;
   DualSolverOptions options_;
   bool are_steps_;
-  std::shared_ptr<const ComplianceOperator> C_;
   FullMatrix<double> B_;
   dealii::Vector<double> G_;
   std::vector<LoadResponse> responses_;
   ReactionFunctionals reactions_;
-  /** The singular edges, for reports. */
-  std::vector<SingularEdge<2>> singular_edges_;
   LoadCase last_;
   Multiplier P_;
   dealii::Vector<double> q_;

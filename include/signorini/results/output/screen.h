@@ -4,7 +4,7 @@
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/results/verdict/judge.h>
-#include <signorini/solvers/methods/contact_method.h>
+#include <signorini/solvers/methods/solver_choice.h>
 
 #include <ostream>
 #include <vector>

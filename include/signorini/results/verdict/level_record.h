@@ -12,7 +12,7 @@
 #include <signorini/problem/parameters/options.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/results/verdict/exact_errors.h>
-#include <signorini/solvers/methods/contact_method.h>
+#include <signorini/solvers/methods/contact_solution.h>
 
 #include <optional>
 #include <string>

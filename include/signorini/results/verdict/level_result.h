@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/discretization/space/discretization.h>
-#include <signorini/discretization/space/internal_forces.h>
+#include <signorini/postprocessing/fields/energies.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
 #include <signorini/results/verdict/level_record.h>
+#include <signorini/solvers/methods/level_operators.h>
 #include <signorini/solvers/methods/solved.h>
 
 #include <memory>
@@ -14,14 +14,22 @@ namespace Signorini {
 /** The solution of one level with its record. */
 template <int dim>
 struct LevelSolution {
-  ContactSolution<dim> contact;
+  ContactSolution contact;
+  /** The operators of the level, as long as it, its load cases or its files need them. */
+  std::shared_ptr<const LevelOperators<dim>> operators;
   LevelRecord record;
-  /** The size of u_h. */
-  EnergyScale energy;
+  /** The size of u_h, and its energies. */
+  EnergyScale scale;
+  Energies energies;
   /** The parts of the bound; empty if record.bound is empty. */
   BoundFields bound_fields;
   /** The scene after the motion of its plates. */
   Scene<dim> scene;
+
+  /** Returns the level as others read it; the discretization and this object must outlive that. */
+  Solved<dim> on(const Discretization<dim> &discretization) const {
+    return {discretization, scene, contact};
+  }
 };
 
 /** The result of a sequence for one of its meshes. The driver writes it, and releases it before the
@@ -37,7 +45,7 @@ struct LevelResult {
 
   /** Returns the level as others read it; the result must outlive that. */
   Solved<dim> solved() const {
-    return {*discretization, solution.scene, solution.contact};
+    return solution.on(*discretization);
   }
   PatchPressure<dim> pressure() const {
     return {discretization->surface.patches(), solution.contact.P.normal()};

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The choice of the method that finds contact.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/discretization/mesh/mesh.h>
+#include <signorini/solvers/methods/solver_choice.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace Signorini {
+namespace {
+/** Returns whether the coarse mesh has many inner vertices at which not four cells meet, like one
+ * of split triangles. */
+bool is_irregular(const Geometry<2> &geometry) {
+  constexpr int many = 50;
+  Triangulation<2> mesh;
+  geometry.make_coarse_mesh(mesh);
+  // Vertices of the boundary have fewer cells.
+  std::vector<unsigned int> n_cells(mesh.n_vertices(), 0);
+  for (const auto &cell : mesh.active_cell_iterators())
+    for (const unsigned int v : cell->vertex_indices())
+      ++n_cells[cell->vertex_index(v)];
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary())
+      for (const unsigned int v : face->vertex_indices())
+        n_cells[face->vertex_index(v)] = 4;
+  return std::count_if(n_cells.begin(), n_cells.end(),
+                       [](const unsigned int n) { return n != 4; }) > many;
+}
+
+/** Returns whether V-cycles are faster than a factorisation. On irregular meshes contact takes up
+ * to eight times as many of them: there they save memory only. */
+template <int dim>
+bool cycles_are_faster(const Geometry<dim> &geometry, const double n_unknowns) {
+  constexpr double fewest = dim == 2 ? 1e5 : 5e3;
+  if constexpr (dim == 2)
+    return n_unknowns >= 20. * fewest || (n_unknowns >= fewest && !is_irregular(geometry));
+  return n_unknowns >= fewest;
+}
+
+/** Returns whether V-cycles find contact in few steps, whatever the number of unknowns. Their
+ * models of C are plane, or in space. */
+template <int dim>
+bool may_iterate(const Parameters &parameters, const Scene<dim> &scene) {
+  const DiscretizationParameters &discretization = parameters.discretization;
+  const bool solver_fits = parameters.solver.linear_solver == LinearSolver::automatic ||
+                           parameters.solver.linear_solver == LinearSolver::multigrid;
+  return solver_fits && discretization.strategy != Strategy::hp &&
+         discretization.element == Element::q1 && discretization.patch_ratio > 1 &&
+         n_given_patches(scene) == 0 && !parameters.output.compliance && scene.load_cases.empty() &&
+         scene.plates.empty() && !scene.is_held_by_contact && scene.friction == Friction::none &&
+         !scene.geometry.axisymmetric;
+}
+} // namespace
+
+template <int dim>
+unsigned int n_given_patches(const Scene<dim> &scene) {
+  const std::vector<unsigned int> patches = scene.given_patches();
+  return std::accumulate(patches.begin(), patches.end(), 0U);
+}
+
+template <int dim>
+SolverChoice choose_solvers(const Parameters &parameters, const Scene<dim> &scene,
+                            const unsigned int level) {
+  const SolverParameters &solver = parameters.solver;
+  SolverChoice choice = {solver.contact_solver, solver.linear_solver};
+  const double n_unknowns = dim * scene.geometry.n_coarse_cells * std::pow(2., double(dim) * level);
+  if (choice.contact == ContactSolver::automatic)
+    choice.contact =
+      may_iterate(parameters, scene) && (solver.linear_solver == LinearSolver::multigrid ||
+                                         cycles_are_faster(scene.geometry, n_unknowns))
+        ? ContactSolver::multigrid
+        : ContactSolver::active_set;
+  if (choice.is_by_cycles())
+    choice.linear = LinearSolver::multigrid;
+  return choice;
+}
+
+template <int dim>
+bool is_shared(const Parameters &parameters, const Scene<dim> &scene, const SolverChoice &solvers,
+               const unsigned int level, const unsigned int n_ranks) {
+  const bool scene_fits =
+    scene.friction == Friction::none && scene.load_cases.empty() && scene.plates.empty() &&
+    !scene.is_held_by_contact && scene.geometry.n_bodies() == 1 && !scene.has_pairs() &&
+    scene.geometry.distortion == 0. && !parameters.output.compliance && !parameters.output.lemmas;
+  // The bound needs the whole body.
+  const bool has_bound = dim == 2 && parameters.output.bound != WantedBound::none;
+  const bool solver_fits = solvers.is_matrix_free() || solvers.linear == LinearSolver::amesos_mumps;
+  // Below its root a subtree has at least 4^dim cells.
+  constexpr unsigned int min_depth = 2;
+  return n_ranks > 1 && scene_fits && solver_fits && !has_bound &&
+         level >= min_depth + level_of_subtrees(scene.geometry.n_coarse_cells, dim, n_ranks);
+}
+
+INSTANTIATE_FUNCTION(n_given_patches);
+INSTANTIATE_FUNCTION(choose_solvers);
+INSTANTIATE_FUNCTION(is_shared);
+} // namespace Signorini
