@@ -32,7 +32,7 @@ struct SolvedLevel : public OneLevel {
     contact.W = discretization.gap_residual(displacement);
     contact.C_P = C->apply(pressure);
     contact.diagonal_P = C->diagonal_times(pressure);
-    contact.data = Signorini::DualData{free, free.F, {}};
+    contact.data = Signorini::DualData{free, free.F, Signorini::FreeMotions()};
     return contact;
   }
   Signorini::LevelOperators<2> operators() const {
