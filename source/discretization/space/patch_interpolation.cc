@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // π^{2h} of (30), and interpolations of higher degree on larger patches.
 
-#include <signorini/base/instantiate.h>
 #include <signorini/discretization/space/patch_interpolation.h>
 
 #include <deal.II/base/polynomial.h>
@@ -174,43 +173,6 @@ const FieldValues<dim> &PatchInterpolation<dim>::evaluate(const CellIterator &ce
   return result_;
 }
 
-// A displacement carried over to the next level.
-
-template <int dim>
-Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement &U,
-                        const DisplacementSpace<dim> &fine) {
-  const unsigned int level = coarse.mesh().level();
-  if (fine.mesh().level() != level + 1)
-    return {};
-  // The vertices of a cell and the middles between them, lexicographically.
-  const QIterated<dim> nodes(QTrapezoid<1>(), 2);
-  PatchInterpolation<dim> interpolation(coarse, U, nodes, coarse.mesh().has_parents() ? 1 : 0);
-  Displacement carried = fine.zero();
-  for (const auto &parent : fine.dofs().cell_iterators_on_level(level)) {
-    if (parent->is_active() || !parent->child(0)->is_locally_owned())
-      continue;
-    // A rank that owns the children has the parent on the coarse mesh, too.
-    const auto of_coarse = coarse.mesh().cell_at(identity_of(*parent));
-    const typename DoFHandler<dim>::active_cell_iterator cell(
-      &coarse.mesh().triangulation(), of_coarse->level(), of_coarse->index(), &coarse.dofs());
-    if (parent->vertex(0).distance(cell->vertex(0)) > 1e-10 * fine.mesh().size())
-      return {};
-    const std::vector<Tensor<1, dim>> &values = interpolation.on_reference_cell(cell).values;
-    for (unsigned int c = 0; c < parent->n_children(); ++c)
-      for (const unsigned int v : parent->vertex_indices()) {
-        std::array<unsigned int, dim> position = digits<dim>(c, 2);
-        for (unsigned int d = 0; d < dim; ++d)
-          position[d] += digits<dim>(v, 2)[d];
-        for (unsigned int d = 0; d < dim; ++d)
-          carried[parent->child(c)->vertex_dof_index(v, d)] =
-            values[lexicographic<dim>(position, 3)][d];
-      }
-  }
-  carried.update_ghost_values();
-  return carried;
-}
-
 template class PatchInterpolation<2>;
 template class PatchInterpolation<3>;
-INSTANTIATE_FUNCTION(carry_over);
 } // namespace Signorini

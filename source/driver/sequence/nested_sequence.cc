@@ -3,7 +3,6 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/space/patch_interpolation.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>

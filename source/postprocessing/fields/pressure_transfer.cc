@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A pressure carried over to the patches or the nodes of another mesh.
+// A pressure carried over to the patches or the nodes of another mesh, and a displacement to the
+// next level.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/discretization/space/patch_interpolation.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
+
+#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 
@@ -71,6 +75,42 @@ Pressure transfer_pressure(const MultiplierSpace<2> &from, const Pressure &P,
   return transferred;
 }
 
+// A displacement carried over to the next level.
+
+template <int dim>
+Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement &U,
+                        const DisplacementSpace<dim> &fine) {
+  const unsigned int level = coarse.mesh().level();
+  if (fine.mesh().level() != level + 1)
+    return {};
+  // The vertices of a cell and the middles between them, lexicographically.
+  const QIterated<dim> nodes(QTrapezoid<1>(), 2);
+  PatchInterpolation<dim> interpolation(coarse, U, nodes, coarse.mesh().has_parents() ? 1 : 0);
+  Displacement carried = fine.zero();
+  for (const auto &parent : fine.dofs().cell_iterators_on_level(level)) {
+    if (parent->is_active() || !parent->child(0)->is_locally_owned())
+      continue;
+    // A rank that owns the children has the parent on the coarse mesh, too.
+    const auto of_coarse = coarse.mesh().cell_at(identity_of(*parent));
+    const typename DoFHandler<dim>::active_cell_iterator cell(
+      &coarse.mesh().triangulation(), of_coarse->level(), of_coarse->index(), &coarse.dofs());
+    if (parent->vertex(0).distance(cell->vertex(0)) > 1e-10 * fine.mesh().size())
+      return {};
+    const std::vector<Tensor<1, dim>> &values = interpolation.on_reference_cell(cell).values;
+    for (unsigned int c = 0; c < parent->n_children(); ++c)
+      for (const unsigned int v : parent->vertex_indices()) {
+        unsigned int node = 0;
+        for (unsigned int d = dim; d > 0; --d)
+          node = 3 * node + ((c >> (d - 1)) & 1U) + ((v >> (d - 1)) & 1U);
+        for (unsigned int d = 0; d < dim; ++d)
+          carried[parent->child(c)->vertex_dof_index(v, d)] = values[node][d];
+      }
+  }
+  carried.update_ghost_values();
+  return carried;
+}
+
+INSTANTIATE_FUNCTION(carry_over);
 template Pressure transfer_pressure(const PatchPressure<2> &, const std::vector<Patch<2>> &);
 template Pressure transfer_pressure(const PatchPressure<3> &, const std::vector<Patch<3>> &);
 } // namespace Signorini

@@ -96,11 +96,4 @@ private:
   dealii::Vector<double> on_cell_;
   FieldValues<dim> result_;
 };
-
-/** Returns pi^{2h} u_h of (30), where T^{2h} exists, else u_h, at the nodes of the next level,
- * which is refined everywhere: a start for V-cycles. Elements of degree one. Empty if @p fine is
- * not that level. */
-template <int dim>
-Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement &U,
-                        const DisplacementSpace<dim> &fine);
 } // namespace Signorini

@@ -26,4 +26,11 @@ Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Pat
  * ends of an interval, as a start for an active set. */
 Pressure transfer_pressure(const MultiplierSpace<2> &from, const Pressure &P,
                            const MultiplierSpace<2> &to, const Interval &allowed = {});
+
+/** Returns pi^{2h} u_h of (30), where T^{2h} exists, else u_h, at the nodes of the next level,
+ * which is refined everywhere: a start for V-cycles. Elements of degree one. Empty if @p fine is
+ * not that level. */
+template <int dim>
+Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement &U,
+                        const DisplacementSpace<dim> &fine);
 } // namespace Signorini
