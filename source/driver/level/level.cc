@@ -118,8 +118,8 @@ void add_certificate_and_answer(const Solved<dim> &solved, LevelSolution<dim> &s
   record.answer = compute_answer<dim>(solved, forces);
 }
 
-/** Computes what follows from U and P: the certificate, the answer and the estimate of the error, as
- * far as they are wanted. Collective. */
+/** Computes what follows from U and P: the certificate, the answer and the estimate of the error,
+ * as far as they are wanted. Collective. */
 template <int dim>
 void examine(const Parameters &parameters, const Solved<dim> &solved, const Progress &progress,
              LevelSolution<dim> &solution) {
