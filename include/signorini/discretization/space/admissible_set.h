@@ -114,6 +114,12 @@ public:
   double length(const unsigned int i, const Vector &P) const {
     return is_disc(i) ? std::hypot(P[i], P[i + n_discs_]) : P[i];
   }
+  /** Takes the mean of a positive vector over each block, so that P and P - W/c lie on one ray
+   * where they should. */
+  void average(Vector &c) const {
+    for (unsigned int i = n_blocks() - n_discs_; i < n_blocks(); ++i)
+      c[i] = c[i + n_discs_] = 0.5 * (c[i] + c[i + n_discs_]);
+  }
   /** Returns the admissible number that is closest to p, for a block of one unknown. */
   double project(const unsigned int i, const double p) const {
     return std::max(intervals_[i].lower, std::min(intervals_[i].upper, p));
