@@ -19,11 +19,11 @@ using Vector = dealii::Vector<double>;
 /** Returns P - W/diag C. @param solved the states for which x is the solution, so that W vanishes
  * on active unknowns; may be empty. */
 Vector predict(const BoundConstrainedQP &qp, const States &solved, const Iterate &x) {
-  const Vector step = qp.step(x.P, qp.gradient(x.P, x.z));
+  const Vector W = qp.gradient(x.P, x.z);
   Vector a(x.P);
   for (unsigned int i = 0; i < qp.size(); ++i)
     if (solved.empty() || solved[i] != State::inside)
-      a[i] -= step[i];
+      a[i] -= W[i] / qp.diagonal[i];
   return a;
 }
 
@@ -46,7 +46,7 @@ bool step_to_first_end(const BoundConstrainedQP &qp, const Vector &wanted, Vecto
     size = std::max(size, std::abs(b));
   for (unsigned int i = 0; i < P.size(); ++i)
     if (states[i] == State::inside)
-      size = std::max({size, std::abs(wanted[i]), std::abs(qp.F[i]) / qp.diagonal(i)});
+      size = std::max({size, std::abs(wanted[i]), std::abs(qp.F[i]) / qp.diagonal[i]});
   const double rounding = 1e-13 * size;
   double part = 1.;
   unsigned int leaving = P.size();
@@ -78,8 +78,8 @@ bool join_deepest(const BoundConstrainedQP &qp, const Iterate &x, States &states
   for (unsigned int i = 0; i < qp.size(); ++i) {
     const double inward = std::abs(qp.K.inward(i, x.P[i], W[i]));
     if (states[i] != State::inside && inward > 1e-13 * largest &&
-        inward > deepest * qp.diagonal(i)) {
-      deepest = inward / qp.diagonal(i);
+        inward > deepest * qp.diagonal[i]) {
+      deepest = inward / qp.diagonal[i];
       joining = i;
     }
   }
@@ -182,29 +182,6 @@ BoundConstrainedQP held_by_springs(const BoundConstrainedQP &qp, const Vector &z
   return held;
 }
 
-/** Returns the states that the search begins with: those of the start, without one contact and
- * stick everywhere. Where columns of C cost linear solves it needs few: the patches that press in
- * the start or in Balances::P, and their neighbours, because ends of contact move by a patch or so;
- * where nothing presses, those with F < 0. */
-States first_states(const BoundConstrainedQP &qp, const Vector &start) {
-  const bool needs_few = !qp.C->is_explicit() && qp.K.is_nonpositive();
-  if (!needs_few)
-    return start.size() == 0 ? States(qp.size(), State::inside) : states_of(qp.K.at(start), start);
-  const auto presses = [&](const unsigned int i) {
-    return i < qp.size() && ((start.size() > 0 && start[i] < 0.) ||
-                             (qp.balances.size() > 0 && qp.balances.P[i] < 0.));
-  };
-  States states(qp.size(), State::upper);
-  for (unsigned int i = 0; i < qp.size(); ++i)
-    if (presses(i) || presses(i + 1) || (i > 0 && presses(i - 1)))
-      states[i] = State::inside;
-  if (states == States(qp.size(), State::upper))
-    for (unsigned int i = 0; i < qp.size(); ++i)
-      if (qp.F[i] < 0.)
-        states[i] = State::inside;
-  return states;
-}
-
 /** Searches the set by Newton's method, and where a set comes back by a primal method, whose energy
  * falls in every step. */
 class ActiveSetSearch {
@@ -214,7 +191,8 @@ public:
     : qp_(qp)
     , options_(options)
     , moves_(qp.balances.size() > 0)
-    , states_(first_states(qp, start)) {}
+    , states_(start.size() == 0 ? States(qp.size(), State::inside)
+                                : states_of(qp.K.at(start), start)) {}
 
   QPResult run() {
     const unsigned int max_solves = std::min(options_.maximum_iterations, 20 * qp_.size() + 100);
@@ -247,7 +225,7 @@ private:
   double residual_of(const Iterate &of) const {
     Vector projected = of.P;
     qp_.K.at(projected).project(projected);
-    return qp_.kkt_residual(projected, of.z, qp_.gradient(projected, of.z));
+    return qp_.kkt_residual(projected, of.z, qp_.gradient(projected, of.z), false);
   }
 
   void take_newton_step(const Iterate &wanted) {

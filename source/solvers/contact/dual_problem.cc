@@ -58,11 +58,6 @@ Vector DenseCompliance::diagonal() const {
   return diagonal;
 }
 
-double DenseCompliance::diagonal(const unsigned int k) const {
-  require({k});
-  return C_(k, k);
-}
-
 Vector DenseCompliance::diagonal_times(const Vector &P) const {
   require(nonzeros(P));
   Vector product(P);
@@ -81,11 +76,7 @@ Matrix DenseCompliance::columns(const Indices &numbers) const {
 }
 
 const Matrix &DenseCompliance::dense() const {
-  return dense(all_indices(size()));
-}
-
-const Matrix &DenseCompliance::dense(const Indices &numbers) const {
-  require(numbers);
+  require(all_indices(size()));
   return C_;
 }
 
@@ -115,35 +106,22 @@ LAPACKFullMatrix<double> cholesky(const Matrix &C, const double rounding) {
 BoundConstrainedQP::BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C_, Vector F_,
                                        AdmissibleSet K_, Balances balances_)
   : C(std::move(C_))
+  , diagonal(C->diagonal())
   , F(std::move(F_))
   , K(std::move(K_))
   , balances(std::move(balances_)) {
   AssertDimension(C->size(), F.size());
   AssertDimension(K.size(), F.size());
-  for (unsigned int i = 0; i < size() && C->is_explicit(); ++i)
-    if (!(C->diagonal(i) > 0.))
+  for (unsigned int i = 0; i < size(); ++i)
+    if (!(diagonal[i] > 0.))
       throw std::invalid_argument("C has a diagonal entry that is not positive: row " +
                                   std::to_string(i) + ".");
+  K.average(diagonal);
 }
 
 BoundConstrainedQP::BoundConstrainedQP(Matrix C_, const Vector &F_, Balances balances_)
   : BoundConstrainedQP(std::make_shared<const DenseCompliance>(std::move(C_)), F_,
                        AdmissibleSet::nonpositive(F_.size()), std::move(balances_)) {}
-
-double BoundConstrainedQP::diagonal(const unsigned int i) const {
-  const unsigned int n_discs = K.n_discs(), first = i < K.n_blocks() ? i : i - n_discs;
-  return n_discs > 0 && K.is_disc(first) ? 0.5 * (C->diagonal(first) + C->diagonal(first + n_discs))
-                                         : C->diagonal(i);
-}
-
-Vector BoundConstrainedQP::step(const Vector &P, const Vector &W) const {
-  Vector step(W);
-  for (unsigned int i = 0; i < size(); ++i) {
-    const bool stays_open = i < K.n_normal() && P[i] >= K[i].upper && W[i] <= 0.;
-    step[i] = stays_open ? 0. : W[i] / diagonal(i);
-  }
-  return step;
-}
 
 Vector BoundConstrainedQP::gradient(const Vector &P, const Vector &z) const {
   Vector W = C->apply(P);
@@ -169,8 +147,12 @@ double BoundConstrainedQP::energy(const Vector &P) const {
   return size() > 0 ? 0.5 * (P * gradient(P)) - 0.5 * (P * F) : 0.;
 }
 
-double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const Vector &W) const {
-  const Vector rest = K.at(P).residual(P, step(P, W));
+double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const Vector &W,
+                                        const bool all_gaps) const {
+  Vector step(W);
+  for (unsigned int i = 0; i < size(); ++i)
+    step[i] /= diagonal[i];
+  const Vector rest = K.at(P).residual(P, step);
   double residual = 0., size_of_P = 0., size_of_F = 0., size_of_b = 0.;
   for (const double r : imbalance(P, z))
     residual += r * r;
@@ -180,8 +162,8 @@ double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const 
     const double r = rest[i];
     residual += r * r;
     size_of_P += P[i] * P[i];
-    if (P[i] != 0. || r != 0.)
-      size_of_F += std::pow(F[i] / diagonal(i), 2);
+    if (all_gaps || P[i] != 0. || r != 0.)
+      size_of_F += F[i] * F[i] / (diagonal[i] * diagonal[i]);
   }
   const double scale = std::max({size_of_P, size_of_F, size_of_b});
   return scale > 0. ? std::sqrt(residual / scale) : std::sqrt(residual);
@@ -201,7 +183,7 @@ bool BoundConstrainedQP::has_unique_solution(const Vector &P, const Vector &z) c
       touching.push_back(i);
   // Q with C Q = 0 and Bᵀ Q = 0 is one with (C + s B Bᵀ) Q = 0.
   Matrix C_TT = submatrix(*C, touching);
-  const double s = touching.empty() ? 0. : C_TT.trace();
+  const double s = C_TT.m() * diagonal.linfty_norm();
   for (unsigned int i = 0; i < C_TT.m(); ++i)
     for (unsigned int j = 0; j < C_TT.m(); ++j)
       for (unsigned int l = 0; l < balances.size(); ++l)

@@ -129,7 +129,7 @@ FullMatrix<double> proximal_stiffness(const BoundConstrainedQP &qp, const Vector
     if (K.is_inside(i, P[i]))
       A.push_back(i);
     for (unsigned int j = 0; j < qp.balances.size(); ++j)
-      typical += std::pow(qp.balances.B(i, j), 2) / qp.diagonal(i);
+      typical += std::pow(qp.balances.B(i, j), 2) / qp.diagonal[i];
   }
   FullMatrix<double> E(qp.balances.size(), qp.balances.size());
   if (!A.empty())

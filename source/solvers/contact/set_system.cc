@@ -53,7 +53,7 @@ struct ActiveSet {
         if (!(s > 0.))
           continue;
         e = {{i, a[i] / size}, {second, a[second] / size}};
-        add({{i, -e[1].second}, {second, e[0].second}}, (size / s - 1.) * qp.diagonal(i));
+        add({{i, -e[1].second}, {second, e[0].second}}, (size / s - 1.) * qp.diagonal[i]);
       }
       for (const auto &[unknown, component] : e) {
         P_0[unknown] = end * component;
@@ -73,14 +73,6 @@ struct ActiveSet {
       for (const auto &[unknown, component] : trial[j])
         P[unknown] += component * y[j];
     return P;
-  }
-  /** Returns the unknowns that trial directions change. */
-  Indices changed() const {
-    Indices numbers;
-    for (const Direction &direction : trial)
-      for (const auto &[unknown, component] : direction)
-        numbers.push_back(unknown);
-    return numbers;
   }
   /** Returns the numbers of the unknowns that bounds follow. */
   Indices followed() const {
@@ -207,7 +199,7 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states, const V
   if (set.size() == 0 && n == 0)
     return x;
   const bool follows = !set.followed().empty();
-  const FullMatrix<double> matrix = set.matrix(qp.C->dense(set.changed()), set.trial);
+  const FullMatrix<double> matrix = set.matrix(qp.C->dense(), set.trial);
   const LAPACKFullMatrix<double> factor = follows ? lu(matrix) : cholesky(matrix, qp.rounding());
   const MotionResistance resistance(qp.balances.K, rows_of(qp.balances.B, set.test),
                                     rows_of(qp.balances.B, set.trial), factor);

@@ -27,9 +27,8 @@ public:
     F_ = {qp.F, Vector(qp.size())};
     b_ = {qp.balances.b, Vector(qp.balances.size())};
     // Gaps of different sizes, so that no two patches close at once.
-    const double largest = qp.C->diagonal().linfty_norm();
     for (unsigned int i = 0; i < n_patches_; ++i)
-      F_[1][i] = qp.F.linfty_norm() * std::sqrt(qp.diagonal(i) / largest) *
+      F_[1][i] = qp.F.linfty_norm() * std::sqrt(qp.diagonal[i] / qp.diagonal.linfty_norm()) *
                  (1. + 0.5 * std::sin(1. + i * i));
     spring_ = weak_spring(qp);
   }
@@ -222,7 +221,7 @@ double weak_spring(const BoundConstrainedQP &qp) {
   double stiffness = 0.;
   for (unsigned int i = 0; i < qp.size(); ++i)
     for (unsigned int j = 0; j < qp.balances.size(); ++j)
-      stiffness += weak * std::pow(qp.balances.B(i, j), 2) / qp.diagonal(i);
+      stiffness += weak * std::pow(qp.balances.B(i, j), 2) / qp.diagonal[i];
   return stiffness;
 }
 

@@ -79,7 +79,7 @@ void check_sweeps(Checks &checks, const BoundConstrainedQP &qp) {
       rise += qp.energy(P);
       step -= P;
       for (unsigned int i = 0; i < P.size(); ++i)
-        rise += (1. / relaxation - 0.5) * qp.diagonal(i) * step[i] * step[i];
+        rise += (1. / relaxation - 0.5) * qp.diagonal[i] * step[i] * step[i];
       checks.that("a sweep lowers the objective", rise <= 1e-13 * std::abs(P * qp.F));
     }
   }

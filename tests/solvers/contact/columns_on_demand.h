@@ -16,8 +16,6 @@ public:
   Vector diagonal() const override {
     throw std::logic_error("the whole diagonal costs all columns");
   }
-  using DenseCompliance::dense;
-  using DenseCompliance::diagonal;
   const Matrix &dense() const override {
     throw std::logic_error("all of C costs all columns");
   }

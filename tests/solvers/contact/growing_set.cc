@@ -113,13 +113,12 @@ int main() {
               k % 2 == 0 ? Vector() : random.vector(m));
     }
 
-    const auto columns = std::make_shared<const ColumnsOnDemand>(C);
+    const ColumnsOnDemand columns(C);
     Vector open(m);
     open = 1.;
-    const QPResult nothing =
-      by_active_set({columns, open, AdmissibleSet::nonpositive(m)}, Vector());
+    const QPResult nothing = solve_on_growing_set(columns, open, Vector(), by_active_set);
     checks.that("nothing touches: no column",
-                columns->asked().empty() && nothing.P.linfty_norm() == 0.);
+                columns.asked().empty() && nothing.P.linfty_norm() == 0.);
     choice(checks, C, F);
   }});
 }

@@ -116,7 +116,7 @@ bool plain_method_cycles(const BoundConstrainedQP &qp, unsigned int set) {
     const Vector P = solve_on(qp, set), W = qp.gradient(P);
     unsigned int next = 0;
     for (unsigned int i = 0; i < qp.size(); ++i)
-      if (P[i] - W[i] / qp.diagonal(i) < qp.K[i].upper - 1e-12)
+      if (P[i] - W[i] / qp.diagonal[i] < qp.K[i].upper - 1e-12)
         next |= 1U << i;
     if (next == set)
       return false;

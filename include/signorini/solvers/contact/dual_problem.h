@@ -33,16 +33,12 @@ public:
   virtual Vector apply(const Vector &P) const = 0;
   /** Returns C_kk for all k. */
   virtual Vector diagonal() const = 0;
-  /** Returns C_kk. */
-  virtual double diagonal(unsigned int k) const = 0;
   /** Returns C_kk P_k for all k: how far each multiplier opens its own patch. */
   virtual Vector diagonal_times(const Vector &P) const = 0;
   /** Returns the columns with the given numbers, m x n. */
   virtual Matrix columns(const Indices &numbers) const = 0;
   /** Returns the whole matrix C. */
   virtual const Matrix &dense() const = 0;
-  /** Returns C, of which the columns and rows with the given numbers may be read. */
-  virtual const Matrix &dense(const Indices &numbers) const = 0;
   /** Returns whether all entries are stored, so that no function above costs a linear solve. */
   virtual bool is_explicit() const = 0;
 };
@@ -57,12 +53,10 @@ public:
   unsigned int size() const override;
   Vector apply(const Vector &P) const override;
   Vector diagonal() const override;
-  double diagonal(unsigned int k) const override;
   /** Reads only the columns with P_k != 0. */
   Vector diagonal_times(const Vector &P) const override;
   Matrix columns(const Indices &numbers) const override;
   const Matrix &dense() const override;
-  const Matrix &dense(const Indices &numbers) const override;
   bool is_explicit() const override {
     return true;
   }
@@ -121,14 +115,15 @@ struct Balances {
 struct BoundConstrainedQP {
   using Vector = dealii::Vector<double>;
 
-  /** Stores the problem. @throws std::invalid_argument if a diagonal entry of an explicit C is not
-   * positive. */
+  /** Stores the problem. @throws std::invalid_argument if a diagonal entry of C is not positive. */
   BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C, Vector F, AdmissibleSet K,
                      Balances balances = {});
   /** Makes the problem with K = {P ≤ 0}. */
   BoundConstrainedQP(FullMatrix<double> C, const Vector &F, Balances balances = {});
 
   std::shared_ptr<const ComplianceOperator> C;
+  /** The diagonal of C; its means over the blocks of K. */
+  Vector diagonal;
   Vector F;
   AdmissibleSet K;
   Balances balances;
@@ -140,11 +135,6 @@ struct BoundConstrainedQP {
   double rounding() const {
     return (size() + 10) * std::numeric_limits<double>::epsilon();
   }
-  /** Returns C_ii; for a disc the mean of its two entries. */
-  double diagonal(unsigned int i) const;
-  /** Returns W/diag C; zero on patches that W keeps open: that changes no projection of P - W/diag
-   * C, and each entry may cost a column of C. */
-  Vector step(const Vector &P, const Vector &W) const;
   /** Returns W = C P + B z - F. */
   Vector gradient(const Vector &P, const Vector &z = {}) const;
   /** Returns b + Bᵀ P - K z. */
@@ -153,16 +143,16 @@ struct BoundConstrainedQP {
   double energy(const Vector &P) const;
   /**
    * Returns |P - projection of P - W/diag C onto K|₂ / max(|P|₂, |F/diag C|₂), or the numerator if
-   * the denominator vanishes. It is zero at the solution and nowhere else. F counts on patches that
-   * press or penetrate only: on tiny faces far away F/diag C is so large that a wrong set would
-   * pass for rounding. With balances the imbalance belongs to the numerator and |b|₂ to the
-   * denominator.
+   * the denominator vanishes. It is zero at the solution and nowhere else. With balances the
+   * imbalance belongs to the numerator and |b|₂ to the denominator, and F counts on patches that
+   * press or penetrate only: for a body that moves, gaps far away are irrelevant.
    */
   double kkt_residual(const Vector &P, const Vector &z = {}) const {
-    return kkt_residual(P, z, gradient(P, z));
+    return kkt_residual(P, z, gradient(P, z), balances.size() == 0);
   }
-  /** Returns the same for a known W. */
-  double kkt_residual(const Vector &P, const Vector &z, const Vector &W) const;
+  /** Returns the same for a known W. @param all_gaps whether F counts on all patches. On tiny faces
+   * far away F/diag C is so large that a wrong set passes for rounding. */
+  double kkt_residual(const Vector &P, const Vector &z, const Vector &W, bool all_gaps) const;
   /**
    * Returns whether the pressure P of a solution is the only one: whether no Q ≠ 0 that vanishes
    * where W_i ≠ 0 has C Q = 0 and Bᵀ Q = 0. (Two solutions have the same W; their difference is

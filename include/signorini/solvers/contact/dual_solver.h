@@ -5,7 +5,9 @@
 #include <signorini/solvers/contact/dual_problem.h>
 #include <signorini/solvers/contact/projected_methods.h>
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 namespace Signorini {
 /** The options of the solution of the dual problem. */
@@ -16,10 +18,11 @@ struct DualSolverOptions : public IterationOptions {
 };
 
 /**
- * Solves the dual problem over P in K by the chosen method. Where the active set method fails,
- * because C is singular (patches finer than the mesh: many pressures give the same displacement) or
- * because it does not end, projected SOR finds one of the solutions, and
- * QPResult::active_set_failure is set. Its sweeps are limited to seconds there.
+ * Solves the dual problem over P in K by the chosen method. Where columns of C cost linear solves,
+ * the active set method works on a growing set of patches. Where it fails, because C is singular
+ * (patches finer than the mesh: many pressures give the same displacement) or because it does not
+ * end, projected SOR finds one of the solutions, and QPResult::active_set_failure is set. Its
+ * sweeps are limited to seconds there.
  *
  * @param start a pressure to start from; empty: none.
  */
@@ -27,6 +30,22 @@ QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
                             const dealii::Vector<double> &F, const AdmissibleSet &K,
                             const dealii::Vector<double> &start, const DualSolverOptions &options,
                             const Balances &balances = {});
+
+/** A solver of the dual problem that gets a start, which may be empty. */
+using QPSolver =
+  std::function<QPResult(const BoundConstrainedQP &qp, const dealii::Vector<double> &start)>;
+
+/**
+ * Solves the dual problem over P ≤ 0 where columns of C are expensive. It is solved on a set S of
+ * patches, with P = 0 elsewhere; then the patches with W > 0 join S, until there are none. The
+ * result solves the whole problem, and only the columns of S are computed.
+ *
+ * @param start a pressure; S begins with the patches that press in it, and their neighbours; if
+ * nothing presses, with the patches where F < 0. Patches that press in Balances::P belong to S.
+ */
+QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<double> &F,
+                              const dealii::Vector<double> &start, const QPSolver &solve,
+                              const Balances &balances = {});
 
 /**
  * Solves the dual problem by the primal-dual active set method, i.e. the semi-smooth Newton method
@@ -40,7 +59,7 @@ QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
  *
  * Where K moves (Coulomb's friction), the ends of P_t are ±(s - f P_n), so that with a slipping
  * patch the column of its P_n is that of C minus ±f times that of its P_t, and C_AA gets a factor
- * LU. When a set comes back there, or after many sets, follow_solutions() gives the last one.
+ * LU. When a set comes back there, or after many sets, follow_solutions() gives the next one.
  *
  * Where a set leaves a motion free, the body moves along it until the first slipping patch stops,
  * and that patch sticks in the next set.
@@ -62,9 +81,7 @@ QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
  * of numbers).
  *
  * @param start a pressure that gives the first states, or with discs begins the sweeps; empty:
- * every unknown is active, or P = 0. Where columns of C cost linear solves, only those of patches
- * are computed that once are active: the first are those that press in @p start or in Balances::P
- * and their neighbours, or those with F < 0.
+ * every unknown is active, or P = 0.
  */
 QPResult solve_by_active_set(const BoundConstrainedQP &qp, const dealii::Vector<double> &start,
                              const IterationOptions &options);
