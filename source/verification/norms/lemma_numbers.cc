@@ -18,7 +18,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <tuple>
 
 namespace Signorini {
 namespace {
@@ -116,7 +115,8 @@ double trace_defect(const Scene<2> &scene, const MultiplierSpace<2> &multipliers
 LemmaNumbers compute_lemma_numbers(const Discretization<2> &discretization, const Scene<2> &scene,
                                    const ExactPressure<2> &pressure,
                                    const LinearSolver linear_solver) {
-  const auto &[space, multipliers] = std::tie(discretization.space, discretization.multipliers);
+  const DisplacementSpace<2> &space = discretization.space;
+  const MultiplierSpace<2> &multipliers = discretization.multipliers;
   const unsigned int n_points = discretization.n_points + 1;
   const Pressure projected_p(pressure.project(multipliers));
   const Displacement interpolant = interpolate_at_nodes(space, *scene.exact_displacement);
