@@ -10,9 +10,9 @@
 
 namespace Signorini {
 /**
- * The distance of the body force f from f̃, that at the points of rules: in each of the smallest
- * boxes of the scan in which f still varies faster than a rule shows, both are between the bounds
- * of f. There |f - f̃| is at most their distance, elsewhere it is zero.
+ * The distance of the body force f from f̃, the force at the points of rules. In each of the
+ * smallest boxes of the scan in which f still varies faster than a rule shows, both are between the
+ * bounds of f. There |f - f̃| is at most their distance, elsewhere it is zero.
  */
 class HiddenLoad {
 public:
@@ -23,9 +23,10 @@ public:
   double force() const {
     return forces_[0];
   }
-  /** Returns a bound of |∫ (f - f̃).u_h|. On a cell |u_i| is at most the root of the sum of squares
-   * of its nodal values, as the squares of Lagrange's polynomials at the points of Gauss and
-   * Lobatto have a sum of at most one (L. Fejér, Math. Ann. 106 (1932) 1-55). */
+  /** Returns a bound of |∫ (f - f̃).u_h|. Let c be the mean of the nodal values of a component on a
+   * cell: |u_i - c| is at most the root of the sum of squares of theirs, as the squares of
+   * Lagrange's polynomials at the points of Gauss and Lobatto have a sum of at most one (L. Fejér,
+   * Math. Ann. 106 (1932) 1-55). */
   double work(const DisplacementSpace<2> &space, const Displacement &U) const;
 
 private:
