@@ -3,6 +3,7 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/discretization/mesh/smooth_parts.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q1.h>
@@ -323,39 +324,6 @@ PlaneRule cut_rule(const Kinks<2> &kinks, const std::array<Point<2>, 4> &corners
   for (const PolygonPart &part : cut_polygon(kinks, whole))
     rule.add_polygon(part.corners, part.halvings);
   return rule.made();
-}
-
-Quadrature<2> SquarePart::rule(const unsigned int n) const {
-  constexpr unsigned int least = 4;
-  return QGauss<2>(std::max(std::min(n, least), n - std::min(n, halvings)));
-}
-
-namespace {
-void add_smooth_parts(const BoxTree &boxes, const std::function<Point<2>(const Point<2> &)> &image,
-                      const SquarePart &whole, std::vector<SquarePart> &parts) {
-  // Four boxes of about its size or larger meet in a part.
-  constexpr unsigned int most_boxes = 4;
-  std::vector<Point<2>> points;
-  for (unsigned int i = 0; i < 9; ++i)
-    points.push_back(image(whole(Point<2>(0.5 * (i % 3), 0.5 * (i / 3)))));
-  if (whole.halvings == BoxTree::deepest_halvings ||
-      boxes.n_met(box_around(points), most_boxes + 1) <= most_boxes) {
-    parts.push_back(whole);
-    return;
-  }
-  for (unsigned int i = 0; i < 4; ++i)
-    add_smooth_parts(
-      boxes, image,
-      {whole(Point<2>(0.5 * (i % 2), 0.5 * (i / 2))), 0.5 * whole.width, whole.halvings + 1},
-      parts);
-}
-} // namespace
-
-std::vector<SquarePart> smooth_parts(const BoxTree &boxes,
-                                     const std::function<Point<2>(const Point<2> &)> &image) {
-  std::vector<SquarePart> parts;
-  add_smooth_parts(boxes, image, {}, parts);
-  return parts;
 }
 
 namespace {

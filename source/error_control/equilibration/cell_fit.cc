@@ -3,6 +3,7 @@
 
 #include <signorini/base/parallel.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/discretization/mesh/smooth_parts.h>
 #include <signorini/discretization/space/body_measure.h>
 #include <signorini/error_control/equilibration/cell_fit.h>
 #include <signorini/problem/scene/functions.h>
