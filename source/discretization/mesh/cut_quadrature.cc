@@ -363,7 +363,7 @@ private:
     const auto at = [&](const double s, const double t) {
       return image(corner + width * Tensor<1, 2>({s, t}));
     };
-    const BilinearMap map = {{at(0., 0.), at(1., 0.), at(1., 1.), at(0., 1.)}};
+    BilinearMap map = {{at(0., 0.), at(1., 0.), at(1., 1.), at(0., 1.)}};
     bend = 0.;
     for (const Point<2> &xi : {Point<2>(0.5, 0.), Point<2>(1., 0.5), Point<2>(0.5, 1.),
                                Point<2>(0., 0.5), Point<2>(0.5, 0.5)})
@@ -395,8 +395,9 @@ private:
     double bend;
     const BilinearMap map = bilinear(corner, width, bend);
     if (halvings < most_halvings && is_too_curved(map, bend)) {
-      for (unsigned int i = 0; i < 4; ++i)
-        add(at(0.5 * (i % 2), 0.5 * (i / 2)), 0.5 * width, halvings + 1);
+      for (const double t : {0., 0.5})
+        for (const double s : {0., 0.5})
+          add(at(s, t), 0.5 * width, halvings + 1);
       return;
     }
     PolygonRule rule(n_points_, is_rectangle(map.x), ends_);

@@ -20,20 +20,20 @@ void add_smooth_parts(const BoxTree &boxes, const std::function<Point<2>(const P
   constexpr unsigned int most_boxes = 4;
   const Point<2> first = image(whole.corner);
   BoundingBox<2> box({first, first});
-  for (unsigned int i = 1; i < 9; ++i) {
-    const Point<2> x = image(whole(Point<2>(0.5 * (i % 3), 0.5 * (i / 3))));
-    box.merge_with(BoundingBox<2>({x, x}));
-  }
+  for (const double s : {0., 0.5, 1.})
+    for (const double t : {0., 0.5, 1.}) {
+      const Point<2> x = image(whole(Point<2>(s, t)));
+      box.merge_with(BoundingBox<2>({x, x}));
+    }
   if (whole.halvings == BoxTree::deepest_halvings ||
       boxes.n_met(box, most_boxes + 1) <= most_boxes) {
     parts.push_back(whole);
     return;
   }
-  for (unsigned int i = 0; i < 4; ++i)
-    add_smooth_parts(
-      boxes, image,
-      {whole(Point<2>(0.5 * (i % 2), 0.5 * (i / 2))), 0.5 * whole.width, whole.halvings + 1},
-      parts);
+  for (const double t : {0., 0.5})
+    for (const double s : {0., 0.5})
+      add_smooth_parts(boxes, image, {whole(Point<2>(s, t)), 0.5 * whole.width, whole.halvings + 1},
+                       parts);
 }
 } // namespace
 
