@@ -3,7 +3,9 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/driver/runs/run.h>
+#include <signorini/driver/runs/sweep.h>
 #include <signorini/results/output/files.h>
+#include <signorini/results/output/signals.h>
 #include <signorini/verification/catalogue/catalogue.h>
 #include <signorini/verification/verify.h>
 

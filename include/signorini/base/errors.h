@@ -8,14 +8,14 @@
 #include <string>
 
 namespace Signorini {
-/** Returns the sentence with a question mark in place of every control character, which would break
+/** Returns the sentence with a question mark instead of every control character, which would break
  * the line or steer a terminal. */
 std::string one_line(std::string sentence);
 
 /**
  * Thrown if the input is wrong and the user can mend it: exit code 1.
  *
- * The message is one sentence that names the place (file and line, or command line option), the
+ * The message is one sentence that names the origin (file and line, or command line option), the
  * parameter, what was found and what is allowed.
  */
 class InputError : public std::runtime_error {

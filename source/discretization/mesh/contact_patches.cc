@@ -375,15 +375,15 @@ void ContactSurface<3>::divide(const Partition &partition) {
       corners.push_back(side.coordinates(vertex));
     Piece<3> piece = {f, 0, {}, {}, {0., 0.}, {1., 1.}, {}};
     std::tie(piece.lower, piece.upper) = BoundingBox<2>(corners).get_boundary_points();
-    std::array<unsigned int, 3> place = {{face.side, 0, 0}};
+    std::array<unsigned int, 3> group_key = {{face.side, 0, 0}};
     for (unsigned int d = 0; d < 2; ++d) {
       const double edge = piece.upper[d] - piece.lower[d];
       const long n_faces = std::lround(side.lengths()[d] / edge);
       // The last patches are larger where the ratio does not divide the faces.
-      place[1 + d] = std::min(std::lround(piece.lower[d] / edge) / partition.ratio,
-                              std::max(n_faces / partition.ratio, 1L) - 1);
+      group_key[1 + d] = std::min(std::lround(piece.lower[d] / edge) / partition.ratio,
+                                  std::max(n_faces / partition.ratio, 1L) - 1);
     }
-    const auto [group, is_new] = numbers.emplace(place, patches_.size());
+    const auto [group, is_new] = numbers.emplace(group_key, patches_.size());
     if (is_new)
       patches_.push_back({face.side, piece.lower, piece.upper, 0.});
     piece.patch = group->second;

@@ -102,12 +102,12 @@ private:
   }
 
   /** Adds the image of a rule under the linear map that begins at x and has columns s and t. */
-  void add_image(const Quadrature<2> &here, const Point<2> &x, const Tensor<1, 2> &s,
+  void add_image(const Quadrature<2> &rule, const Point<2> &x, const Tensor<1, 2> &s,
                  const Tensor<1, 2> &t) {
     const double jacobian = std::abs(s[0] * t[1] - s[1] * t[0]);
-    for (unsigned int q = 0; q < here.size(); ++q) {
-      made_.points.push_back(x + here.point(q)[0] * s + here.point(q)[1] * t);
-      made_.weights.push_back(here.weight(q) * jacobian);
+    for (unsigned int q = 0; q < rule.size(); ++q) {
+      made_.points.push_back(x + rule.point(q)[0] * s + rule.point(q)[1] * t);
+      made_.weights.push_back(rule.weight(q) * jacobian);
     }
   }
 

@@ -5,6 +5,7 @@
 #include <signorini/base/message.h>
 #include <signorini/discretization/mesh/arc_mapping.h>
 #include <signorini/discretization/mesh/mesh.h>
+#include <signorini/problem/geometry/arc_cell.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/distributed/shared_tria.h>
@@ -196,7 +197,7 @@ bool move_along_edge(Triangulation<2> &mesh, const unsigned int vertex, const Po
   const Point<2> old = mesh.get_vertices()[vertex];
   std::vector<Triangulation<2>::cell_iterator> cells;
   std::vector<double> areas;
-  Point<2> *place = nullptr;
+  Point<2> *moved = nullptr;
   const auto corner_areas = [&]() {
     std::vector<double> values;
     for (const auto &cell : cells)
@@ -212,7 +213,7 @@ bool move_along_edge(Triangulation<2> &mesh, const unsigned int vertex, const Po
       if (cell->vertex_index(v) != vertex)
         continue;
       cells.push_back(cell);
-      place = &cell->vertex(v);
+      moved = &cell->vertex(v);
       if (cell->manifold_id() != numbers::flat_manifold_id)
         return false;
       for (const auto &face : cell->face_iterators())
@@ -224,11 +225,11 @@ bool move_along_edge(Triangulation<2> &mesh, const unsigned int vertex, const Po
         }
     }
   const std::vector<double> before = corner_areas();
-  *place = target;
+  *moved = target;
   const std::vector<double> after = corner_areas();
   for (std::size_t i = 0; i < after.size(); ++i)
     if (after[i] < least_ratio * before[i]) {
-      *place = old;
+      *moved = old;
       return false;
     }
   return true;

@@ -65,14 +65,14 @@ std::vector<Pressure> Multiplier::shares() const {
 std::vector<NodeState> patch_states(const MultiplierSpace<2> &space, const Multiplier &multiplier) {
   std::vector<NodeState> states;
   for (unsigned int k = 0; k < space.n_multipliers(); ++k) {
-    const NodeState here = multiplier.state(k);
+    const NodeState of_node = multiplier.state(k);
     if (k == space.first_of(space.patch_of(k))) {
-      states.push_back(here);
+      states.push_back(of_node);
       continue;
     }
     NodeState &state = states.back();
-    state.presses = state.presses && here.presses;
-    state.slip = state.slip == here.slip ? here.slip : State::mixed;
+    state.presses = state.presses && of_node.presses;
+    state.slip = state.slip == of_node.slip ? of_node.slip : State::mixed;
   }
   return states;
 }

@@ -42,9 +42,9 @@ MultiplierSpace<dim>::MultiplierSpace(const ContactSurface<dim> &surface,
 template <int dim>
 Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) const {
   const unsigned int patch = patch_of_[unknown];
-  const Patch<dim> &place = surface_.patches()[patch];
+  const Patch<dim> &interval = surface_.patches()[patch];
   const double t = rules_[n_of(patch) - 1].point(unknown - first_[patch])[0];
-  return place.lower + t * (place.upper - place.lower);
+  return interval.lower + t * (interval.upper - interval.lower);
 }
 
 template <int dim>
@@ -61,8 +61,8 @@ template <int dim>
 double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
                                          const Point<dim - 1> &s) const {
   const unsigned int patch = patch_of_[unknown];
-  const Patch<dim> &place = surface_.patches()[patch];
-  const double t = (s[0] - place.lower[0]) / (place.upper[0] - place.lower[0]);
+  const Patch<dim> &interval = surface_.patches()[patch];
+  const double t = (s[0] - interval.lower[0]) / (interval.upper[0] - interval.lower[0]);
   return bases_[n_of(patch) - 1][unknown - first_[patch]].value(t);
 }
 

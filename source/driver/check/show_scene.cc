@@ -7,6 +7,7 @@
 #include <signorini/base/text.h>
 #include <signorini/discretization/mesh/mesh.h>
 #include <signorini/driver/check/show_scene.h>
+#include <signorini/driver/study/settings.h>
 #include <signorini/problem/scene/contact_pair.h>
 #include <signorini/results/output/files.h>
 #include <signorini/results/output/pictures.h>

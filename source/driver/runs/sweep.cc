@@ -4,7 +4,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
-#include <signorini/driver/runs/run.h>
+#include <signorini/driver/runs/sweep.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/results/output/tables.h>
 

@@ -5,6 +5,7 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/estimate/certificate.h>
+#include <signorini/error_control/estimate/locking_number.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>
 #include <signorini/solvers/methods/memory_limit.h>
 

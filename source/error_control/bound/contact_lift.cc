@@ -30,23 +30,23 @@ EdgeFunction without_chord(const EdgeFunction &function, const double first, con
   return EdgeFunction(std::move(parts));
 }
 
-/** Returns the remainder r_F of a face from what is lacking there, q - w_{h,n}: all of it where the
+/** Returns the remainder r_F of a face from the deficit q - w_{h,n}: all of it where the
  * face presses and w_h touches at both ends. */
-EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking,
+EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &deficit,
                        const double rounding) {
   const bool presses = face.presses_everywhere();
-  double first = lacking.value(0.), last = lacking.value(1.), size = 0.;
-  for (const EdgeFunction::Part &lack : lacking.parts())
-    size = std::max({size, std::abs(lack.first), std::abs(lack.bulge)});
+  double first = deficit.value(0.), last = deficit.value(1.), size = 0.;
+  for (const EdgeFunction::Part &lack : deficit.parts())
+    size = std::max({size, std::abs(lack.first), std::abs(lack.bubble)});
   // What w_h is too high at the ends spreads along the face, unless it is little: then its energy
   // is less than what the pressure does on it.
   const bool follows =
     presses && std::max(std::abs(first), std::abs(last)) < std::max(0.1 * size, rounding);
   if (follows)
     first = last = 0.;
-  std::vector<EdgeFunction::Part> parts = without_chord(lacking, first, last).parts();
+  std::vector<EdgeFunction::Part> parts = without_chord(deficit, first, last).parts();
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const EdgeFunction::Part &lack = lacking.parts()[i];
+    const EdgeFunction::Part &lack = deficit.parts()[i];
     EdgeFunction::Part &r = parts[i];
     const bool rises = r.largest() > 0.;
     const auto at_end = [&](const double missing, const double bowed) {
@@ -54,11 +54,11 @@ EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking,
     };
     r.first = at_end(lack.first, r.first);
     r.last = at_end(lack.last, r.last);
-    // The least bulge with r above what is lacking: A (1 - τ) + B τ ≥ 4 b τ (1 - τ) for τ in [0,1]
+    // The least bubble with r above the deficit: A (1 - τ) + B τ ≥ 4 b τ (1 - τ) for τ in [0,1]
     // holds if 4 b ≤ (√A + √B)².
     if (!presses || (!follows && rises))
-      r.bulge = std::max(
-        0., lack.bulge -
+      r.bubble = std::max(
+        0., lack.bubble -
               0.25 * std::pow(std::sqrt(r.first - lack.first) + std::sqrt(r.last - lack.last), 2));
   }
   // These are zero, up to rounding.
@@ -66,13 +66,13 @@ EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &lacking,
   return EdgeFunction(std::move(parts));
 }
 
-/** Returns lacking - r; r has the same parts, or none. */
-EdgeFunction difference(const EdgeFunction &lacking, const EdgeFunction &r) {
-  std::vector<EdgeFunction::Part> parts = lacking.parts();
+/** Returns deficit - r; r has the same parts, or none. */
+EdgeFunction difference(const EdgeFunction &deficit, const EdgeFunction &r) {
+  std::vector<EdgeFunction::Part> parts = deficit.parts();
   for (std::size_t i = 0; i < r.parts().size(); ++i) {
     parts[i].first -= r.parts()[i].first;
     parts[i].last -= r.parts()[i].last;
-    parts[i].bulge -= r.parts()[i].bulge;
+    parts[i].bubble -= r.parts()[i].bubble;
   }
   return EdgeFunction(std::move(parts));
 }
@@ -88,25 +88,25 @@ struct FaceLift {
     if (n_components == 0)
       return;
     for (unsigned int c = 0; c < n_components; ++c)
-      lacking[c] = trace.lacking(face, contact_components[c], w);
-    r[0] = remainder(face, lacking[0], trace.rounding(face));
+      deficit[c] = trace.deficit(face, contact_components[c], w);
+    r[0] = remainder(face, deficit[0], trace.rounding(face));
     if (face.lifts_slip)
-      r[1] = without_chord(lacking[1], lacking[1].value(0.), lacking[1].value(1.));
+      r[1] = without_chord(deficit[1], deficit[1].value(0.), deficit[1].value(1.));
   }
   /** Returns ∫_F τ_n (ũ_n - g - w_n) (component 0), or ∫_F s |v| + τ_t v. */
   double term(const ContactTrace &trace, const PenetrationFace &face, const unsigned int c) const {
-    // Where the face presses, w_n is d itself, raised by r - lacking; r stands for its difference
+    // Where the face presses, w_n is d itself, raised by r - deficit; r stands for its difference
     // from w_h there. Where friction holds the face, w_t is the slip itself. The root of rounding
     // is not rounding.
     const bool follows = c == 0 ? face.presses_everywhere() : face.lifts_slip;
     const double rounding = trace.rounding(face);
     double term = 0.;
     // The parts are those of d and p_H, and those of w_n; those of v between its roots.
-    face.for_each_point(c == 0 ? r[0] : difference(lacking[1], r[1]).split_at_roots(),
+    face.for_each_point(c == 0 ? r[0] : difference(deficit[1], r[1]).split_at_roots(),
                         [&](const double t, const double weight) {
                           const double missing =
                                          follows
-                                           ? lacking[c].value(t)
+                                           ? deficit[c].value(t)
                                            : trace.misfit(face, contact_components[c], t) -
                                                trace.closing(face, contact_components[c], t, w),
                                        v = missing - r[c].value(t);
@@ -120,7 +120,7 @@ struct FaceLift {
 
   unsigned int n_components;
   const std::vector<FaceVector> &w;
-  std::array<EdgeFunction, 2> lacking;
+  std::array<EdgeFunction, 2> deficit;
   Remainders r;
 };
 

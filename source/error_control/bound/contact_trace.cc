@@ -174,14 +174,14 @@ void ContactTrace::find_faces() {
     faces_.push_back(make_face(face));
   const std::vector<NodeState> states = patch_states(data_.multipliers, data_.P);
   for (const Piece<2> &piece : surface().pieces()) {
-    auto [here, other] = seen_from_carrier(surface(), piece);
-    if (here.lower > here.upper) {
-      std::swap(here.lower, here.upper);
+    auto [own, other] = seen_from_carrier(surface(), piece);
+    if (own.lower > own.upper) {
+      std::swap(own.lower, own.upper);
       if (other)
         std::swap(other->lower, other->upper);
     }
-    faces_[here.face].pressures.push_back(
-      {here.lower, here.upper, states[piece.patch], other,
+    faces_[own.face].pressures.push_back(
+      {own.lower, own.upper, states[piece.patch], other,
        surface().condition(piece).directions.at(0.5 * (piece.lower[0] + piece.upper[0]))});
   }
   for (PenetrationFace &face : faces_)
@@ -344,13 +344,13 @@ void ContactTrace::condense_columns() {
 double ContactTrace::misfit(const PenetrationFace &face, const Component component,
                             const double t) const {
   const double from = face.pressures.front().from, to = face.pressures.back().to,
-               there = misfit_at(face, component, std::clamp(t, from, to));
+               value = misfit_at(face, component, std::clamp(t, from, to));
   // Beyond the other side nothing is asked of w: d goes on as a constant, or where a support holds
   // the next node it falls to zero.
-  if (face.may_touch(t) || there <= 0. || face.conditions.empty() ||
+  if (face.may_touch(t) || value <= 0. || face.conditions.empty() ||
       !conditions_[face.conditions[t < from ? 0 : 1]].held())
-    return there;
-  return there * (t < from ? t / from : (1. - t) / (1. - to));
+    return value;
+  return value * (t < from ? t / from : (1. - t) / (1. - to));
 }
 
 double ContactTrace::misfit_at(const PenetrationFace &face, const Component component,

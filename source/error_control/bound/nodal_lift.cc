@@ -57,17 +57,17 @@ private:
 template <typename VectorType>
 double adjust(const Coupling::Column &a, const Coupling::Column &own, const double value,
               const bool only_raise, VectorType &w) {
-  double lacking = value, slope = 0.;
+  double residual = value, slope = 0.;
   for (const auto &[row, factor] : a)
-    lacking -= factor * w[row];
+    residual -= factor * w[row];
   for (const auto &[row, factor] : own)
     if (const auto in_a = a.find(row); in_a != a.end())
       slope += factor * in_a->second;
-  if (!(slope > 0.) || (only_raise && lacking <= 0.))
+  if (!(slope > 0.) || (only_raise && residual <= 0.))
     return 0.;
   for (const auto &[row, factor] : own)
-    w[row] += lacking / slope * factor;
-  return lacking;
+    w[row] += residual / slope * factor;
+  return residual;
 }
 
 /** Moves w at contact nodes until w_n and w_t are the targets; with @p only_raise w_n is not below
@@ -231,7 +231,7 @@ Displacement pushed_displacement(const BoundData &data, const Coupling &E, const
   C.vmult = [&](Vector &y, const Vector &x) {
     y = known->is_explicit() ? known->apply(x) : E.transpose_product(pushed_by(x));
   };
-  // Any Q would do: what is lacking is imposed.
+  // Any Q would do: the residuals are imposed.
   IterationNumberControl control(1000, 1e-4 * targets.l2_norm());
   SolverCG<Vector>(control).solve(C, Q, targets, PreconditionIdentity());
   return pushed_by(Q);

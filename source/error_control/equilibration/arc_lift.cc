@@ -23,11 +23,11 @@ struct Interpolation {
     , integrals(gauss.size()) {
     const unsigned int n = gauss.size();
     for (unsigned int j = 0; j < n; ++j) {
-      const auto here = legendre(n, 2. * gauss.point(j)[0] - 1.);
+      const auto basis = legendre(n, 2. * gauss.point(j)[0] - 1.);
       double at_start = 0., at_end = 0.;
       for (unsigned int k = 0; k < n; ++k) {
         // (2 k + 1) P_k at node j is the coefficient of P_k.
-        const double coefficient = gauss.weight(j) * (2. * k + 1.) * here[k];
+        const double coefficient = gauss.weight(j) * (2. * k + 1.) * basis[k];
         at_start += (k % 2 == 0 ? 1. : -1.) * coefficient;
         at_end += coefficient;
         for (unsigned int i = 0; i < n; ++i) {

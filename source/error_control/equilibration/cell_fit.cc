@@ -27,8 +27,8 @@ using RulePoints = std::vector<std::pair<Point<2>, double>>;
 RulePoints points_behind_arc(const CellShape &shape, const unsigned int k,
                              const unsigned int degree) {
   RulePoints points = ArcLift(shape.seen_from_crossing().edge(k), degree).points();
-  for (auto &place : points)
-    place.first += shape.crossing - Point<2>();
+  for (auto &point : points)
+    point.first += shape.crossing - Point<2>();
   return points;
 }
 
@@ -65,9 +65,9 @@ Vector CellFit::traces(const TractionSpace &space, const std::size_t number,
   return y;
 }
 
-std::vector<Tensor<1, 2>> CellFit::force(const TractionCell &place,
+std::vector<Tensor<1, 2>> CellFit::force(const TractionCell &cell_data,
                                          const std::vector<Point<2>> &points) const {
-  const CellShape &shape = place.shape;
+  const CellShape &shape = cell_data.shape;
   std::vector<Tensor<1, 2>> f;
   f.reserve(points.size());
   for (const Point<2> &x : points)
@@ -113,26 +113,26 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
     // Where the law is not resolved, energies are taken from above.
     std::optional<Law> softest = law;
     Tensor<2, 3> stiffest;
-    for (auto place = part.begin(); place != part.end() && is_rough; ++place)
-      if (const Law here(material.hooke(place->first)); softest) {
-        softest->soften(here);
-        stiffest = upper_bound(stiffest, here.stiffness);
+    for (auto point = part.begin(); point != part.end() && is_rough; ++point)
+      if (const Law law(material.hooke(point->first)); softest) {
+        softest->soften(law);
+        stiffest = upper_bound(stiffest, law.stiffness);
       } else {
-        softest = here;
-        stiffest = here.stiffness;
+        softest = law;
+        stiffest = law.stiffness;
       }
     for (const auto &[at, weight] : part) {
       AiryPoint &point = points[k].emplace_back();
       point.reference = shape.reference(at - shape.corners[0]);
       point.on_diagonals = Point<2>(inverse * (at - shape.crossing));
       point.weight = weight / (size * size);
-      const Law here = softest ? *softest : Law(material.hooke(at));
-      const Tensor<2, 3> root = here.root();
+      const Law law = softest ? *softest : Law(material.hooke(at));
+      const Tensor<2, 3> root = law.root();
       point.of_strain = std::sqrt(point.weight) * transpose(root);
       point.of_stress = std::sqrt(point.weight) * invert(root);
       if (is_rough)
-        point.unresolved = point.weight * (stiffest - here.stiffness);
-      point.min_eigenvalue = here.min_eigenvalue;
+        point.unresolved = point.weight * (stiffest - law.stiffness);
+      point.min_eigenvalue = law.min_eigenvalue;
     }
   };
   for (unsigned int k = 0; k < 4; ++k) {
@@ -147,32 +147,32 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
       Quadrature<2> &rule = rules[of_part];
       if (rule.size() == 0)
         rule = triangle_rule(of_part);
-      RulePoints places;
+      RulePoints points;
       for (unsigned int q = 0; q < rule.size(); ++q)
-        places.emplace_back(point_of(part.corners, rule.point(q)),
+        points.emplace_back(point_of(part.corners, rule.point(q)),
                             rule.weight(q) * twice_area(part.corners));
-      add_part(k, places, part.is_rough);
+      add_part(k, points, part.is_rough);
     }
   }
   return points;
 }
 
-CellFitter::Known &CellFitter::find_known(const TractionCell &place, std::list<Known> &alone) {
+CellFitter::Known &CellFitter::find_known(const TractionCell &cell_data, std::list<Known> &alone) {
   constexpr std::size_t max_known = 256;
-  const CellShape &shape = place.shape;
+  const CellShape &shape = cell_data.shape;
   const auto x = at_unit_size(shape, shape.diameter()).corners;
   const std::array<Tensor<1, 2>, 3> edges = {{x[1] - x[0], x[2] - x[0], x[3] - x[0]}};
   const SymmetricTensor<4, 2> hooke =
     is_constant_ ? data_.scene.material->hooke(shape.crossing) : SymmetricTensor<4, 2>();
   for (Known &other : known_)
-    if (other.degree == place.degree && other.hooke == hooke && !shape.has_arcs() &&
+    if (other.degree == cell_data.degree && other.hooke == hooke && !shape.has_arcs() &&
         std::equal(edges.begin(), edges.end(), other.edges.begin(),
                    [](const auto &a, const auto &b) { return (a - b).norm() < 1e-12; })) {
       ++other.n_cells;
       return other;
     }
   const bool is_alone = !is_constant_ || shape.has_arcs() || known_.size() == max_known;
-  return (is_alone ? alone : known_).emplace_back(place.degree, shape, edges, hooke);
+  return (is_alone ? alone : known_).emplace_back(cell_data.degree, shape, edges, hooke);
 }
 
 Vector CellFitter::stress_of_u(const Cell &cell, const CellShape &shape, Known &known,
@@ -256,12 +256,12 @@ Vector CellFitter::subtract_load(const Cell &cell, const CellShape &shape, Vecto
   return fit.airy->subtract_load(fit.load, values);
 }
 
-Vector CellFitter::subtract_given(const TractionSpace &space, const TractionCell &place,
+Vector CellFitter::subtract_given(const TractionSpace &space, const TractionCell &cell_data,
                                   Vector &values, const AiryCell &airy) const {
-  const CellShape &shape = place.shape;
+  const CellShape &shape = cell_data.shape;
   Vector traces(airy.n_traces()), t(2);
   for (unsigned int k = 0; k < 4; ++k) {
-    const unsigned int side = space.edges()[place.sides[k].edge].side;
+    const unsigned int side = space.edges()[cell_data.sides[k].edge].side;
     if (!shape.centres[k] || data_.scene.boundary[side].role != Role::traction)
       continue;
     const Function<2> &given = *data_.scene.boundary[side].data;
@@ -277,13 +277,13 @@ Vector CellFitter::subtract_given(const TractionSpace &space, const TractionCell
 }
 
 CellFit CellFitter::fit(const Cell &cell, const TractionSpace &space, Known &known) const {
-  const TractionCell &place = space.cells()[cell->active_cell_index()];
+  const TractionCell &cell_data = space.cells()[cell->active_cell_index()];
   std::call_once(known.is_made, [&]() {
     const double size = known.shape.diameter();
     known.airy = std::make_shared<AiryCell>(at_unit_size(known.shape, size), known.degree,
                                             make_points(known.shape, size, known.degree));
   });
-  const CellShape &shape = place.shape;
+  const CellShape &shape = cell_data.shape;
   CellFit fit;
   fit.id = cell->id();
   fit.size = shape.diameter();
@@ -292,7 +292,7 @@ CellFit CellFitter::fit(const Cell &cell, const TractionSpace &space, Known &kno
   if (compares_)
     values = stress_of_u(cell, shape, known, fit);
   fit.shift = subtract_load(cell, shape, values, fit);
-  fit.shift += subtract_given(space, place, values, *fit.airy);
+  fit.shift += subtract_given(space, cell_data, values, *fit.airy);
   // The second projection removes what rounding left of the first.
   for (unsigned int pass = 0; pass < 2 && !values.all_zero(); ++pass)
     fit.shift += fit.airy->project(values);

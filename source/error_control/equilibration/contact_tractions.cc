@@ -44,11 +44,11 @@ std::map<unsigned int, bool> ContactTractions::edges_inside(const std::vector<No
   }
   const std::map<unsigned int, bool> whole = inside;
   for (std::size_t i = 0; i + 1 < edges_.size(); ++i)
-    if (const unsigned int here = edges_[i], next = edges_[i + 1];
-        whole.count(here) > 0 && whole.count(next) > 0 &&
-        tractions_.space.edges()[here].side == tractions_.space.edges()[next].side &&
-        !(whole.at(here) && whole.at(next)))
-      inside[here] = inside[next] = false;
+    if (const unsigned int edge = edges_[i], next = edges_[i + 1];
+        whole.count(edge) > 0 && whole.count(next) > 0 &&
+        tractions_.space.edges()[edge].side == tractions_.space.edges()[next].side &&
+        !(whole.at(edge) && whole.at(next)))
+      inside[edge] = inside[next] = false;
   return inside;
 }
 
@@ -56,10 +56,10 @@ std::vector<double> ContactTractions::projection_of(const unsigned int number,
                                                     const unsigned int component) const {
   const TractionEdge &edge = tractions_.space.edges()[number];
   std::vector<double> sum(edge.degree + 1, 0.);
-  for (const PieceOfEdge &here : pieces_) {
-    if (here.edge != number)
+  for (const PieceOfEdge &of_edge : pieces_) {
+    if (of_edge.edge != number)
       continue;
-    const Piece<2> &piece = here.piece;
+    const Piece<2> &piece = of_edge.piece;
     const ContactSurface<2> &surface = data_.multipliers.surface();
     const Side<2> &side = surface.side(surface.patches()[piece.patch]);
     const double from = edge.position_of(side.point(piece.lower[0])),
@@ -128,8 +128,8 @@ std::vector<double> ContactTractions::lower_friction_bound(const unsigned int nu
       value = 0.;
     }
   for (std::size_t i = 0; i < samples.size(); ++i)
-    if (const double here = bernstein_value(b, positions[i]); here > (1. + rounding) * samples[i])
-      share = std::min(share, samples[i] / here);
+    if (const double value = bernstein_value(b, positions[i]); value > (1. + rounding) * samples[i])
+      share = std::min(share, samples[i] / value);
   const double mean = std::accumulate(b.begin(), b.end(), 0.) / b.size();
   constexpr double far_below = 0.98;
   if (std::max(share * mean, *least) < far_below * mean)

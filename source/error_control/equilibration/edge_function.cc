@@ -10,20 +10,20 @@
 namespace Signorini {
 double EdgeFunction::Part::value(const double t) const {
   const double tau = (t - start) / (end - start);
-  return (1. - tau) * first + tau * last + 4. * bulge * tau * (1. - tau);
+  return (1. - tau) * first + tau * last + 4. * bubble * tau * (1. - tau);
 }
 
 double EdgeFunction::Part::slope(const double t) const {
   const double tau = (t - start) / (end - start);
-  return (last - first + 4. * bulge * (1. - 2. * tau)) / (end - start);
+  return (last - first + 4. * bubble * (1. - 2. * tau)) / (end - start);
 }
 
 double EdgeFunction::Part::largest() const {
-  // The derivative last - first + 4 bulge (1 - 2 τ) vanishes in the middle of a part if
-  // |last - first| < 4 bulge.
-  if (std::abs(last - first) >= 4. * bulge)
+  // The derivative last - first + 4 bubble (1 - 2 τ) vanishes in the middle of a part if
+  // |last - first| < 4 bubble.
+  if (std::abs(last - first) >= 4. * bubble)
     return std::max(first, last);
-  const double tau = 0.5 + (last - first) / (8. * bulge);
+  const double tau = 0.5 + (last - first) / (8. * bubble);
   return value(start + tau * (end - start));
 }
 
@@ -50,7 +50,7 @@ double EdgeFunction::slope(const double t) const {
 
 bool EdgeFunction::is_zero() const {
   return std::all_of(parts_.begin(), parts_.end(), [](const Part &part) {
-    return part.first == 0. && part.last == 0. && part.bulge == 0.;
+    return part.first == 0. && part.last == 0. && part.bubble == 0.;
   });
 }
 
@@ -58,7 +58,7 @@ EdgeFunction EdgeFunction::split_at_roots() const {
   std::vector<Part> parts;
   for (const Part &part : parts_) {
     // first + τ b - τ² a = 0
-    const double a = 4. * part.bulge, b = part.last - part.first + a,
+    const double a = 4. * part.bubble, b = part.last - part.first + a,
                  root = std::sqrt(std::max(0., b * b + 4. * a * part.first)),
                  twice = b + std::copysign(root, b);
     std::vector<double> breaks = {0., 1.};
@@ -74,7 +74,7 @@ EdgeFunction EdgeFunction::split_at_roots() const {
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
       const double from = position(breaks[i]), to = position(breaks[i + 1]);
       parts.push_back({from, to, part.value(from), part.value(to),
-                       part.bulge * std::pow(breaks[i + 1] - breaks[i], 2)});
+                       part.bubble * std::pow(breaks[i + 1] - breaks[i], 2)});
     }
   }
   return EdgeFunction(std::move(parts));
@@ -83,7 +83,7 @@ EdgeFunction EdgeFunction::split_at_roots() const {
 double EdgeFunction::square_integral() const {
   double sum = 0.;
   for (const Part &part : parts_) {
-    const double a = part.first, b = part.last, c = part.bulge;
+    const double a = part.first, b = part.last, c = part.bubble;
     sum += (part.end - part.start) *
            ((a * a + a * b + b * b) / 3. + 2. / 3. * c * (a + b) + 8. / 15. * c * c);
   }
@@ -94,7 +94,7 @@ double EdgeFunction::slope_integral() const {
   double sum = 0.;
   for (const Part &part : parts_) {
     const double rise = part.last - part.first;
-    sum += (rise * rise + 16. / 3. * part.bulge * part.bulge) / (part.end - part.start);
+    sum += (rise * rise + 16. / 3. * part.bubble * part.bubble) / (part.end - part.start);
   }
   return sum;
 }
@@ -114,13 +114,13 @@ struct SampledInterval {
   double position(const std::size_t i) const {
     return i == n() ? end : start + (end - start) * i / n();
   }
-  double bulge() const {
+  double bubble() const {
     return f[n() / 2] - 0.5 * (f.front() + f.back());
   }
   /** Returns f minus the parabola through both ends and the middle. */
   double excess(const std::size_t i) const {
     const double tau = static_cast<double>(i) / n();
-    return f[i] - ((1. - tau) * f.front() + tau * f.back() + 4. * bulge() * tau * (1. - tau));
+    return f[i] - ((1. - tau) * f.front() + tau * f.back() + 4. * bubble() * tau * (1. - tau));
   }
   /** Returns the largest of sign × excess at the quarters; or at all points, if these show more. A
    * cubic exceeds the parabola at most by 1.03 of the excess at the quarters. */
@@ -202,7 +202,8 @@ EdgeFunction raised(const std::vector<SampledInterval> &intervals, const Pinned 
   std::vector<EdgeFunction::Part> parts;
   for (std::size_t i = 0; i < n; ++i)
     parts.push_back({intervals[i].start, intervals[i].end, values[i] + lifts[i],
-                     values[i + 1] + lifts[i + 1], intervals[i].rough ? 0. : intervals[i].bulge()});
+                     values[i + 1] + lifts[i + 1],
+                     intervals[i].rough ? 0. : intervals[i].bubble()});
   return EdgeFunction(std::move(parts));
 }
 

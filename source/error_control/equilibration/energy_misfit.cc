@@ -207,9 +207,9 @@ void EnergyMisfit::add_lifts() {
       square += lifted.energy();
       for (unsigned int q = 0; q < lifted.u.size(); ++q)
         fields_[k].strain +=
-          lifted.places[q].weight *
-          ((components_of(strain_of(lifted.u.gradient(q))) * 2. + lifted.places[q].strain) *
-           lifted.places[q].stress);
+          lifted.points[q].weight *
+          ((components_of(strain_of(lifted.u.gradient(q))) * 2. + lifted.points[q].strain) *
+           lifted.points[q].stress);
     });
     fields_[k].lift_norm = std::sqrt(square);
   }
@@ -274,7 +274,7 @@ void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const Equilibra
     fields_[k].lift.visit_cells(data_, k, maps_, [&](const LiftedCell &lifted) {
       const auto f = force(mesh, stress, lifted.u.cell(), lifted.u.points());
       for (std::size_t q = 0; q < f.size(); ++q)
-        works[k].load += lifted.places[q].weight * (f[q] * lifted.places[q].z);
+        works[k].load += lifted.points[q].weight * (f[q] * lifted.points[q].z);
     });
   }
 }
@@ -438,7 +438,7 @@ Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
 }
 
 std::vector<double> EnergyMisfit::oscillations_by_cell(const EquilibratedStress &stress) const {
-  // Σ osc_K²/(Σ osc_K²)^{1/2} is the term that f in place of f_K adds.
+  // Σ osc_K²/(Σ osc_K²)^{1/2} is the term that f instead of f_K adds.
   const double factor = load_term(0, stress) > 0. ? load_term(0, stress) / load_square(stress) : 0.;
   std::map<CellId, double> squares;
   for (std::size_t c = 0; c < stress.fits.size(); ++c)

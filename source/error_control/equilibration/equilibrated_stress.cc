@@ -17,19 +17,19 @@ double EquilibratedStress::distance(const std::size_t cell) const {
 }
 
 double EquilibratedStress::oscillation(const std::size_t cell) const {
-  const TractionCell &place = tractions.space.cells()[cell];
+  const TractionCell &edges_of_cell = tractions.space.cells()[cell];
   const CellFit &fit = fits[cell];
   const std::vector<double> &normal = tractions.rests[0], &shear = tractions.rests[1];
-  if (fit.load_rest == 0. &&
-      std::none_of(place.sides.begin(), place.sides.end(), [&](const TractionSide &side) {
-        return normal[side.edge] + shear[side.edge] > 0.;
-      }))
+  if (fit.load_rest == 0. && std::none_of(edges_of_cell.sides.begin(), edges_of_cell.sides.end(),
+                                          [&](const TractionSide &side) {
+                                            return normal[side.edge] + shear[side.edge] > 0.;
+                                          }))
     return 0.;
-  const OscillationConstants constants(place.shape, fit.airy->degree() - 1);
+  const OscillationConstants constants(edges_of_cell.shape, fit.airy->degree() - 1);
   double sum = constants.body * fit.load_rest;
   for (unsigned int k = 0; k < 4; ++k)
-    sum += constants.normal[k] * normal[place.sides[k].edge] +
-           constants.edge[k] * shear[place.sides[k].edge];
+    sum += constants.normal[k] * normal[edges_of_cell.sides[k].edge] +
+           constants.edge[k] * shear[edges_of_cell.sides[k].edge];
   return sum / std::sqrt(fit.min_eigenvalue);
 }
 

@@ -94,13 +94,13 @@ bool law_varies(const Material<2> &material, const std::array<Point<2>, 4> &corn
   std::array<double, 8> low, high;
   low.fill(HUGE_VAL);
   high.fill(-HUGE_VAL);
-  const QIterated<2> places(QMidpoint<1>(), n);
-  for (const Point<2> &at : places.get_points()) {
-    const std::array<double, 8> here =
+  const QIterated<2> rule(QMidpoint<1>(), n);
+  for (const Point<2> &at : rule.get_points()) {
+    const std::array<double, 8> entries =
       features(material.relative_hooke(corners[0] + shape.offset(CellFunctions(at))));
-    for (unsigned int i = 0; i < here.size(); ++i) {
-      low[i] = std::min(low[i], here[i]);
-      high[i] = std::max(high[i], here[i]);
+    for (unsigned int i = 0; i < entries.size(); ++i) {
+      low[i] = std::min(low[i], entries[i]);
+      high[i] = std::max(high[i], entries[i]);
     }
   }
   for (unsigned int i = 0; i < low.size(); ++i)

@@ -154,7 +154,7 @@ void PrescribedLift::visit_cells(const BoundData &data, const unsigned int n_gen
       }
       const Law law(data.scene.material->hooke(u.points()[q]));
       const Components strain = components_of(strain_of(u.in_body(transpose(derivatives), q)));
-      lifted.places.push_back({u.measure(q), z, strain, law.stiffness * strain});
+      lifted.points.push_back({u.measure(q), z, strain, law.stiffness * strain});
     }
     visit(lifted);
   }

@@ -25,7 +25,7 @@ constexpr double rounding = 1e-14, near_rounding = 1e-12;
  * answers: the loads cannot be carried. */
 constexpr double least_answer = 1e-9;
 
-/** Returns the weights of the squares of what is lacking of the balances of cells, three for each,
+/** Returns the weights of the squares of the residuals of the balances of cells, three for each,
  * and of the conditions. In a cell the weight is relative to the energies of the softest cell that
  * shares an edge with it: a stiff cell by itself would give way. */
 Vector weights_of(const Tractions &tractions, const std::vector<CellFit> &fits) {
@@ -79,9 +79,10 @@ public:
       if (numbers_[i] != TractionSpace::none)
         x[i] += solution[numbers_[i]];
   }
-  /** Returns what x lacks of balances and conditions. @param scale is raised to the largest trace.
+  /** Returns the residuals of balances and conditions at x. @param scale is raised to the largest
+   * trace.
    */
-  Vector lacking(const Vector &x, double &scale) const {
+  Vector residual(const Vector &x, double &scale) const {
     Vector all(weights_.size()), of_cell(3);
     for (std::size_t c = 0; c < fits_.size(); ++c) {
       const Vector y = fits_[c].traces(space_, c, x);
@@ -97,17 +98,17 @@ public:
     }
     return all;
   }
-  /** Returns the largest force that is lacking, relative to the largest trace on the largest cell:
+  /** Returns the largest residual force, relative to the largest trace on the largest cell:
    * rounding of its corners leaves a tiny cell without a share of its traces, but hardly a force.
    */
-  double defect(const Vector &lacking, const double scale) const {
+  double defect(const Vector &residual, const double scale) const {
     double largest_size = 0., largest_force = 0.;
     for (const CellFit &fit : fits_)
       largest_size = std::max(largest_size, fit.size);
-    for (std::size_t i = 0; i < lacking.size(); ++i)
+    for (std::size_t i = 0; i < residual.size(); ++i)
       largest_force =
         std::max(largest_force,
-                 std::abs(lacking[i]) * (i < 3 * fits_.size() ? fits_[i / 3].size : largest_size));
+                 std::abs(residual[i]) * (i < 3 * fits_.size() ? fits_[i / 3].size : largest_size));
     return scale > 0. ? largest_force / (scale * largest_size) : 0.;
   }
   /** Subtracts the forces of multipliers and of the energy at x. */
@@ -125,10 +126,10 @@ public:
       for (const auto &[i, factor] : conditions_[k].row)
         forces[i] -= factor * multipliers[3 * fits_.size() + k];
   }
-  /** Returns the multipliers of penalties on what is lacking. */
-  Vector weighted(Vector lacking) const {
-    lacking.scale(weights_);
-    return lacking;
+  /** Returns the multipliers of penalties on the residuals. */
+  Vector weighted(Vector residual) const {
+    residual.scale(weights_);
+    return residual;
   }
   /** Returns the sum of the squares of multipliers over the weights. */
   double square(const Vector &multipliers) const {
@@ -187,11 +188,11 @@ private:
       Entries V = entries(part);
       const Numbers unknowns = keep_unknowns(V);
       const FullMatrix<double> M = energy(part);
-      FullMatrix<double> here(unknowns.size(), unknowns.size());
+      FullMatrix<double> block(unknowns.size(), unknowns.size());
       for (const auto &a : V)
         for (const auto &b : V)
-          here(a.coefficient, b.coefficient) += a.value * b.value * M(a.trace, b.trace);
-      none.distribute_local_to_global(here, unknowns, matrix);
+          block(a.coefficient, b.coefficient) += a.value * b.value * M(a.trace, b.trace);
+      none.distribute_local_to_global(block, unknowns, matrix);
     }
     matrix.compress(VectorOperation::add);
     factors_ = std::make_unique<SparseCholesky>(Rows(matrix));
@@ -214,38 +215,39 @@ double minimise(const std::vector<CellFit> &fits, const Vector &work, Tractions 
   Vector &x = tractions.x;
   constexpr unsigned int max_steps = 100;
   double scale = 0., last_square = 0., relative = 0.;
-  Vector lacking = problem.lacking(x, scale), multipliers(lacking.size()), direction(multipliers);
+  Vector residual = problem.residual(x, scale), multipliers(residual.size()),
+         direction(multipliers);
   for (unsigned int step = 0; step < max_steps; ++step) {
     // The tractions of the next multipliers, and what rounding left of the last ones.
-    Vector next = problem.weighted(lacking), forces(given), change(x.size());
+    Vector next = problem.weighted(residual), forces(given), change(x.size());
     next += multipliers;
     next += direction;
     problem.subtract_forces(next, x, forces);
     problem.add_solution(forces, change);
     Vector moved(x);
     moved += change;
-    Vector fall(lacking);
-    fall -= problem.lacking(moved, scale);
+    Vector fall(residual);
+    fall -= problem.residual(moved, scale);
     const double answer = direction * fall, of_fall = problem.weighted(fall) * fall;
     if (step > 0 && !(of_fall > least_answer * least_answer * problem.square(direction)))
       break;
     // By equilibrium alone of_fall <= answer: more is rounding, from which no direction may follow.
     const bool restarts = step == 0 || of_fall > answer;
     // Penalties alone answer by less than their forces: shorter steps are rounding.
-    const double length = restarts ? 1. : std::max(1., (direction * lacking) / answer);
+    const double length = restarts ? 1. : std::max(1., (direction * residual) / answer);
     x.add(length, change);
     multipliers.add(length, direction);
-    lacking.add(-length, fall);
-    const double last = std::exchange(relative, scale > 0. ? lacking.linfty_norm() / scale : 0.);
+    residual.add(-length, fall);
+    const double last = std::exchange(relative, scale > 0. ? residual.linfty_norm() / scale : 0.);
     const bool falls = relative <= 0.5 * last;
     if (step > 0 && (relative <= (falls ? rounding : near_rounding) || (restarts && !falls)))
       break;
-    const Vector weighted = problem.weighted(lacking);
+    const Vector weighted = problem.weighted(residual);
     direction.sadd(restarts ? 0. : std::max(0., -length * (weighted * fall) / last_square), 1.,
                    weighted);
-    last_square = weighted * lacking;
+    last_square = weighted * residual;
   }
   tractions.project_shared();
-  return problem.defect(lacking, scale);
+  return problem.defect(residual, scale);
 }
 } // namespace Signorini

@@ -89,14 +89,14 @@ TractionSpace::TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scen
   edge_of_line_.assign(triangulation.n_raw_lines(), none);
   for (const auto &cell : triangulation.active_cell_iterators()) {
     cells_.push_back({shape_of(cell, sides_), {}});
-    TractionCell &here = cells_.back();
+    TractionCell &added = cells_.back();
     const unsigned int degree = mesh.degree(cell);
-    here.degree = mesh.inner_degree(cell);
+    added.degree = mesh.inner_degree(cell);
     for (unsigned int k = 0; k < 4; ++k) {
-      here.sides[k] = find_side(cell, face_in_circle[k], here.shape.corners[k], scene);
-      if (here.shape.centres[k])
-        here.shape.directions[k] = edges_[here.sides[k].edge].direction;
-      unsigned int &on_edge = edges_[here.sides[k].edge].degree;
+      added.sides[k] = find_side(cell, face_in_circle[k], added.shape.corners[k], scene);
+      if (added.shape.centres[k])
+        added.shape.directions[k] = edges_[added.sides[k].edge].direction;
+      unsigned int &on_edge = edges_[added.sides[k].edge].degree;
       on_edge = std::max(on_edge, degree);
     }
   }

@@ -38,11 +38,11 @@ double jump_share(const Material<2> &material, const Triangulation<2>::active_ce
     for (unsigned int j = 0; j < n; ++j) {
       at[i][j] = log_moduli(material, point_of(cell, (i + 0.5) / n, (j + 0.5) / n));
       for (unsigned int c = 0; c < sum.size(); ++c) {
-        const double here = at[i][j][c];
-        sum[c] += std::exp(here);
-        sum_of_inverses[c] += std::exp(-here);
-        jumps = jumps || (i > 0 && std::abs(here - at[i - 1][j][c]) > min_jump) ||
-                (j > 0 && std::abs(here - at[i][j - 1][c]) > min_jump);
+        const double value = at[i][j][c];
+        sum[c] += std::exp(value);
+        sum_of_inverses[c] += std::exp(-value);
+        jumps = jumps || (i > 0 && std::abs(value - at[i - 1][j][c]) > min_jump) ||
+                (j > 0 && std::abs(value - at[i][j - 1][c]) > min_jump);
       }
     }
   double share = 0.;

@@ -65,7 +65,7 @@ struct Goal {
   double length;
 };
 
-/** Returns λ as observed from the error at the place, which falls by 2^{-λ} per layer. */
+/** Returns λ as observed from the error at a singularity, which falls by 2^{-λ} per layer. */
 double observed_exponent(const Singularity &known, const double error) {
   const double more_layers = known.layers - known.last_layers;
   if (known.last_error <= 0. || more_layers < 1. || error <= 0.)
@@ -78,14 +78,14 @@ double observed_exponent(const Singularity &known, const double error) {
 std::vector<Singularity> grade_places(const MeshPlan &plan, const Scene<2> &scene,
                                       const Mesh<2> &mesh, const StepFindings &findings,
                                       const Goal &goal) {
-  std::vector<Singularity> places;
+  std::vector<Singularity> singularities;
   for (const Singularity &known : plan.singularities) {
     if (known.kind == Singularity::Kind::end_of_contact)
       continue;
-    Singularity place = known;
+    Singularity singularity = known;
     const auto indicators = indicators_at(known, scene, mesh, findings.indicators);
     const double error = total(indicators);
-    place.exponent = observed_exponent(known, error);
+    singularity.exponent = observed_exponent(known, error);
     // u_h does not look analytic.
     const auto is_rough = [](const CellIndicator &cell) { return cell.decay > slow_decay; };
     const bool needs_first_layers =
@@ -93,22 +93,22 @@ std::vector<Singularity> grade_places(const MeshPlan &plan, const Scene<2> &scen
       (plan.rise > 0. && std::any_of(indicators.begin(), indicators.end(), is_rough));
     if (known.layers > 0. ? error > 0.25 * goal.error
                           : needs_first_layers && error > 0.1 * goal.error) {
-      place.last_error = error;
-      place.last_layers = known.layers;
-      place.layers += goal.length * layers_per_step * exponent_at_ends / place.exponent;
+      singularity.last_error = error;
+      singularity.last_layers = known.layers;
+      singularity.layers += goal.length * layers_per_step * exponent_at_ends / singularity.exponent;
     }
-    places.push_back(place);
+    singularities.push_back(singularity);
   }
-  return places;
+  return singularities;
 }
 
 /** Returns the kink at which contact ends, if there is one in the bracket or next to it. */
-Singularity *kink_in(const ZoneBracket &bracket, std::vector<Singularity> &places) {
+Singularity *kink_in(const ZoneBracket &bracket, std::vector<Singularity> &singularities) {
   const double width = bracket.to - bracket.from;
-  for (Singularity &place : places)
-    if (place.kind == Singularity::Kind::kink && place.side == bracket.side &&
-        place.from > bracket.from - 0.5 * width && place.to < bracket.to + 0.5 * width)
-      return &place;
+  for (Singularity &singularity : singularities)
+    if (singularity.kind == Singularity::Kind::kink && singularity.side == bracket.side &&
+        singularity.from > bracket.from - 0.5 * width && singularity.to < bracket.to + 0.5 * width)
+      return &singularity;
   return nullptr;
 }
 
@@ -122,7 +122,7 @@ const Singularity *end_before(const Singularity &end, const MeshPlan &plan) {
   return found;
 }
 
-/** Sets the singular places of the next mesh with their layers. */
+/** Sets the singular singularities of the next mesh with their layers. */
 void grade(const MeshPlan &plan, const Scene<2> &scene, const Mesh<2> &mesh,
            const StepFindings &findings, const Goal &goal, MeshPlan &next) {
   next.singularities = grade_places(plan, scene, mesh, findings, goal);
@@ -180,15 +180,15 @@ void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan) {
   };
   double exponent =
     smallest_exponent(scene, corner.position, corner.sides, layers_at(scene, corner));
-  Singularity place = {Singularity::Kind::corner, corner.position};
+  Singularity singularity = {Singularity::Kind::corner, corner.position};
   if (is_homogeneous(corner.sides[0]) && is_homogeneous(corner.sides[1]))
-    place.is_certain = exponent < 1.;
+    singularity.is_certain = exponent < 1.;
   else
     // Data that does not fit together gives r log r; data of a smooth solution gives nothing.
     exponent = std::min(exponent, logarithm_exponent);
-  place.exponent = std::max(exponent, min_exponent);
+  singularity.exponent = std::max(exponent, min_exponent);
   if (exponent < max_corner_exponent)
-    plan.singularities.push_back(place);
+    plan.singularities.push_back(singularity);
 }
 
 /** Adds the points of a side at which data has a kink: an end of contact, or the end of an

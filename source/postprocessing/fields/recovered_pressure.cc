@@ -25,11 +25,11 @@ double RecoveredPressure<dim>::interpolate(const unsigned int patch, const Point
   const double middle = space_.surface().patches()[patch].centre()[d];
   const auto &[before, after] = neighbours_[patch][d];
   const std::optional<Neighbour> &next = (s[d] < middle && before) || !after ? before : after;
-  const double here = interpolate(patch, s, d);
+  const double value = interpolate(patch, s, d);
   if (!next)
-    return here;
+    return value;
   const double share = (s[d] - middle) / (next->middle() - middle);
-  return here + share * (interpolate(next->patch, s, d) - here);
+  return value + share * (interpolate(next->patch, s, d) - value);
 }
 
 template class RecoveredPressure<2>;

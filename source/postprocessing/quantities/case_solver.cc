@@ -75,10 +75,10 @@ DualVector CaseSolver::loads_of(const LoadCase &load_case) const {
 }
 
 bool CaseSolver::slides(const LoadCase &load_case) const {
-  if (operators_.modes.unseen.empty())
+  if (operators_.modes.neutral.empty())
     return false;
   const std::vector<Plate> plates = plates_of_case(scene_.plates, load_case);
-  return operators_.modes.driven_unseen(plates, loads_of(load_case)).has_value();
+  return operators_.modes.driven_neutral(plates, loads_of(load_case)).has_value();
 }
 
 CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {

@@ -74,7 +74,7 @@ FrictionSummary summarise_friction(const MultiplierSpace<dim> &space, const Mult
   add_shares(space, multiplier, summary);
   const AdmissibleSet &K = multiplier.set();
   summary.dissipation = K.dissipation(K.slip(multiplier.values(), W));
-  // Nodes in one state press in the place of P.
+  // Nodes in one state press instead of P.
   Pressure stick(m), slip(m);
   for (unsigned int k = 0; k < m; ++k) {
     const NodeState state = multiplier.state(k);

@@ -2,6 +2,7 @@
 // Omega between closed loops of segments and arcs, filled with quadrilaterals.
 
 #include <signorini/base/message.h>
+#include <signorini/problem/geometry/arc_cell.h>
 #include <signorini/problem/geometry/outline.h>
 
 #include <deal.II/base/numbers.h>

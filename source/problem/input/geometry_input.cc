@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Coordinates, and the sizes of bodies that can be computed with.
+// The subsection Geometry: bodies from parameters and mesh files, checked before they are made.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/geometry/shapes.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/mesh_file/file_geometry.h>
 #include <signorini/problem/parameters/entry_error.h>
@@ -71,61 +72,6 @@ void check_size(const Geometry<dim> &geometry, const std::string &where) {
 INSTANTIATE_FUNCTION(read_point);
 INSTANTIATE_FUNCTION(check_size);
 
-// Entries that exist in 2-D or for one shape or law only.
-
-void refuse_foreign_entries(const bool belong, const std::vector<const Entry *> &entries,
-                            const std::string &owner, const std::string &found) {
-  for (const Entry *entry : entries)
-    if (!belong && entry->changed)
-      throw error_at(*entry, "this entry belongs to ", owner, ", found ", found, ".");
-}
-
-namespace {
-template <typename Option>
-void refuse_option(const Given<Option> &given, const Option option, const std::string &allowed) {
-  if (given == option)
-    throw error_at(given, "found '", to_text(given.value),
-                   "' with Dimension = 3, allowed: ", allowed, ".");
-}
-} // namespace
-
-void refuse_2d_entries(const Parameters &parameters) {
-  const struct {
-    std::vector<const Entry *> entries;
-    const char *in_space;
-  } table[] = {
-    {{&parameters.material.orthotropic_moduli, &parameters.material.orientation,
-      &parameters.material.moduli_across},
-     "Law = general with Hooke tensor"},
-    {{&parameters.boundary.plates, &parameters.load.plate_force, &parameters.load.plate_cross_force,
-      &parameters.load.plate_moment, &parameters.load.plate_travel},
-     "Boundary/Displacement or Traction"},
-    {{&parameters.contact.foundation, &parameters.contact.foundation_position,
-      &parameters.contact.direction},
-     "Contact/Gap"},
-    {{&parameters.load_cases.cases, &parameters.load_cases.fields, &parameters.load_cases.sequence},
-     "--sweep"},
-    {{&parameters.discretization.patches}, "Patch ratio"},
-    {{&parameters.geometry.arcs, &parameters.geometry.thickness, &parameters.material.plane_state,
-      &parameters.discretization.kinks_at_x, &parameters.discretization.kinks_at_y,
-      &parameters.output.lemmas},
-     "nothing in its place"}};
-  for (const auto &[entries, in_space] : table)
-    refuse_foreign_entries(false, entries, "Dimension = 2",
-                           std::string("Dimension = 3, allowed with it: ") + in_space);
-  refuse_option(parameters.material.law, MaterialLaw::orthotropic, "isotropic, general");
-  refuse_option(parameters.discretization.strategy, Strategy::hp, to_text(Strategy::nested));
-  refuse_option(parameters.discretization.element, Element::q1_b_bar,
-                to_text(Element::q1) + ", " + to_text(Element::q2));
-  const Given<unsigned int> &ratio = parameters.discretization.patch_ratio;
-  if (ratio < 2 && parameters.discretization.element != Element::q2)
-    throw error_at(ratio, "found '", ratio.value,
-                   "' with Dimension = 3, allowed: 2 or more; in space the inf-sup constant of "
-                   "H = h falls like h^2.");
-}
-
-// Geometry/Shape = file: from the name of a mesh file to a body.
-
 namespace {
 /** The largest size of a mesh file in bytes: some millions of cells. */
 constexpr std::size_t max_mesh_file_size = 500000000;
@@ -154,8 +100,6 @@ std::string read_mesh_file(const GeometryParameters &given) {
                    content.empty() ? ", which is empty" : "", allowed);
   return convert_with_gmsh(content, ending, given.mesh_size, given.file.where() + ": ");
 }
-
-// The subsection Geometry: bodies from parameters, checked before they are made.
 
 namespace {
 /** Refuses entries that belong to another shape. */

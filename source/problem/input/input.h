@@ -153,4 +153,7 @@ void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim
  * solution that contradicts itself before the computation starts. @throws InputError */
 template <int dim>
 void check_described_scene(const Parameters &parameters, const Scene<dim> &scene);
+
+/** Reads the subsection Load cases. @throws InputError. */
+std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Scene<2> &scene);
 } // namespace Signorini

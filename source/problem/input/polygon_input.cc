@@ -7,6 +7,7 @@
 #include <signorini/base/text.h>
 #include <signorini/problem/geometry/geometry.h>
 #include <signorini/problem/geometry/outline.h>
+#include <signorini/problem/geometry/shapes.h>
 #include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/scene/scene.h>
 
@@ -81,7 +82,7 @@ void refuse_equal_vertices(const PolygonLoop &loop, const std::string &where) {
   }
 }
 
-/** Returns the loop with an arc in place of each corner that has a fillet. */
+/** Returns the loop with an arc instead of each corner that has a fillet. */
 PolygonLoop round_corners(const PolygonLoop &loop, const std::string &where) {
   constexpr double rounding = 1e-9;
   const std::size_t n = loop.size();

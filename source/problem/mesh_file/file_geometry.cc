@@ -187,7 +187,7 @@ std::vector<bool> find_arcs(const std::vector<Chain> &chains, const std::vector<
   return is_arc;
 }
 
-/** The cells of a mesh with their regions, by their places. */
+/** The cells of a mesh with their regions, by their positions. */
 struct RegionMap {
   std::vector<boost::geometry::model::ring<Point<2>, false, false>> cells;
   std::vector<unsigned int> regions;
@@ -199,7 +199,7 @@ struct RegionMap {
   Table<2, unsigned int> grid;
 
   /** Returns the row or column of the grid in which a coordinate lies. */
-  unsigned int place(const double x, const unsigned int d) const {
+  unsigned int index_of(const double x, const unsigned int d) const {
     const double part = (x - body.lower_bound(d)) / body.side_length(d);
     return std::clamp(part, 0., 1. - 1e-9) * grid.size(d);
   }
@@ -212,8 +212,8 @@ struct RegionMap {
     for (const auto &[box, cell] : boxes) {
       std::array<unsigned int, 2> begin = {}, end = {};
       for (unsigned int d = 0; d < 2; ++d) {
-        begin[d] = std::max(1U, place(box.lower_bound(d), d)) - 1;
-        end[d] = std::min(n_parts, place(box.upper_bound(d), d) + 2);
+        begin[d] = std::max(1U, index_of(box.lower_bound(d), d)) - 1;
+        end[d] = std::min(n_parts, index_of(box.upper_bound(d), d) + 2);
       }
       for (unsigned int i = begin[0]; i < end[0]; ++i)
         for (unsigned int j = begin[1]; j < end[1]; ++j)
@@ -228,7 +228,7 @@ struct RegionMap {
   /** Returns the region of a point. Beyond chords of arcs no cell has it: the nearest one counts.
    */
   unsigned int region_at(const Point<2> &x) const {
-    if (const unsigned int region = grid(place(x[0], 0), place(x[1], 1)); region < n_regions)
+    if (const unsigned int region = grid(index_of(x[0], 0), index_of(x[1], 1)); region < n_regions)
       return region;
     constexpr unsigned int n_near = 8;
     std::pair<double, unsigned int> nearest(HUGE_VAL, 0);

@@ -47,7 +47,7 @@ void check_nodes(const FileMesh &mesh, const unsigned int n_corners) {
     size = std::max(size, node->x.distance(nodes[0]->x));
   const double tolerance = min_node_distance * size;
   if ((*highest)->z - (*lowest)->z > tolerance)
-    throw input_error(mesh.place((*highest)->line), "node ", (*highest)->tag,
+    throw input_error(mesh.location((*highest)->line), "node ", (*highest)->tag,
                       " has z = ", (*highest)->z, ", node ", (*lowest)->tag, " z = ", (*lowest)->z,
                       ", allowed: a plane body in x and y, with the same z everywhere.");
   for (auto a = nodes.begin(); a != nodes.end(); ++a)
@@ -55,7 +55,7 @@ void check_nodes(const FileMesh &mesh, const unsigned int n_corners) {
       if ((*a)->x.distance((*b)->x) < tolerance) {
         const auto [first, second] = std::minmax((*a)->tag, (*b)->tag);
         throw input_error(
-          mesh.place(std::max((*a)->line, (*b)->line)), "nodes ", first, " and ", second,
+          mesh.location(std::max((*a)->line, (*b)->line)), "nodes ", first, " and ", second,
           " lie both at (", (*a)->x[0], ", ", (*a)->x[1],
           "), which is a crack, allowed: one node for every place (Gmsh: Coherence Mesh).");
       }
@@ -83,7 +83,7 @@ void make_counter_clockwise(const FileMesh &mesh, FileElement &cell) {
   for (unsigned int i = 0; i < n; ++i)
     if (!((n_left >= n_right ? sines[i] : -sines[i]) > min_sine))
       wrong = i;
-  throw input_error(mesh.place(cell.line), "the element ", cell.tag, " is not convex at node ",
+  throw input_error(mesh.location(cell.line), "the element ", cell.tag, " is not convex at node ",
                     mesh.nodes[cell.nodes[wrong]].tag,
                     ", allowed: convex elements, all angles below 180 degrees.");
 }
@@ -183,7 +183,7 @@ std::vector<HalfEdge> find_edges(const FileMesh &mesh) {
   if (twin == edges.end())
     return edges;
   const auto [first, second] = std::minmax(twin->cell->tag, (twin + 1)->cell->tag);
-  throw input_error(mesh.place(std::max(twin->cell->line, (twin + 1)->cell->line)), "the edge",
+  throw input_error(mesh.location(std::max(twin->cell->line, (twin + 1)->cell->line)), "the edge",
                     edge_text(mesh, twin->start, twin->end), " has the elements ", first, " and ",
                     second, " on the same side, allowed: elements that do not lie on one another.");
 }
@@ -200,7 +200,7 @@ std::map<Ends, const FileElement *> find_lines(const FileMesh &mesh,
       return std::binary_search(edges.begin(), edges.end(), HalfEdge{start, end, 0, nullptr});
     };
     const auto refuse = [&](const std::string &reason) {
-      throw input_error(mesh.place(line.line), "the line ", line.tag, edge_text(mesh, a, b),
+      throw input_error(mesh.location(line.line), "the line ", line.tag, edge_text(mesh, a, b),
                         reason);
     };
     if (!has(a, b) && !has(b, a)) {

@@ -102,7 +102,7 @@ struct TemporaryFolder {
   int life = -1;
 };
 
-/** Returns a script with blanks in place of its comments. Where it is not certain that a comment is
+/** Returns a script with blanks instead of its comments. Where it is not certain that a comment is
  * none of a text between quotation marks, it stays, and so do all that follow. */
 std::string without_comments(std::string text) {
   char quote = 0;

@@ -1,14 +1,102 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Every parameter: its name, its default (from parameters.h), its unit, the values allowed, its
-// use.
+// A value for a declared parameter, or one sentence that says why not.
 
 #include "declarations.h"
 
+#include <signorini/base/errors.h>
+#include <signorini/base/message.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/formulas/expression.h>
+#include <signorini/problem/parameters/entry_error.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/predicate.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <limits>
+#include <numeric>
+#include <sstream>
 
 namespace Signorini {
+namespace {
+/** Returns Levenshtein's distance, for "did you mean". */
+std::size_t edit_distance(const std::string &a, const std::string &b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({substituted, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+std::string section_of(const std::string &path) {
+  return path.substr(0, path.rfind('/') == std::string::npos ? 0 : path.rfind('/'));
+}
+
+std::string name_in_section(const std::string &path) {
+  return path.substr(path.rfind('/') + 1);
+}
+
+/** Returns the distance of a path from a known one, in which capital letters do not count; another
+ * subsection, or none, counts as one character, and the first words of the name are all of it. */
+std::size_t distance_of_paths(std::string known, std::string path) {
+  boost::to_lower(known);
+  boost::to_lower(path);
+  const std::string name = name_in_section(known), found = name_in_section(path);
+  const std::size_t other_section = section_of(known) == section_of(path) ? 0 : 1;
+  if (!found.empty() && name.rfind(found + " ", 0) == 0)
+    return other_section;
+  return std::min(edit_distance(known, path), edit_distance(name, found) + 1);
+}
+
+/** Returns whether two values mean the same, however blanks and digits are written. */
+bool is_same_value(std::string a, std::string b) {
+  double first = 0., second = 0.;
+  if (read_number(a, first) && read_number(b, second))
+    return first == second;
+  for (std::string *const text : {&a, &b})
+    text->erase(std::remove(text->begin(), text->end(), ' '), text->end());
+  return a == b;
+}
+
+/** Returns numbers with all digits, separated by commas. */
+std::string join_numbers(const std::vector<double> &numbers) {
+  std::ostringstream text;
+  text << std::setprecision(std::numeric_limits<double>::max_digits10);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    text << (i > 0 ? ", " : "") << numbers[i];
+  return text.str();
+}
+} // namespace
+
+bool read_number(const Entry &entry, const std::string &text, double &number) {
+  if (read_number(text, number))
+    return true;
+  try {
+    const Expression<1> formula(text, *entry.constants, entry.where());
+    number = formula(Point<1>());
+    return formula.is_constant() && std::isfinite(number);
+  } catch (const InputError &) {
+    return false;
+  }
+}
+
+bool read_numbers(const Entry &entry, const std::string &text, std::vector<double> &numbers) {
+  numbers.clear();
+  for (const std::string &part : split_list(text, ','))
+    if (!read_number(entry, part, numbers.emplace_back()))
+      return false;
+  return true;
+}
+
 void Declarations::in_section(const std::string &path,
                               const std::function<void(const std::string &)> &act) const {
   const auto slash = path.find('/');
@@ -29,7 +117,7 @@ void Declarations::add(const std::string &path, Entry &entry, const std::string 
     handler_.add_action(name, set);
   });
   entry.name = path;
-  entry.place = file_name_;
+  entry.origin = file_name_;
   declared_[path] = {allowed, default_text, false, &entry};
 }
 
@@ -50,318 +138,110 @@ void Declarations::add(const std::string &path, Given<std::vector<double>> &give
   declared_[path].is_numeric = true;
 }
 
-Declarations::Declarations(Parameters &parameters)
-  : file_name_(parameters.file_name) {
-  parameters.boundary.where = file_name_ + ": Boundary";
-  declare_scene(parameters);
-  declare_geometry(parameters.geometry);
-  declare_material(parameters.material);
-  declare_boundary(parameters.boundary);
-  declare_load(parameters.load);
-  declare_contact(parameters.contact);
-  declare_load_cases(parameters.load_cases);
-  declare_exact_solution(parameters.exact);
-  declare_discretization(parameters.discretization);
-  declare_solver(parameters.solver);
-  declare_output(parameters.output);
+void Declarations::set_constants(const std::shared_ptr<const Constants> &constants) {
+  for (const auto &declared : declared_)
+    declared.second.entry->constants = constants;
 }
 
-void Declarations::declare_scene(Parameters &parameters) {
-  add("Dimension", parameters.dimension,
-      "Bodies in 3-D are boxes. A scene of the catalogue has its own.", 2U, 3U, "2 or 3");
-  add("Scene/Name", parameters.scene.name,
-      "'described', or a scene of the catalogue (see --list-scenes), which then fixes everything "
-      "from Geometry to Exact solution.");
-  add("Constants/Values", parameters.constants.values,
-      "Names for the expressions: E=1, nu=0.3 (separated by commas; pi is known).");
+const Declarations::Declared &Declarations::find(const Assignment &assignment) {
+  const std::string &path = assignment.path;
+  const auto known = declared_.find(path);
+  if (known == declared_.end()) {
+    const auto nearest =
+      std::min_element(declared_.begin(), declared_.end(), [&](const auto &a, const auto &b) {
+        return distance_of_paths(a.first, path) < distance_of_paths(b.first, path);
+      });
+    std::vector<std::string> constants;
+    for (const auto &constant : *nearest->second.entry->constants)
+      constants.push_back(constant.first);
+    const std::string hint = hint_for(path, constants);
+    const std::size_t distance = distance_of_paths(nearest->first, path);
+    const bool is_far = distance > 1 && 3 * distance > name_in_section(path).size();
+    if (assignment.origin.rfind("--", 0) == 0 && path.find('/') == std::string::npos &&
+        (!hint.empty() || (is_far && !constants.empty())))
+      throw input_error(assignment.origin, ": found ", quote(path), hint, ", allowed: a constant (",
+                        join(constants), ") or Subsection/Parameter.");
+    if (!is_far)
+      throw input_error(assignment.origin, ": ", shorten(path),
+                        ": unknown parameter; did you mean '", nearest->first,
+                        "'? (--print-parameters lists all)");
+    std::vector<std::string> names;
+    for (const auto &declared : declared_)
+      if (section_of(declared.first) == section_of(path))
+        names.push_back(name_in_section(declared.first));
+    const bool has_section = !section_of(path).empty() && !names.empty();
+    throw input_error(assignment.origin, ": ", shorten(path), ": unknown parameter",
+                      has_section ? ", allowed in " + section_of(path) + ": " + join(names) + "."
+                                  : " (--print-parameters lists all)");
+  }
+  Entry &entry = *known->second.entry;
+  entry.origin = assignment.origin;
+  entry.is_given = true;
+  return known->second;
 }
 
-void Declarations::declare_material(MaterialParameters &material) {
-  add("Material/Law", material.law, "Hooke's law.");
-  add("Material/Young's modulus", material.youngs_modulus,
-      "Expression in x, y (in 3-D x, y, z) (force/area), positive everywhere; for regions of a "
-      "mesh file 'steel: 210000 | rubber: 5', as for all moduli.");
-  add("Material/Poisson's ratio", material.poissons_ratio,
-      "Expression in x, y (in 3-D x, y, z), between -1 and 0.5 (both excluded) everywhere.");
-  add("Material/Hooke tensor", material.hooke_tensor,
-      "General law: C11; C12; C13; C22; C23; C33 (force/area), expressions in Voigt's notation "
-      "with the strains e11, e22, 2*e12. In 3-D the 21 entries C11; C12; ... C16; C22; ... C66 "
-      "of the upper triangle, row by row, with the strains e11, e22, e33, 2*e23, 2*e13, 2*e12.");
-  add("Material/Orthotropic moduli", material.orthotropic_moduli,
-      "Orthotropic law: Q11; Q22; Q12; Q66 (force/area), expressions in the material's own axes.");
-  add("Material/Orientation", material.orientation,
-      "Degrees from the x-axis to the first axis of an orthotropic material.",
-      std::numeric_limits<double>::lowest(), std::numeric_limits<double>::max(), "a number");
-  add("Material/Moduli across the plane", material.moduli_across,
-      "Orthotropic law in plane strain: Q31; Q32 (force/area), sigma_zz = Q31*e11 + Q32*e22 in the "
-      "material's own axes. General law: Z1; Z2; Z3, sigma_zz = Z1*e11 + Z2*e22 + Z3*2*e12. Only "
-      "the stresses that are written need them. Empty: plane stress, sigma_zz = 0.");
-  add("Material/Plane state", material.plane_state,
-      "What the third direction does (isotropic law; the others are given for the plane). "
-      "axisymmetric: a body of revolution about x = 0; forces are those on the whole "
-      "circumference, and a side on the axis needs no entry.");
+void Declarations::assign_by_body(const Assignment &assignment) {
+  find(assignment).entry->changed = true;
+  by_body_[assignment.path] = assignment.value;
 }
 
-void Declarations::declare_boundary(BoundaryParameters &boundary) {
-  add("Boundary/Clamped", boundary.clamped, "Sides that do not move: names separated by blanks.");
-  add("Boundary/Rollers", boundary.rollers,
-      "Sides with zero normal displacement and zero shear: names separated by blanks.");
-  add("Boundary/Contact", boundary.contact,
-      "Sides that may touch the foundation: names separated by blanks; at least one.");
-  add("Boundary/Displacement", boundary.displacement,
-      "Prescribed displacement (length) by side: top: 0; -0.1 | left: 0; 0. In 3-D three "
-      "components: top: 0; 0; -0.1.");
-  add("Boundary/Traction", boundary.traction,
-      "Surface traction (force/area) by side: left: tx; ty | right: tx; ty; in 3-D tx; ty; tz. "
-      "Sides without a role are free.");
-  add("Boundary/Plates", boundary.plates,
-      "Sides to which rigid plates are bonded, with the direction in which each travels: "
-      "top: 0, -1 | right: 1, 0 turning. A plate that is turning may also rotate about its middle, "
-      "on a hole about the centre.");
+void Declarations::assign(const Assignment &assignment) {
+  const std::string &path = assignment.path, &value = assignment.value;
+  const Declared &declared = find(assignment);
+  Entry &entry = *declared.entry;
+  if (value.empty() && !declared.default_text.empty())
+    throw error_at(entry, "found '', allowed: ",
+                   declared.allowed.empty() ? "a value, by default " + quote(declared.default_text)
+                                            : declared.allowed,
+                   ".");
+  // Formulas of constants become numbers; the names of options may begin with a capital.
+  std::string text = value;
+  std::vector<double> numbers;
+  if (declared.is_numeric && !read_numbers(value, numbers) && read_numbers(entry, value, numbers))
+    text = join_numbers(numbers);
+  for (const std::string &allowed : split_list(declared.allowed, ','))
+    if (boost::iequals(allowed, value))
+      text = allowed;
+  entry.changed = !is_same_value(text, declared.default_text);
+  try {
+    in_section(path, [&](const std::string &name) { handler_.set(name, text); });
+  } catch (const ExceptionBase &) {
+    throw error_at(entry, "found ", quote(value), ", allowed: ", declared.allowed, ".");
+  }
 }
 
-void Declarations::declare_load(LoadParameters &load) {
-  add("Load/Body force", load.body_force,
-      "Force per volume: fx; fy, in 3-D fx; fy; fz, expressions in x, y, z (force/volume); for "
-      "bodies "
-      "or regions of a mesh file 'upper: 0; -1 | lower: 0; 0'.");
-  add("Load/Plate force", load.plate_force,
-      "Force on a plate along its direction (force per thickness) by side: top: 35.");
-  add(
-    "Load/Plate cross force", load.plate_cross_force,
-    "Force on a plate across its direction (force per thickness) by side, in the direction turned "
-    "counter-clockwise by a right angle; the plate may then move across, too.");
-  add("Load/Plate moment", load.plate_moment,
-      "Moment on a turning plate about its middle, on a hole about the centre, counter-clockwise "
-      "(force x length per thickness) by side; zero where nothing is given.");
-  add("Load/Plate travel", load.plate_travel,
-      "Travel of a plate along its direction (length) by side, in the place of a force.");
+std::set<std::string> Declarations::sections() const {
+  std::set<std::string> names;
+  for (const auto &declared : declared_)
+    if (declared.first.find('/') != std::string::npos)
+      names.insert(declared.first.substr(0, declared.first.find('/')));
+  return names;
 }
 
-void Declarations::declare_contact(ContactParameters &contact) {
-  add("Contact/Gap", contact.gap,
-      "Initial gap along the outward normal (length), an expression for all contact sides, or "
-      "per side: bottom: ... | left: ...");
-  add("Contact/Foundation", contact.foundation,
-      "Rigid things in place of the gap, separated by '|': plane x,y normal nx,ny; circle x,y "
-      "radius r; circle x,y radius r inside (the body lies in a round hole); parabola x,y normal "
-      "nx,ny curvature k (with k < 0 it bends away from the body). Numbers may be formulas of the "
-      "constants. Normals point towards the body and may have any length. 'bottom: circle ...' is "
-      "for one contact side, others are for all that touch no other body. The gap is the distance "
-      "along the direction of contact, at most ten diameters of the body.");
-  add("Contact/Foundation position", contact.foundation_position,
-      "dx, dy by which the whole foundation is moved (length).");
-  add("Contact/Direction", contact.direction,
-      "The direction along which planes of a Foundation act. foundation: their own normal, so that "
-      "without friction a plane exerts no force along itself, whatever the shape of the body. "
-      "body: the outward normal of the body, as everywhere else.");
-  add(
-    "Contact/Friction", contact.friction,
-    "Law of friction of the tangential traction q: none (q = 0), tresca (|q| <= Friction bound), "
-    "coulomb (|q| <= Friction coefficient times the pressure). Bilinear or trilinear elements with "
-    "at least two faces per patch and direction, or Strategy = hp.");
-  add("Contact/Friction coefficient", contact.friction_coefficient,
-      "Coulomb: f >= 0, an expression for all contact sides, or per side: bottom: ... | left: ...");
-  add("Contact/Friction bound", contact.friction_bound,
-      "Tresca: s >= 0 (force/area), an expression in the same way.");
-  add("Contact/Foundation shift", contact.foundation_shift,
-      "With friction: the motion of the foundation along the counter-clockwise tangent of the side "
-      "(length), an expression in the same way; in 3-D a vector u1; u2; u3 whose tangential part "
-      "counts; empty: 0.");
+std::vector<Entry> Declarations::changes(const std::vector<std::string> &sections) const {
+  std::vector<Entry> changes;
+  for (const std::string &section : sections)
+    for (const auto &declared : declared_)
+      if (declared.first.rfind(section + "/", 0) == 0 && declared.second.entry->changed)
+        changes.push_back(*declared.second.entry);
+  return changes;
 }
 
-void Declarations::declare_load_cases(LoadCasesParameters &load_cases) {
-  add(
-    "Load cases/Cases", load_cases.cases,
-    "Other loads that the finest level is solved for, from the same factorisation: factors of "
-    "force (tractions, plates), weight (body force), travel (prescribed displacements), gap and "
-    "slide (Foundation shift), and shift x, shift y of the foundation (length): force 0.5, weight "
-    "2 | force 0 to 3 in 100 cases. What is not named keeps the factor 1 and the shift 0.");
-  add("Load cases/Sequence", load_cases.sequence,
-      "independent: every case begins with a body that has not slipped. steps: with friction, each "
-      "case goes on from the slip of the one before, in their order, on every nested level.");
-  add("Load cases/Fields", load_cases.fields,
-      "Numbers of the cases for which VTU files are written, separated by blanks; the first is 1.");
+std::string Declarations::print(const bool with_help) const {
+  std::ostringstream text;
+  handler_.print_parameters(text,
+                            (with_help ? ParameterHandler::Text : ParameterHandler::ShortText) |
+                              ParameterHandler::KeepDeclarationOrder);
+  std::string lines = text.str();
+  for (const auto &[path, value] : by_body_)
+    set_in_echo(path, value, lines);
+  return lines;
 }
 
-void Declarations::declare_exact_solution(ExactSolutionParameters &exact) {
-  add("Exact solution/Displacement", exact.displacement,
-      "u1; u2, in 3-D u1; u2; u3, as expressions (length); turns the columns u_... on.");
-  add("Exact solution/Displacement gradient", exact.displacement_gradient,
-      "du1/dx; du1/dy; du2/dx; du2/dy, in 3-D all nine derivatives in this order; without it "
-      "fourth-order differences are taken.");
-  add("Exact solution/Pressure", exact.pressure,
-      "p = sigma_n, negative in compression (force/area), an expression for all contact sides or "
-      "per side; turns the columns p_... on.");
-}
-
-void Declarations::declare_discretization(DiscretizationParameters &discretization) {
-  add("Discretization/Strategy", discretization.strategy,
-      "automatic: hp, unless levels or an exact solution are given, or something else needs nested "
-      "meshes; the run says which and why. nested: every cell is split from level to level, with "
-      "patches of length H. hp: meshes are "
-      "graded to ends of contact and other singularities, and the degree rises away from them; "
-      "Finest level, Element, Patch ratio and Patches have no meaning then. One process.");
-  add(
-    "Discretization/Coarsest level", discretization.coarsest_level,
-    "Refinements of the coarse mesh on the first level. Where none is given, hp begins with "
-    "the first that has at least 24 cells, and pairs of bodies choose both levels by the number of "
-    "cells.",
-    0U, 14U);
-  add("Discretization/Finest level", discretization.finest_level,
-      "Refinements of the coarse mesh on the last level.", 0U, 14U);
-  add("Discretization/Element", discretization.element,
-      "Q1: bilinear displacement. Q1 B-bar: its dilatation is averaged over cells, which keeps the "
-      "order for nearly incompressible bodies (Poisson's ratio near 0.5), where plain Q1 locks. "
-      "Q2: biquadratic, stable with Patch ratio = 1.");
-  add("Discretization/Patch ratio", discretization.patch_ratio,
-      "H/h: faces per contact patch; where it does not divide the faces of a side, the last patch "
-      "is the longer one.",
-      1U, 16384U);
-  add("Discretization/Patches", discretization.patches,
-      "If positive: this many equal patches per contact side, aligned with nothing; or per side: "
-      "bottom: 8 | left: 5. In a pair they divide the overlap.");
-  add("Discretization/Target error", discretization.target_error,
-      "If positive: stop refining when the relative error of u_h in the energy norm is below it: "
-      "its guaranteed bound, or, where there is no bound, its estimate. Where none is given, hp "
-      "aims at 1e-3.",
-      0., 1.);
-  add("Discretization/Maximum unknowns", discretization.maximum_unknowns,
-      "hp: no mesh with more unknowns is solved.", 100U, 100000000U);
-  add("Discretization/Maximum degree", discretization.maximum_degree,
-      "hp: the highest degree of an element.", 2U, 12U);
-  add("Discretization/Quadrature points", discretization.quadrature_points,
-      "Gauss points per direction for loads; errors take one more. Meshes of at most 16384 cells "
-      "take one more, of at most 1024 cells three more, of at most 64 cells six more.",
-      1U, 16U);
-  add("Discretization/Kinks at x", discretization.kinks_at_x,
-      "Positions x where the data is not smooth (length): cells and patches crossed by one are "
-      "integrated on the pieces.");
-  add("Discretization/Kinks at y", discretization.kinks_at_y, "The same for positions y.");
-}
-
-void Declarations::declare_solver(SolverParameters &solver) {
-  add("Solver/Contact solver", solver.contact_solver,
-      "Method for contact. psor (projected SOR) and active set (primal-dual) solve the dual "
-      "problem. multigrid forms none: every V-cycle is followed by a small problem on the contact "
-      "sides (one process, nested meshes, Linear solver "
-      "= multigrid or automatic). automatic is multigrid on levels with 1e5 unknowns and more (in "
-      "3-D 5e3, on irregular meshes such as split triangles 2e6), where nothing forbids it, else "
-      "active set.");
-  add("Solver/Relaxation", solver.relaxation, "Relaxation parameter omega of projected SOR.",
-      std::numeric_limits<double>::min(), 2. - 1e-15, "a number between 0 and 2 (both excluded)");
-  add("Solver/Tolerance", solver.tolerance, "On the relative KKT residual of the dual problem.",
-      1e-15, 1e-2);
-  add("Solver/Maximum iterations", solver.maximum_iterations,
-      "Sweeps of projected SOR, steps of the active set, or V-cycles before giving "
-      "up; a level that needs more is the last one, and is not certified.",
-      1U, 2147483647U, "a positive integer");
-  add("Solver/Linear solver", solver.linear_solver,
-      "How systems with the stiffness matrix are solved. condensed (CHOLMOD, one process only) "
-      "eliminates the contact unknowns last and reads the compliance C from the factor; "
-      "amesos_mumps (on all processes) and amesos_klu (gathered on one) take one solve for every "
-      "contact patch that can touch. multigrid (one process, nested meshes) assembles and "
-      "factorises nothing: conjugate gradients with V-cycles. automatic is multigrid where Contact "
-      "solver is that, else condensed on one process and amesos_mumps on several.");
-  add("Solver/Warm start", solver.warm_start,
-      "Start a level from the pressure of the level before.");
-  add(
-    "Solver/Tolerated error", solver.tolerated_error,
-    "Relative error in the energy norm up to which an answer is certified: the bound on the finest "
-    "level, or its estimate where there is no bound, must not be larger.",
-    0., 10.);
-  add("Solver/Require stability", solver.require_stability,
-      "Refuse patches of a single face (H = h), which are not inf-sup stable, instead of warning.");
-}
-
-void Declarations::declare_output(OutputParameters &output) {
-  add("Output/Report", output.report,
-      "Places separated by '|' for which the answer has the largest von Mises and principal "
-      "stresses and displacement: the name of a side or of a region, 'x,y radius r', a point "
-      "'x,y', or a line 'x,y to x,y', along which line-N.csv has them.");
-  add("Output/VTU", output.vtu, "Levels for which solution-LL.vtu and contact-LL.vtu are written.");
-  add(
-    "Output/Inf-sup constant", output.inf_sup_constant,
-    "Whether the constant beta of Lemma 1 is measured (automatic: where the exact displacement is "
-    "known, on nested meshes of up to 1e5 unknowns, in 3-D 5000; it needs its own factorisation).");
-  add(
-    "Output/Bound", output.bound,
-    "Whether the guaranteed bound of the error is computed (automatic: in 2-D, on the finest mesh "
-    "and where a run may end); without it the estimate decides.");
-  add("Output/Compliance", output.compliance,
-      "Write the dual problem and its solution as Matrix Market files: C, F, P, and A, D, f, G "
-      "behind them.");
-  add("Output/Errors", output.errors,
-      "Compute the errors in the norms of the theorems where the exact solution is known; without "
-      "them a run takes the time of its solution.");
-  add(
-    "Output/Lemmas", output.lemmas,
-    "Fill the columns lemma_... and bound_...: the left-hand sides of Lemmas 2, 3, 5 and of (26), "
-    "(27), (30), where the exact solution is known.");
-  add(
-    "Output/Pictures", output.pictures,
-    "Draw the finest level with signorini-plot if Python's matplotlib is installed; that needs and "
-    "writes the VTU files of this level.");
-}
-
-// The subsection Geometry.
-
-void Declarations::declare_geometry(GeometryParameters &geometry) {
-  add(
-    "Geometry/Bodies", geometry.bodies,
-    "Names of several bodies, separated by blanks. Every entry of Geometry may then have a value "
-    "for each, 'upper: 1 | lower: 2', and so may moduli; a side is called upper.bottom. Bodies of "
-    "one mesh file are its surfaces of these names. At most 500.");
-  add("Geometry/Shape", geometry.shape,
-      "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
-      "side1, ... in the order of its vertices; a half disc (the lower half) flat and arc, a disc "
-      "arc, a ring inner and outer; a file those that are named in it; a box, the shape in 3-D, "
-      "left, right (x), front, back (y), bottom, top (z).");
-  add("Geometry/Lower left", geometry.lower_left,
-      "Corner of the rectangle: x, y; of the box: x, y, z (length).");
-  add("Geometry/Upper right", geometry.upper_right,
-      "Opposite corner of the rectangle: x, y; of the box: x, y, z (length).");
-  add("Geometry/Cells", geometry.cells,
-      "Coarse cells per direction, of the rectangle: nx, ny; of the box: nx, ny, nz.");
-  add(
-    "Geometry/Vertices", geometry.vertices,
-    "Polygon: x0,y0; x1,y1; ... (length). 'x,y fillet r' rounds the corner with a side of its own, "
-    "fillet<number of the vertex>; between two vertices, 'arc cx,cy ccw' (or cw) makes an arc "
-    "about (cx,cy) of the edge, 'arc radius r ccw' (or cw) one of at most 180 degrees, and 'arc "
-    "through x,y' one through a third point. A convex polygon without arcs has one coarse cell if "
-    "it has four "
-    "vertices, otherwise one per vertex; all others are filled with triangles, which are split "
-    "into quadrilaterals.");
-  add("Geometry/Holes", geometry.holes,
-      "Polygon: holes separated by '|', each 'circle cx,cy,r' or vertices as above (length). Their "
-      "sides are hole0, hole1, ...");
-  add(
-    "Geometry/Mesh size", geometry.mesh_size,
-    "Polygon, and shapes from files (.step, .geo, ...): longest edge of the elements that level 0 "
-    "is made from (length); 0: as coarse as the shape allows, or a tenth of the diagonal of a "
-    "file's shape.",
-    0., 1e30);
-  add("Geometry/Centre", geometry.centre, "Of a half disc, a disc or a ring: x, y (length).");
-  add("Geometry/Radius", geometry.radius, "Of a half disc, a disc or a ring (length).", 1e-30,
-      1e30);
-  add("Geometry/Inner radius", geometry.inner_radius, "Of a ring (length).", 1e-30, 1e30);
-  add(
-    "Geometry/File", geometry.file,
-    "Coarse mesh or shape that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...); all but text of "
-    ".msh, version 2 or 4.1, goes through the program gmsh. Looked for in the folder of the "
-    "parameter file, then in the working folder. Sides are the physical names of curves, or their "
-    "numbers where no curve has a name; other edges are the side rest.");
-  add(
-    "Geometry/Arcs", geometry.arcs,
-    "Mesh file: sides that are circular arcs, so that refinement follows the circle through their "
-    "nodes, which may lie beside it by 1e-4 of the radius and are moved onto it: names separated "
-    "by "
-    "blanks. Edges with a node in the middle need no entry.");
-  add("Geometry/Distortion", geometry.distortion,
-      "Interior vertices of the coarsest level are moved at random by this share of h.", 0., 0.45);
-  add("Geometry/Thickness", geometry.thickness,
-      "Of a plane body (length): forces, moments, work and energies are those of it; plate forces "
-      "and moments act on all of it.",
-      1e-30, 1e30);
+void set_in_echo(const std::string &path, const std::string &value, std::string &echo) {
+  const std::size_t section = echo.find("subsection " + section_of(path) + "\n"),
+                    entry = echo.find("set " + name_in_section(path) + " ", section),
+                    begin = echo.find("= ", entry) + 2;
+  echo.replace(begin, echo.find('\n', begin) - begin, value);
 }
 } // namespace Signorini

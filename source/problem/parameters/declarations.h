@@ -26,7 +26,7 @@ namespace Signorini {
  */
 class Declarations {
 public:
-  /** Declares every entry, with its name, and with the file as its place. */
+  /** Declares every entry, with its name, and with the file as its origin. */
   explicit Declarations(Parameters &parameters);
 
   /**
@@ -99,7 +99,7 @@ private:
   void declare_solver(SolverParameters &solver);
   void declare_output(OutputParameters &output);
 
-  /** Returns the declaration of an entry, and notes its place. @throws InputError */
+  /** Returns the declaration of an entry, and notes its origin. @throws InputError */
   const Declared &find(const Assignment &assignment);
 
   mutable ParameterHandler handler_;

@@ -52,11 +52,11 @@ std::string with_constant(const std::string &list, const std::string &name,
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
     throw input_error(
-      assignment.place + ": found the constant " + quote(name) + hint_for(name, names) +
+      assignment.origin + ": found the constant " + quote(name) + hint_for(name, names) +
       ", allowed: " + (names.empty() ? constants_path + ", which is empty" : join(names)) + ".");
   const std::vector<std::string> values = split_list(assignment.value, ',');
   if (values.size() != 1)
-    throw input_error(assignment.place, ": ", assignment.path, ": found ", quote(assignment.value),
+    throw input_error(assignment.origin, ": ", assignment.path, ": found ", quote(assignment.value),
                       ", allowed: one value.");
   parts[found - names.begin()] = name + "=" + values[0];
   return join(parts);
@@ -186,10 +186,10 @@ Parameters parse_parameters(const std::string &text, const std::string &file_nam
   for (const Assignment &assignment : assignments)
     if (assignment.path == constants_path)
       constants = std::make_shared<const Constants>(
-        read_constants(assignment.value, assignment.place + ": " + constants_path));
+        read_constants(assignment.value, assignment.origin + ": " + constants_path));
     else if (assignment.path == bodies_path) {
       bodies = split_words(assignment.value);
-      check_names(bodies, assignment.place + ": " + bodies_path);
+      check_names(bodies, assignment.origin + ": " + bodies_path);
     }
   declarations.set_constants(constants);
   const std::set<std::string> names(bodies.begin(), bodies.end());

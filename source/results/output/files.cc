@@ -4,16 +4,13 @@
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
 #include <signorini/results/output/files.h>
+#include <signorini/results/output/signals.h>
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <fcntl.h>
 #include <fstream>
 #include <regex>
-#include <string_view>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -22,23 +19,6 @@
 namespace Signorini {
 namespace {
 constexpr const char *trial_name = "trial";
-
-/** The path of the file that is being written, for the handler of signals; null: none. */
-std::string unfinished_path;
-std::atomic<const char *> unfinished = nullptr;
-
-/** Makes a path known as that of an unfinished file as long as the object lives. */
-struct Unfinished {
-  explicit Unfinished(const std::filesystem::path &path) {
-    unfinished_path = path.string();
-    unfinished = unfinished_path.c_str();
-  }
-  ~Unfinished() {
-    unfinished = nullptr;
-  }
-  Unfinished(const Unfinished &) = delete;
-  Unfinished &operator=(const Unfinished &) = delete;
-};
 
 /** Writes and flushes. @return whether every byte was written. */
 bool try_to_write(const std::filesystem::path &path,
@@ -83,7 +63,7 @@ std::vector<std::filesystem::path> make_directories(const std::filesystem::path 
 /** Returns whether a small file can be written into @p directory; it is removed again. */
 bool is_writable(const std::filesystem::path &directory) {
   const std::filesystem::path trial = temporary_name(directory / trial_name);
-  const Unfinished until_end(trial);
+  const UnfinishedFile until_end(trial);
   const bool written = try_to_write(trial, [](std::ostream &stream) { stream << "trial\n"; });
   unlink(trial.c_str());
   return written;
@@ -193,7 +173,7 @@ std::filesystem::path temporary_name(const std::filesystem::path &path) {
 void write_file(const std::filesystem::path &path,
                 const std::function<void(std::ostream &)> &write) {
   const std::filesystem::path temporary = temporary_name(path);
-  const Unfinished until_end(temporary);
+  const UnfinishedFile until_end(temporary);
   std::error_code error;
   if (try_to_write(temporary, write)) {
     std::filesystem::rename(temporary, path, error);
@@ -217,74 +197,4 @@ void remove_files(const std::filesystem::path &directory, const NameTest &is_rem
   }
 }
 
-// The end of the program on a signal.
-
-namespace {
-constexpr int usually_ending[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
-
-/** The texts of describe_interruption(): two, so that the one which the handler may be reading is
- * never being written. */
-std::array<std::string, 2> descriptions;
-std::atomic<const std::string *> current_description = nullptr;
-
-extern "C" void end_by_signal(const int number) {
-  if (const char *const path = unfinished)
-    unlink(path);
-  const std::string *const description = current_description;
-  if (description != nullptr && !description->empty()) {
-    // A signal handler may neither use streams nor make strings.
-    const char digits[] = {static_cast<char>('0' + number / 10),
-                           static_cast<char>('0' + number % 10)};
-    const std::string_view two_digits(digits, 2);
-    const std::string_view parts[] = {isatty(STDERR_FILENO) != 0 ? "\r\033[Ksignorini: "
-                                                                 : "signorini: ",
-                                      "interrupted by signal ",
-                                      two_digits.substr(number < 10 ? 1 : 0),
-                                      " ",
-                                      *description,
-                                      "\n"};
-    for (const std::string_view part : parts)
-      if (write(STDERR_FILENO, part.data(), part.size()) < 0)
-        break;
-  }
-  // SA_RESETHAND: now this is the default action, which follows when the handler returns.
-  raise(number);
-}
-} // namespace
-
-std::vector<int> ending_signals() {
-  std::vector<int> ending;
-  for (const int number : usually_ending) {
-    struct sigaction action = {};
-    sigaction(number, nullptr, &action);
-    if (action.sa_handler != SIG_IGN)
-      ending.push_back(number);
-  }
-  return ending;
-}
-
-void handle_signals(const std::vector<int> &ending) {
-  for (const int number : usually_ending) {
-    const bool ends = std::find(ending.begin(), ending.end(), number) != ending.end();
-    struct sigaction action = {};
-    action.sa_handler = ends ? end_by_signal : SIG_IGN;
-    action.sa_flags = ends ? static_cast<int>(SA_RESETHAND) : 0;
-    sigaction(number, &action, nullptr);
-  }
-  std::signal(SIGPIPE, SIG_IGN);
-}
-
-void describe_interruption(const std::string &where) {
-  std::string &next = descriptions[current_description == descriptions.data() ? 1 : 0];
-  next = where;
-  current_description = &next;
-}
-
-void make_standard_streams_safe() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(stream, F_GETFD) < 0)
-      // The lowest free number is taken; opened the wrong way round, it fails like a closed one.
-      (void)open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-  std::signal(SIGXFSZ, SIG_IGN);
-}
 } // namespace Signorini

@@ -52,9 +52,9 @@ bool step_to_first_end(const BoundConstrainedQP &qp, const Vector &wanted, Vecto
   unsigned int leaving = P.size();
   for (unsigned int i = 0; i < P.size(); ++i)
     if (states[i] == State::inside && std::abs(wanted[i] - K.project(i, wanted[i])) > rounding) {
-      const double here = (K.project(i, wanted[i]) - P[i]) / (wanted[i] - P[i]);
-      if (leaving == P.size() || here < part) {
-        part = here;
+      const double share = (K.project(i, wanted[i]) - P[i]) / (wanted[i] - P[i]);
+      if (leaving == P.size() || share < part) {
+        part = share;
         leaving = i;
       }
     }
@@ -99,16 +99,16 @@ void newton_step(const BoundConstrainedQP &qp, Vector &P) {
                wanted = solve_on_set(qp, states_of(qp.K.at(a), a), a).P;
   const double before = qp.kkt_residual(P);
   const auto at = [&](const double part) {
-    Vector there(P);
-    there.sadd(1. - part, part, wanted);
-    qp.K.at(there).project(there);
-    return there;
+    Vector moved(P);
+    moved.sadd(1. - part, part, wanted);
+    qp.K.at(moved).project(moved);
+    return moved;
   };
   const Vector whole = at(1.);
   constexpr double shortest = 1e-2;
   for (double part = 1.; part > shortest; part *= 0.5)
-    if (const Vector there = at(part); qp.kkt_residual(there) < before) {
-      P = there;
+    if (const Vector moved = at(part); qp.kkt_residual(moved) < before) {
+      P = moved;
       return;
     }
   P = whole;

@@ -24,7 +24,7 @@ std::string message_of(const ExceptionBase &exception) {
   return one_line(trim(text.str()));
 }
 
-/** Returns how many sweeps projected SOR may take in the place of the active set method: some
+/** Returns how many sweeps projected SOR may take instead of the active set method: some
  * seconds. */
 unsigned int affordable_sweeps(const BoundConstrainedQP &qp) {
   constexpr double most_products = 5e9;

@@ -250,7 +250,7 @@ ReducedMotions::ReducedMotions(const FreeMotions &motions, const AdmissibleSet &
     Vector v(k);
     for (unsigned int i = 0; i < k; ++i)
       v[i] = hidden(i, j);
-    unseen.push_back(with_units(v, units));
+    neutral.push_back(with_units(v, units));
   }
   const unsigned int n = seen.n();
   if (n == 0 || escape)
@@ -399,7 +399,7 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   const bool nothing_happens = motions.b.all_zero() && FreeState{{}, F}.nothing_touches(K);
   const double stiffness = nothing_happens ? 1. : contact_stiffness(*C, motions.B);
   const ReducedMotions reduced(motions, K, stiffness);
-  result.unseen = reduced.unseen;
+  result.neutral = reduced.neutral;
   result.escape = reduced.escape;
   result.qp.converged = nothing_happens;
   const auto slides_along_all = [&]() {

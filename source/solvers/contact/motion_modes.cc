@@ -85,11 +85,11 @@ MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space, const Scene<2> &sc
                            const StiffnessInverse &inverse) {
   MotionModes<2> modes;
   const FreeMotionBasis basis = free_motions(scene);
-  modes.unseen = basis.unseen;
-  for (const FreeMotion &motion : modes.unseen)
-    modes.unseen_modes.push_back(interpolate(*motion.rigid, space));
+  modes.neutral = basis.neutral;
+  for (const FreeMotion &motion : modes.neutral)
+    modes.neutral_modes.push_back(interpolate(*motion.rigid, space));
   if (space.mesh().is_curved())
-    modes.unseen_tolerance = 1e-3;
+    modes.neutral_tolerance = 1e-3;
   const auto add_mode = [&](const FreeMotion &motion, const bool undetermined) {
     const bool strains =
       !motion.rigid || (space.mesh().is_curved() && !motion.rigid->is_translation());
@@ -102,10 +102,10 @@ MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space, const Scene<2> &sc
     modes.Z.push_back(std::move(z));
     modes.forces.push_back(std::move(forces));
   };
-  for (const FreeMotion &motion : basis.seen)
+  for (const FreeMotion &motion : basis.resisted)
     add_mode(motion, false);
   // Where V^h lacks a rotation, a pin in its place would take a part of the loads.
-  for (const FreeMotion &motion : modes.unseen)
+  for (const FreeMotion &motion : modes.neutral)
     add_mode(motion, true);
   const unsigned int k = modes.size();
   modes.K.reinit(k, k);
@@ -158,11 +158,11 @@ MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates, const DualVe
 }
 
 template <int dim>
-std::optional<unsigned int> MotionModes<dim>::driven_unseen(const std::vector<Plate> &plates,
-                                                            const DualVector &loads) const {
-  for (unsigned int j = 0; j < unseen.size(); ++j) {
-    const auto [value, magnitude] = work_in(unseen[j], unseen_modes[j], plates, loads);
-    if (std::abs(value) > unseen_tolerance * magnitude)
+std::optional<unsigned int> MotionModes<dim>::driven_neutral(const std::vector<Plate> &plates,
+                                                             const DualVector &loads) const {
+  for (unsigned int j = 0; j < neutral.size(); ++j) {
+    const auto [value, magnitude] = work_in(neutral[j], neutral_modes[j], plates, loads);
+    if (std::abs(value) > neutral_tolerance * magnitude)
       return j;
   }
   return {};

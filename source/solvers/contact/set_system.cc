@@ -36,13 +36,13 @@ struct ActiveSet {
   ActiveSet(const BoundConstrainedQP &qp, const States &states, const Vector &a)
     : P_0(qp.size()) {
     const AdmissibleSet &K = qp.K, K_at_a = K.n_discs() > 0 ? K.at(a) : AdmissibleSet();
-    std::vector<unsigned int> place(states.size());
+    std::vector<unsigned int> index_in_test(states.size());
     for (unsigned int i = 0; i < states.size(); ++i) {
       const unsigned int second = i + K.n_discs();
       const double end = states[i] == State::lower ? K[i].lower : K[i].upper, f = K.coefficient(i);
       Direction e = {{i, 1.}};
       if (states[i] == State::inside) {
-        place[i] = test.size();
+        index_in_test[i] = test.size();
         add(e);
         if (K.is_disc(i))
           add({{second, 1.}});
@@ -58,7 +58,7 @@ struct ActiveSet {
       for (const auto &[unknown, component] : e) {
         P_0[unknown] = end * component;
         if (f > 0. && states[i - K.n_normal()] == State::inside)
-          trial[place[i - K.n_normal()]].emplace_back(
+          trial[index_in_test[i - K.n_normal()]].emplace_back(
             unknown, (states[i] == State::upper ? -f : f) * component);
       }
     }

@@ -52,8 +52,8 @@ public:
       std::optional<Change> change;
       for (const Change &next : possible_changes())
         if (const double fall = -direction * rate(next); fall > 0.)
-          if (const double here = std::max(0., margin(next)) / fall; here < length) {
-            length = here;
+          if (const double zero = std::max(0., margin(next)) / fall; zero < length) {
+            length = zero;
             change = next;
           }
       if (!change)

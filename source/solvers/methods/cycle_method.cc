@@ -67,7 +67,7 @@ public:
       return make_multigrid_inverse(space, scene_, tolerance_of_estimates);
     });
     MotionModes<dim> modes = make_motion_modes(space, scene_, *inverse);
-    if (modes.size() > 0 || !modes.unseen.empty())
+    if (modes.size() > 0 || !modes.neutral.empty())
       throw InputError(parameters_.solver.contact_solver.where() +
                        ": found 'multigrid' for a body or a plate that moves freely, allowed "
                        "there: psor, active set.");

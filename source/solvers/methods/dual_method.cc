@@ -110,13 +110,13 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
   for (unsigned int i = 0; i < P.size(); ++i)
     for (unsigned int j = 0; j < motions.b.size() && std::abs(closing[i]) <= negligible; ++j)
       pressing_motions.B(i, j) = 0.;
-  const auto unseen =
-    ReducedMotions(pressing_motions, discretization.K, typical_stiffness(motions)).unseen;
-  if (!unseen.empty())
+  const auto neutral =
+    ReducedMotions(pressing_motions, discretization.K, typical_stiffness(motions)).neutral;
+  if (!neutral.empty())
     throw InputError(parameters.boundary.where +
                      ": no load moves the body, and the pressure of the foundation, into which it "
                      "begins, leaves " +
-                     rigid_part(operators.modes, unseen.front()).name() + " free" +
+                     rigid_part(operators.modes, neutral.front()).name() + " free" +
                      (K.has_friction() ? ", along which friction is too weak to hold it; allowed: "
                                          "more friction, "
                                        : "; allowed: ") +
@@ -211,11 +211,11 @@ std::vector<std::string> undetermined_motions(const Parameters &parameters,
                                               const LevelOperators<dim> &operators) {
   const MotionModes<dim> &modes = operators.modes;
   std::vector<std::string> names;
-  if (modes.unseen.empty())
+  if (modes.neutral.empty())
     return names;
-  if (const auto driven = modes.driven_unseen(plates, operators.system->loads))
-    refuse_sliding(parameters, *modes.unseen[*driven].rigid);
-  for (const FreeMotion &motion : modes.unseen)
+  if (const auto driven = modes.driven_neutral(plates, operators.system->loads))
+    refuse_sliding(parameters, *modes.neutral[*driven].rigid);
+  for (const FreeMotion &motion : modes.neutral)
     names.push_back(motion.rigid->name());
   return names;
 }
@@ -347,7 +347,7 @@ private:
 
   /**
    * Presses, and corrects the effect of rounding on C, by which the openings from U and from C
-   * differ: Dᵀ U - G is C P + B q - F + r. F - r takes the place of F, up to three times. Without
+   * differ: Dᵀ U - G is C P + B q - F + r. F - r replaces F, up to three times. Without
    * rounding r is zero, however P was found.
    */
   ContactSolution press_without_rounding(const Discretization<dim> &discretization,

@@ -10,22 +10,22 @@
 
 namespace Signorini {
 namespace {
-/** Calls f(row, coarse rows) for all rows of places of the fine level along the first direction,
- * with the nodes at the places of the one or more coarse rows next to it, which have equal
+/** Calls f(row, coarse rows) for all rows of slots of the fine level along the first direction,
+ * with the nodes at the slots of the one or more coarse rows next to it, which have equal
  * weights. */
 template <int dim, typename Function>
 void for_rows(const BlockGrid<dim> &fine, const BlockGrid<dim> &coarse, const Function &f) {
   const std::size_t n = fine.n + 1, N = coarse.n + 1;
   const std::size_t n_layers = dim == 3 ? n : 1, N_layers = dim == 3 ? N : 1;
   std::vector<const NodeNumber *> coarse_rows;
-  const NodeNumber *row = fine.places.data();
+  const NodeNumber *row = fine.slots.data();
   for (std::size_t block = 0; block < fine.n_blocks; ++block)
     for (std::size_t k = 0; k < n_layers; ++k)
       for (std::size_t j = 0; j < n; ++j, row += n) {
         coarse_rows.clear();
         for (std::size_t K = k / 2; K <= (k + 1) / 2; ++K)
           for (std::size_t J = j / 2; J <= (j + 1) / 2; ++J)
-            coarse_rows.push_back(&coarse.places[((block * N_layers + K) * N + J) * N]);
+            coarse_rows.push_back(&coarse.slots[((block * N_layers + K) * N + J) * N]);
         f(row, coarse_rows);
       }
 }
@@ -38,13 +38,13 @@ BlockGrid<dim>::BlockGrid(
   : n_blocks(n_blocks)
   , n(n)
   , n_cells(n_blocks * Utilities::fixed_power<dim>(std::size_t(n)))
-  , places(n_blocks * Utilities::fixed_power<dim>(std::size_t(n) + 1)) {
+  , slots(n_blocks * Utilities::fixed_power<dim>(std::size_t(n) + 1)) {
   for (std::size_t cell = 0; cell < n_cells; ++cell)
     for (unsigned int v = 0; v < n_vertices; ++v)
-      places[place(cell, v)] = identity(cell, v);
+      slots[slot(cell, v)] = identity(cell, v);
   constexpr NodeNumber none = std::numeric_limits<NodeNumber>::max();
-  std::vector<NodeNumber> numbers(1 + *std::max_element(places.begin(), places.end()), none);
-  for (NodeNumber &node : places) {
+  std::vector<NodeNumber> numbers(1 + *std::max_element(slots.begin(), slots.end()), none);
+  for (NodeNumber &node : slots) {
     NodeNumber &number = numbers[node];
     if (number == none) {
       number = n_nodes();
@@ -59,7 +59,7 @@ BlockGrid<dim>::BlockGrid(
       std::array<NodeNumber, n_lanes> batch_nodes;
       bool consecutive = true;
       for (unsigned int l = 0; l < n_lanes; ++l) {
-        batch_nodes[l] = places[place(std::min(batch * n_lanes + l, n_cells - 1), v)];
+        batch_nodes[l] = slots[slot(std::min(batch * n_lanes + l, n_cells - 1), v)];
         consecutive = consecutive && batch_nodes[l] == batch_nodes[0] + l;
       }
       starts.push_back(consecutive ? batch_nodes[0]
@@ -70,7 +70,7 @@ BlockGrid<dim>::BlockGrid(
 }
 
 template <int dim>
-std::size_t BlockGrid<dim>::place(std::size_t cell, const unsigned int vertex) const {
+std::size_t BlockGrid<dim>::slot(std::size_t cell, const unsigned int vertex) const {
   std::size_t result = 0, stride = 1;
   for (int d = 0; d < dim; ++d) {
     result += stride * (cell % n + ((vertex >> d) & 1U));
@@ -85,7 +85,7 @@ std::array<NodeNumber, BlockGrid<dim>::n_vertices>
 BlockGrid<dim>::nodes(const std::size_t cell) const {
   std::array<NodeNumber, n_vertices> result;
   for (unsigned int v = 0; v < n_vertices; ++v)
-    result[v] = places[place(cell, v)];
+    result[v] = slots[slot(cell, v)];
   return result;
 }
 
@@ -102,7 +102,7 @@ std::size_t BlockGrid<dim>::child(std::size_t cell, const unsigned int child) co
 
 template <int dim>
 std::size_t BlockGrid<dim>::memory() const {
-  return (places.capacity() + identities.capacity() + starts.capacity() +
+  return (slots.capacity() + identities.capacity() + starts.capacity() +
           lists.capacity() * n_lanes) *
          sizeof(NodeNumber);
 }
@@ -110,7 +110,7 @@ std::size_t BlockGrid<dim>::memory() const {
 template <int dim>
 BlockGrid<dim> BlockGrid<dim>::coarsen() const {
   return BlockGrid(n_blocks, n / 2, [&](const std::size_t cell, const unsigned int v) {
-    return places[place(child(cell, v), v)];
+    return slots[slot(child(cell, v), v)];
   });
 }
 
@@ -148,7 +148,7 @@ void BlockGrid<dim>::restrict_and_clear(LevelVector<dim, float> &b_H, LevelVecto
       float *const source = y[c].data(), *const target = b_H[c].data();
       for (unsigned int i = 0; i <= n; ++i) {
         entries[i + 1] = source[row[i]];
-        // A node counts once, at the first of its places.
+        // A node counts once, at the first of its slots.
         source[row[i]] = 0.F;
       }
       for (unsigned int I = 0; I <= coarse.n; ++I) {

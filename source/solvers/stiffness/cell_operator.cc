@@ -120,7 +120,7 @@ SIGNORINI_INLINE inline void multiply_batches(LevelVector<dim, Number> &y,
     else if (K.moduli.empty())
       multiply_stored<dim, V>(y_batch, K.stored_matrices(batch), x_batch);
     else {
-      load_batch(vertices, K.places, grid, batch);
+      load_batch(vertices, K.positions, grid, batch);
       multiply_integrated<dim, Number, V>(y_batch, K.rule, K.moduli.data(), vertices, x_batch);
     }
     add_batch<dim, V>(y, y_batch, grid, batch);
@@ -150,8 +150,8 @@ CellOperator<dim, Number>::CellOperator(const CellOperator<dim, Other> &other,
   , rule(n_points)
   , moduli(other.moduli.begin(), other.moduli.end()) {
   for (int d = 0; d < dim; ++d) {
-    places[d].resize(other.places[d].size());
-    std::copy(other.places[d].begin(), other.places[d].end(), places[d].begin());
+    positions[d].resize(other.positions[d].size());
+    std::copy(other.positions[d].begin(), other.positions[d].end(), positions[d].begin());
   }
 }
 
@@ -170,7 +170,7 @@ void CellOperator<dim, Number>::integrate(Number *const K, const std::size_t bat
                                           const Number *const point_moduli,
                                           const std::size_t stride) const {
   BatchValues<dim, Number> vertices;
-  load_batch(vertices, places, *grid, batch);
+  load_batch(vertices, positions, *grid, batch);
   run(instructions_of_this_machine(), [&](const auto bytes) SIGNORINI_INLINE {
     integrate_matrices<dim, Number, typename Wide<Number, bytes>::Type>(K, rule, point_moduli,
                                                                         stride, vertices);
@@ -245,10 +245,10 @@ CellOperator<dim, Number>::coarsen(std::shared_ptr<const BlockGrid<dim>> coarse_
   coarse.rule = rule;
   if (!moduli.empty()) {
     coarse.moduli = moduli;
-    coarse.places = LevelVector<dim, Number>(to.n_nodes());
+    coarse.positions = LevelVector<dim, Number>(to.n_nodes());
     for (int d = 0; d < dim; ++d)
       for (NodeNumber node = 0; node < to.n_nodes(); ++node)
-        coarse.places[d][node] = places[d][to.identities[node]];
+        coarse.positions[d][node] = positions[d][to.identities[node]];
   }
   // Sums the matrices of all children of a batch, of which entry(child, lane, i, j) is one entry.
   const auto sum_children = [](const auto &entry) {

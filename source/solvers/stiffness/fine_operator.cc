@@ -37,22 +37,22 @@ std::vector<typename Triangulation<dim>::cell_iterator> own_roots(const Mesh<dim
   return roots;
 }
 
-/** Puts the active cells below a cell in the order of a BlockGrid. @param place that of the cell
- * among the cells of its level in the block. @param block the first of n^dim places. */
+/** Puts the active cells below a cell in the order of a BlockGrid. @param position that of the cell
+ * among the cells of its level in the block. @param block the first of n^dim cells. */
 template <int dim>
 void put_cells(const typename DoFHandler<dim>::cell_iterator &cell,
-               const std::array<unsigned int, dim> &place, const std::size_t n,
+               const std::array<unsigned int, dim> &position, const std::size_t n,
                const typename BlockCells<dim>::iterator &block) {
   if (cell->is_active()) {
     std::size_t number = 0;
     for (int d = dim; d-- > 0;)
-      number = number * n + place[d];
+      number = number * n + position[d];
     block[number] = cell;
   } else
     for (unsigned int child = 0; child < cell->n_children(); ++child) {
       std::array<unsigned int, dim> below;
       for (int d = 0; d < dim; ++d)
-        below[d] = 2 * place[d] + ((child >> d) & 1U);
+        below[d] = 2 * position[d] + ((child >> d) & 1U);
       put_cells<dim>(cell->child(child), below, n, block);
     }
 }
@@ -92,7 +92,7 @@ public:
     const bool is_straight = !mesh_.is_curved() && !mesh_.is_axisymmetric() &&
                              space_.strain_operator() == StrainOperator::symmetric_gradient;
     if (is_straight) {
-      set_places();
+      set_positions();
       if (scene_.material->is_constant()) {
         K_.moduli.resize(Operator::n_moduli * n_lanes);
         for (unsigned int l = 0; l < n_lanes; ++l)
@@ -107,7 +107,7 @@ public:
       if (!K_.is_shared(cell / n_lanes) &&
           (!is_straight || needs_cuts<dim>(scene_.law_kinks, cells_[cell])))
         copy(stiffness_(typename CellStiffness<dim>::CellIterator(cells_[cell])), cell);
-    K_.places = LevelVector<dim, double>();
+    K_.positions = LevelVector<dim, double>();
   }
 
 private:
@@ -149,13 +149,13 @@ private:
   }
 
   /** Sets the positions of the nodes in the body of size one. */
-  void set_places() {
+  void set_positions() {
     const Point<dim> origin = mesh_.from_unit_body(Point<dim>());
-    K_.places = LevelVector<dim, double>(K_.grid->n_nodes());
+    K_.positions = LevelVector<dim, double>(K_.grid->n_nodes());
     for (std::size_t cell = 0; cell < cells_.size(); ++cell)
       for (unsigned int v = 0; v < (1U << dim); ++v)
         for (int d = 0; d < dim; ++d)
-          K_.places[d][K_.grid->nodes(cell)[v]] =
+          K_.positions[d][K_.grid->nodes(cell)[v]] =
             (cells_[cell]->vertex(v)[d] - origin[d]) / mesh_.size();
   }
 
@@ -185,7 +185,7 @@ private:
             for (unsigned int v = 0; v < nodes.size(); ++v)
               for (int d = 0; d < dim; ++d)
                 x[d] += GeometryInfo<dim>::d_linear_shape_function(gauss.point(q), v) *
-                        K_.places[d][nodes[v]];
+                        K_.positions[d][nodes[v]];
             set_moduli(&moduli[q * stride + l], x);
           }
         }

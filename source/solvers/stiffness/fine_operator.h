@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace Signorini {
-/** A cell of some level by its tree, a cell of the coarse mesh, and its place among the cells of
+/** A cell of some level by its tree, a cell of the coarse mesh, and its position among the cells of
  * the level there. */
 template <int dim>
 using BlockPlace = std::pair<types::coarse_cell_id, std::array<unsigned int, dim>>;

@@ -32,7 +32,7 @@ struct alignas(64) BatchValues {
   Number values[dim << dim][n_lanes];
 };
 
-/** Returns the place of the component (c, d) of a strain in Voigt's notation: those on the
+/** Returns the index of the component (c, d) of a strain in Voigt's notation: those on the
  * diagonal, then 12, 13, 23. */
 template <int dim>
 constexpr int voigt(const int c, const int d) {

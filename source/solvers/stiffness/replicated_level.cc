@@ -33,10 +33,10 @@ CellTable table_of(const CellOperator<dim, double> &K,
   CellTable table;
   std::vector<double> buffer;
   for (std::size_t cell = 0; cell < grid.n_cells; ++cell) {
-    const auto &[tree, place] = blocks[cell / (grid.n_cells / grid.n_blocks)];
+    const auto &[tree, position] = blocks[cell / (grid.n_cells / grid.n_blocks)];
     std::size_t number = Utilities::fixed_power<dim>(n) * tree, stride = 1, rest = cell;
     for (int d = 0; d < dim; ++d) {
-      number += stride * (place[d] * grid.n + rest % grid.n);
+      number += stride * (position[d] * grid.n + rest % grid.n);
       rest /= grid.n;
       stride *= n;
     }

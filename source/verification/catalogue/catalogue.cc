@@ -3,6 +3,7 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/geometry/shapes.h>
 #include <signorini/problem/scene/functions.h>
 #include <signorini/problem/scene/strain.h>
 #include <signorini/verification/catalogue/catalogue.h>
@@ -18,7 +19,7 @@
 
 namespace Signorini {
 namespace {
-/** Returns the unit square with two sides in the place of the left one. */
+/** Returns the unit square with two sides instead of the left one. */
 Geometry<2> make_divided_square() {
   Geometry<2> geometry = make_rectangle({0., 0.}, {1., 1.}, {1, 1});
   std::vector<Side<2>> &sides = geometry.sides;
@@ -121,8 +122,8 @@ public:
                                                          const char separator) const {
     std::vector<std::pair<std::string, std::string>> result;
     for (const std::string &part : split_list(text(word), ';')) {
-      const std::size_t place = std::min(part.find(separator), part.size());
-      result.emplace_back(trim(part.substr(0, place)), trim(part.substr(place + 1)));
+      const std::size_t end = std::min(part.find(separator), part.size());
+      result.emplace_back(trim(part.substr(0, end)), trim(part.substr(end + 1)));
     }
     return result;
   }

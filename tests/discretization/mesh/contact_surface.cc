@@ -2,6 +2,7 @@
 // Contact faces in the order of arc length, patches of them, and the pieces face ∩ patch.
 
 #include <signorini/discretization/mesh/contact_surface.h>
+#include <signorini/problem/geometry/shapes.h>
 
 #include <deal.II/base/mpi.h>
 

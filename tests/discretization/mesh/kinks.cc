@@ -2,7 +2,8 @@
 // Quadrature on the pieces into which lines cut cells and faces, against closed forms.
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
-#include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/geometry/kinks.h>
+#include <signorini/problem/geometry/shapes.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>

@@ -3,6 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/mesh/mesh.h>
+#include <signorini/problem/geometry/shapes.h>
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>

@@ -5,6 +5,7 @@
 #include <signorini/discretization/space/nodes.h>
 #include <signorini/discretization/space/resultant.h>
 #include <signorini/error_control/estimate/certificate.h>
+#include <signorini/error_control/estimate/locking_number.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/answer.h>
 

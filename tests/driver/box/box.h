@@ -3,6 +3,7 @@
 
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/space/displaced_body.h>
+#include <signorini/problem/geometry/shapes.h>
 #include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/function.h>

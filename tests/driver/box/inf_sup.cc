@@ -2,6 +2,7 @@
 // Lemma 1 on the unit cube, clamped at the top: beta on patches of 2 x 2 faces falls slowly to a
 // limit, on single faces like h². The numbers were computed by an independent program.
 
+#include <signorini/problem/geometry/shapes.h>
 #include <signorini/verification/norms/cosine_norm.h>
 #include <signorini/verification/norms/inf_sup.h>
 

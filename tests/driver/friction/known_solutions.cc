@@ -2,6 +2,7 @@
 // The catalogue's scenes with friction: orders of convergence, and errors of an independent
 // program.
 
+#include <signorini/problem/geometry/shapes.h>
 #include <signorini/verification/catalogue/catalogue.h>
 #include <signorini/verification/verify.h>
 

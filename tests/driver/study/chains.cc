@@ -13,7 +13,7 @@ const std::string text = "subsection Boundary\n set Contact = left bottom\n"
                          " set Displacement = top: -0.02; -0.03\nend\nsubsection Contact\n"
                          " set Gap = 0.02*x^2 + 0.03*y^2 + 0.001\nend\n";
 
-/** The sides left and bottom as one, in the place of the first. */
+/** The sides left and bottom as one, instead of the first. */
 Scene<2> with_one_side(const Scene<2> &two, const bool gap_jumps) {
   Scene<2> one = two;
   const Curve around = Curve::chain({Curve(Point(0., 1.), Point(0., 0.), Point(-1., 0.)),

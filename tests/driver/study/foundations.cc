@@ -142,7 +142,7 @@ void test_turned(Checks &checks) {
   }
 }
 
-/** A disc spring between plates, whose edges roll on these: stiff elastic bodies in place of the
+/** A disc spring between plates, whose edges roll on these: stiff elastic bodies instead of the
  * plates give 4081 N. */
 void test_disc_spring(Checks &checks) {
   const StudyResult<2> result =

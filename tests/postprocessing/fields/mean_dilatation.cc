@@ -4,6 +4,7 @@
 
 #include <signorini/discretization/space/cell_evaluator.h>
 #include <signorini/error_control/estimate/certificate.h>
+#include <signorini/error_control/estimate/locking_number.h>
 #include <signorini/solvers/contact/dual_problem.h>
 
 #include <algorithm>

@@ -60,8 +60,8 @@ void test_good_syntax(Checks &checks) {
   checks.near("assignments", assignments.size(), 5, 0);
   checks.that("path", assignments[1].path == "Solver/Contact solver");
   checks.that("value", assignments[1].value == "psor");
-  checks.that("place", assignments[1].place == "a.prm:4");
-  checks.that("place of a continued line is its first", assignments[3].place == "a.prm:10");
+  checks.that("place", assignments[1].origin == "a.prm:4");
+  checks.that("place of a continued line is its first", assignments[3].origin == "a.prm:10");
   checks.that("an empty line ends a continuation", assignments[2].value == "left");
   checks.that("continued value, with a comment between its lines",
               split_words(assignments[3].value) == Words({"bottom", "top"}));
@@ -142,7 +142,7 @@ void test_overrides(Checks &checks) {
   checks.that("back at the default",
               same.changes_of_scene.empty() && !same.geometry.cells.changed &&
                 !same.geometry.distortion.changed && !same.solver.tolerance.changed);
-  checks.that("the place is the last one", same.geometry.cells.place == "--set");
+  checks.that("the place is the last one", same.geometry.cells.origin == "--set");
   checks.near("the last value holds", same.solver.tolerance, 1e-10, 0.);
 }
 

@@ -3,6 +3,7 @@
 // and against closed forms; foundations in parameter files.
 
 #include <signorini/base/errors.h>
+#include <signorini/problem/geometry/shapes.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/facing.h>

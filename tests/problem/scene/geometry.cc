@@ -3,6 +3,7 @@
 // leave free.
 
 #include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/geometry/shapes.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/rigid_motions.h>

@@ -2,6 +2,7 @@
 // Polygons with arcs, fillets and holes, discs and rings: areas, lengths, and cells that are never
 // folded.
 
+#include <signorini/problem/geometry/shapes.h>
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/corners.h>

@@ -173,7 +173,7 @@ void escaping_beams(Checks &checks) {
   checks.that("lifted against springs", solve(tipping, moment).qp.converged);
 }
 
-void unseen_motions(Checks &checks) {
+void neutral_motions(Checks &checks) {
   // q_2 slides, and so does what q_0 + q_1 do together less q_3.
   const Beam beam{{-1, 1}, 2., 3., 0.5};
   const FreeMotions two = motions_of(beam);
@@ -189,11 +189,11 @@ void unseen_motions(Checks &checks) {
   motions.b[2] = 1e-16;
   motions.b[3] = two.b[0] + two.b[1];
   MotionResult found = solve(beam, motions);
-  checks.near("two unseen motions: P", distance(found.qp.P, {-0.75, -2.25}), 0., 1e-11);
-  checks.near("two unseen motions: found", found.unseen.size(), 2., 0.);
-  checks.that("two unseen motions: converged", found.qp.converged && !found.escape);
-  checks.near("two unseen motions: sliding stays zero", found.q[2], 0., 1e-12);
-  checks.near("two unseen motions: the way", found.q[0] + found.q[3], 3., 1e-11);
+  checks.near("two neutral motions: P", distance(found.qp.P, {-0.75, -2.25}), 0., 1e-11);
+  checks.near("two neutral motions: found", found.neutral.size(), 2., 0.);
+  checks.that("two neutral motions: converged", found.qp.converged && !found.escape);
+  checks.near("two neutral motions: sliding stays zero", found.q[2], 0., 1e-12);
+  checks.near("two neutral motions: the way", found.q[0] + found.q[3], 3., 1e-11);
   motions.b[2] = 0.1;
   found = solve(beam, motions);
   checks.that("pushed sideways", found.escape && std::abs((*found.escape)[2]) > 0.1);
@@ -208,7 +208,7 @@ void unseen_motions(Checks &checks) {
   motions.K(2, 2) = 5.;
   found = solve(beam, motions);
   checks.near("pushed sideways against a spring", found.q[2], 0.02, 1e-11);
-  checks.near("one unseen motion", found.unseen.size(), 1., 0.);
+  checks.near("one neutral motion", found.neutral.size(), 1., 0.);
 }
 
 void empty_problems(Checks &checks) {
@@ -237,5 +237,5 @@ void empty_problems(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests({balanced_beams, translations, escaping_beams, unseen_motions, empty_problems});
+  return run_tests({balanced_beams, translations, escaping_beams, neutral_motions, empty_problems});
 }

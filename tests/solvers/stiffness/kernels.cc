@@ -63,10 +63,10 @@ CellOperator<dim, Number> random_operator(const unsigned int n, const bool integ
   }
   for (unsigned int m = 0; m < CellOperator<dim, Number>::n_moduli; ++m)
     K.moduli.insert(K.moduli.end(), n_lanes, static_cast<Number>(random()));
-  K.places = random_values<dim, Number>(K.grid->n_nodes(), random);
+  K.positions = random_values<dim, Number>(K.grid->n_nodes(), random);
   for (unsigned int node = 0; node < K.grid->n_nodes(); ++node)
     for (unsigned int d = 0, rest = node; d < dim; ++d, rest /= n + 1)
-      K.places[d][node] = Number(rest % (n + 1)) + Number(0.1) * K.places[d][node];
+      K.positions[d][node] = Number(rest % (n + 1)) + Number(0.1) * K.positions[d][node];
   return K;
 }
 

@@ -2,6 +2,8 @@
 // A x cell by cell against the assembled matrix, with every condition and kind of cell; the V-cycle
 // is symmetric.
 
+#include <signorini/problem/geometry/shapes.h>
+
 #include <deal.II/base/mpi.h>
 #include <deal.II/grid/grid_tools.h>
 

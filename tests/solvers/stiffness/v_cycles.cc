@@ -2,6 +2,8 @@
 // How many steps of conjugate gradients with one V-cycle each reduce the residual by 1e-8: flat in
 // h.
 
+#include <signorini/problem/geometry/shapes.h>
+
 #include <deal.II/base/mpi.h>
 
 #include <fstream>
@@ -101,7 +103,7 @@ std::vector<CaseInSpace> cases_in_space(const bool is_long) {
     {"cube", cube, 3, 3, 8},
     {"cube", cube, 4, 4, 8},
     {"cube", cube, 5, 5, 8},
-    // More than 5000 unknowns of coarse cells: cycles of algebraic multigrid in place of factors.
+    // More than 5000 unknowns of coarse cells: cycles of algebraic multigrid instead of factors.
     {"cube of 12 by 12 by 12 blocks", box({1., 1., 1.}, {12, 12, 12}), 1, 1, 8},
     {"beam of 60 by 6 by 6 blocks", box({10., 1., 1.}, {60, 6, 6}), 1, 1, 8},
     {"cube, distorted on level 2", box({1., 1., 1.}, {1, 1, 1}, 0.2), 2, 4, 9}};

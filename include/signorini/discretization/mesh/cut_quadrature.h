@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/geometry/kinks.h>
 
 #include <deal.II/base/quadrature.h>
 #include <deal.II/fe/mapping_q1.h>

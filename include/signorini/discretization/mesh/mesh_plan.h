@@ -11,8 +11,8 @@
 #include <vector>
 
 namespace Signorini {
-/** A place on the boundary next to which u ~ r^λ: a corner, a kink, or an end of contact. An
- * end of contact lies between two points of a side. */
+/** A point or bracket on the boundary next to which u ~ r^λ: a corner, a kink, or an end of
+ * contact. An end of contact lies between two points of a side. */
 struct Singularity {
   enum class Kind {
     corner,
@@ -29,14 +29,14 @@ struct Singularity {
   /** The side of kinks and ends of contact, and the bracket in its arc length (length). */
   unsigned int side = 0;
   double from = 0., to = 0.;
-  /** The number of splits of the cells at the place. */
+  /** The number of splits of the cells at it. */
   double layers = 0.;
   /** Whether u is singular here according to the data of the scene, and not only possibly. */
   bool is_certain = false;
-  /** The indicator of the cells at the place when it had the layers before these; 0: not known. */
+  /** The indicator of the cells at it when it had the layers before these; 0: not known. */
   double last_error = 0., last_layers = 0.;
 
-  /** Returns whether the place, or a part of the bracket, lies in the closure of a cell. */
+  /** Returns whether the point, or a part of the bracket, lies in the closure of a cell. */
   bool touches(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell) const;
 };
 

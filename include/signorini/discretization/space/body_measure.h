@@ -9,9 +9,9 @@
 #include <deal.II/fe/fe_values.h>
 
 namespace Signorini {
-/** Returns dx at a point of a rule on a cell, or ds at one on a face: the one place that says what
- * integrals over the body and its boundary measure. The maps of bodies of revolution contain the
- * circumference. */
+/** Returns dx at a point of a rule on a cell, or ds at one on a face: the one function that says
+ * which integrals over the body and its boundary measure. The maps of bodies of revolution contain
+ * the circumference. */
 template <int dim>
 double measure_at(const FEValuesBase<dim> &values, const unsigned int q) {
   return values.JxW(q);

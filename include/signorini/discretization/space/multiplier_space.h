@@ -203,7 +203,7 @@ template <int dim>
 Coupling sum_columns(const DisplacementSpace<dim> &space, std::vector<Coupling::Column> parts);
 
 /** Assembles D_jk = ∫_{Γ_c} φ_j.m ψ_k, integrated exactly on the pieces face ∩ patch; with a
- * tangent in the place of m if the component is tangential.
+ * tangent instead of m if the component is tangential.
  * @param share of the sides that are named first, and of their opposites. */
 template <int dim>
 Coupling assemble_coupling(const DisplacementSpace<dim> &space,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
-#include <signorini/base/progress.h>
+#include <signorini/driver/runs/screen.h>
 #include <signorini/driver/study/known_solutions.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/results/output/files.h>
@@ -13,30 +13,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <vector>
 
 namespace Signorini {
-/** The output for the user: the first rank prints it, the others discard it. */
-class Screen {
-public:
-  explicit Screen(MPI_Comm communicator, bool is_quiet = false);
-
-  /** Returns the standard output; on other ranks, and of a quiet screen, a stream that discards
-   * everything. */
-  std::ostream &out();
-  /** Prints one line on stderr. */
-  void complain(const std::string &sentence) const;
-  /** Returns a callback that shows the current stage: in one line of a terminal that is
-   * overwritten, never in a log. It also sets the message of an interruption. */
-  Progress progress() const;
-
-private:
-  bool speaks_, is_quiet_;
-  std::ostream silence_;
-};
-
 /** A parameter file with the additions of the command line. */
 struct RunInput {
   /** The name of the file as given, and as messages show it. */
@@ -88,34 +68,4 @@ RunSummary tell_errors(const Screen &screen, const std::function<RunSummary()> &
 RunSummary run_scene(const RunInput &input, Parameters parameters, MPI_Comm communicator,
                      Screen &screen);
 
-/** A parameter, and the values that it takes one after the other. */
-struct Sweep {
-  /** The name of the parameter, "Subsection/Parameter" or "Constants/NAME". */
-  std::string parameter;
-  std::vector<std::string> values;
-};
-
-/** Reads "Subsection/Parameter=v1, v2, v3"; commas in parentheses do not separate.
- * @throws InputError */
-Sweep read_sweep(const std::string &argument);
-
-/** One combination of values of several sweeps, with the name of its directory. */
-struct SweepPoint {
-  std::vector<std::string> values;
-  std::string folder;
-};
-
-/** Returns all combinations; the last sweep varies fastest. @throws InputError if there are too
- * many, or two of them have the same name, or a parameter has two sweeps. */
-std::vector<SweepPoint> combine(const std::vector<Sweep> &sweeps);
-
-/**
- * Runs a scene for all combinations of values, each in a directory of its own below that of the
- * input, and prints one table over them, which is also written to sweep.csv. All values are parsed
- * before the first run, and other runs are kept out of all directories until the last one ends.
- * Errors of single runs are printed on the screen. Collective.
- * @return the largest exit code, with its verdict.
- */
-RunSummary run_sweep(const RunInput &input, const std::vector<Sweep> &sweeps, MPI_Comm communicator,
-                     Screen &screen);
 } // namespace Signorini

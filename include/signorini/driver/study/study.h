@@ -26,10 +26,6 @@ struct StudyReport {
 template <int dim>
 Judge judge_of(const Parameters &parameters, const Scene<dim> &scene);
 
-/** Refuses settings that contradict the scene. @throws InputError */
-template <int dim>
-void check_settings(const Parameters &parameters, const Scene<dim> &scene);
-
 /** All levels, and the verdict on them. */
 template <int dim>
 struct StudyResult {

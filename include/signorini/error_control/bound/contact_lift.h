@@ -140,18 +140,18 @@ struct ContactLift {
    */
   explicit ContactLift(const BoundData &data, const std::vector<FaceField> &fields);
 
-  /** The penetration d along Γ_c, with its largest value and its place. */
+  /** The penetration d along Γ_c, with its largest value and where that is. */
   ContactTrace trace;
   /** The bound; none where no w exists. */
   std::optional<ContactBound> bound;
-  /** The reason why there is no bound, one sentence with the place; empty if there is one. */
+  /** The reason why there is no bound, one sentence with the point; empty if there is one. */
   std::string no_bound;
 };
 
 /**
  * Returns a w_h in V^h, zero on essential boundaries, with w_{h,n} ≥ required at all conditions of
  * the trace. Where A⁻¹ is given by factors it minimises 1/2 a(w_h, w_h) - ∫ p_H w_{h,n}: u_h - w_h
- * is the solution of the scene with conditions at nodes in place of means. With the matrix E of the
+ * is the solution of the scene with conditions at nodes instead of means. With the matrix E of the
  * conditions (w_n = Eᵀ w) and multipliers Q,
  *
  *     A w = D P - E Q,   Q ≤ 0,

@@ -18,7 +18,7 @@
 #include <vector>
 
 namespace Signorini {
-/** A place on the boundary. */
+/** A point of the boundary. */
 struct SidePoint {
   /** The number of the side in the geometry. */
   unsigned int side = 0;
@@ -26,7 +26,7 @@ struct SidePoint {
   double arc_length = 0.;
 };
 
-/** Returns the name of a place, such as "bottom at (0.25, 0)". */
+/** Returns the name of a point, such as "bottom at (0.25, 0)". */
 std::string name_of(const SidePoint &at, const Scene<2> &scene);
 
 /** A polynomial of t in [0,1]: the chord between the values at the ends, and t (1 - t) times
@@ -72,7 +72,7 @@ struct PenetrationFace {
   /** The numbers of the conditions at the nodes, see ContactTrace::conditions(). */
   std::vector<unsigned int> conditions;
   /** The part of a patch on the face, its state, and the direction of contact where that is not the
-   * normal. In a pair also the place on the other face. */
+   * normal. In a pair also the point of the other face. */
   struct Pressed {
     double from, to;
     NodeState state;
@@ -207,7 +207,7 @@ public:
   double rounding(const PenetrationFace &face) const;
   /** Returns an EdgeFunction that is not below d - w_n, or close to ũ_t - g_t - w_t. @param w the
    * traces of w. */
-  EdgeFunction lacking(const PenetrationFace &face, Component component,
+  EdgeFunction deficit(const PenetrationFace &face, Component component,
                        const std::vector<FaceVector> &w) const {
     return sample(face, component, w).function;
   }
@@ -218,14 +218,14 @@ public:
     return std::any_of(faces_.begin(), faces_.end(),
                        [](const PenetrationFace &face) { return face.mixes(); });
   }
-  /** Returns max (d)_+ over all samples; point_of_largest() returns its place. */
+  /** Returns max (d)_+ over all samples; point_of_largest() returns its position. */
   double max_penetration() const {
     return max_;
   }
   const SidePoint &point_of_largest() const {
     return point_of_largest_;
   }
-  /** Returns a place where u_n - g > 0 and another side holds the body: no w of finite energy
+  /** Returns a point where u_n - g > 0 and another side holds the body: no w of finite energy
    * removes that. */
   const std::optional<SidePoint> &obstacle() const {
     return obstacle_;

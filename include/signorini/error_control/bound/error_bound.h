@@ -57,7 +57,7 @@ struct ErrorBound {
   /** The bound of the error of the contact force (force); none where contact meets a held side.
    */
   std::optional<double> force_error;
-  /** The penetration max (u_{h,n} - g)_+ (length), and its place in words. */
+  /** The penetration max (u_{h,n} - g)_+ (length), and its position in words. */
   std::optional<double> penetration;
   std::string place_of_penetration;
   /** The parts of the bound; dominant_part() returns the largest one. */

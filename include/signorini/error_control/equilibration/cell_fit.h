@@ -31,7 +31,7 @@ struct CellFit {
   dealii::Vector<double> traces(const TractionSpace &space, std::size_t number,
                                 const dealii::Vector<double> &x) const;
   /** Returns f_K at points. */
-  std::vector<Tensor<1, 2>> force(const TractionCell &place,
+  std::vector<Tensor<1, 2>> force(const TractionCell &cell_data,
                                   const std::vector<Point<2>> &points) const;
   /** Returns the degree of f_K up to rounding. */
   unsigned int load_degree() const;
@@ -95,7 +95,7 @@ private:
   CellFit fit(const Cell &cell, const TractionSpace &space, Known &known) const;
   /** Returns what the cell shares. A new one is added to @p alone where no other cell may share it.
    */
-  Known &find_known(const TractionCell &place, std::list<Known> &alone);
+  Known &find_known(const TractionCell &cell_data, std::list<Known> &alone);
   std::array<std::vector<AiryPoint>, 4> make_points(const CellShape &shape, double size,
                                                     unsigned int degree) const;
   /** Returns the weighted values of σ(u_h) at the points, and sets CellFit::unresolved. */
@@ -109,7 +109,7 @@ private:
   dealii::Vector<double> subtract_load(const Cell &cell, const CellShape &shape,
                                        dealii::Vector<double> &values, CellFit &fit) const;
   /** Subtracts the stresses that lift tractions given on arcs. @return their traces. */
-  dealii::Vector<double> subtract_given(const TractionSpace &space, const TractionCell &place,
+  dealii::Vector<double> subtract_given(const TractionSpace &space, const TractionCell &cell_data,
                                         dealii::Vector<double> &values, const AiryCell &airy) const;
 
   const BoundData &data_;

@@ -90,7 +90,7 @@ struct CellShape {
   Curve edge(const unsigned int k) const {
     return Curve::between(corners[k], corners[(k + 1) % 4], centres[k]);
   }
-  /** Returns the same cell with x(z) in place of points z. */
+  /** Returns the same cell with x(z) instead of points z. */
   template <typename Map>
   CellShape image(const Map &x) const {
     CellShape shape(*this);

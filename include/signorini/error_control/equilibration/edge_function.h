@@ -18,11 +18,11 @@ namespace Signorini {
 class EdgeFunction {
 public:
   /** A part on [start, end]. With τ = (t - start)/(end - start) the function is (1 - τ) first +
-   * τ last + 4 bulge τ (1 - τ). */
+   * τ last + 4 bubble τ (1 - τ). */
   struct Part {
     double start, end;
     double first, last;
-    double bulge;
+    double bubble;
 
     double value(double t) const;
     double slope(double t) const;

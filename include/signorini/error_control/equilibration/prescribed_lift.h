@@ -24,7 +24,7 @@ inline CellEvaluator<2> evaluator_of(const BoundData &data, std::vector<Evaluate
 
 /** A cell on which a lift z is not zero, with the points of a rule for it. */
 struct LiftedCell {
-  struct Place {
+  struct RulePoint {
     double weight;
     Tensor<1, 2> z;
     /** ε(z) and σ(z). */
@@ -34,14 +34,14 @@ struct LiftedCell {
   /** Returns the square of |||z|||_K. */
   double energy() const {
     double sum = 0.;
-    for (const Place &place : places)
-      sum += place.weight * (place.strain * place.stress);
+    for (const RulePoint &point : points)
+      sum += point.weight * (point.strain * point.stress);
     return sum;
   }
 
   /** u_h, or its interpolation, at the points. */
   const CellEvaluator<2> &u;
-  std::vector<Place> places;
+  std::vector<RulePoint> points;
 };
 
 /**

@@ -54,7 +54,7 @@ inline double stress_error_bound(const double eta, const double lift_norm,
  * error_bound |||z|||, for z in V with z_n = 1 on Γ_c.
  *
  * @param error_bound a bound of ‖σ(u) - τ‖ (stress_error_bound()): the difference is ∫
- * (σ(u) - τ):ε(z). Or, with p_H in place of τ_n, for z in V^h and loads that were
+ * (σ(u) - τ):ε(z). Or, with p_H instead of τ_n, for z in V^h and loads that were
  * integrated exactly without StrainOperator::mean_dilatation, a bound of |||u - u_h|||: then the
  * difference is also a(u - u_h, z).
  * @param lift_norm |||z|||, see norm_of_unit_lift().

@@ -44,7 +44,7 @@ struct TractionEdge {
   /** Whether it carries the traction of a pair of sides, see SharedPart. */
   bool is_shared = false;
   /** The direction m of contact, where that is not the normal: the components of the traction are
-   * those along m and along the tangent of m, in place of τ_nn and τ_nt. */
+   * those along m and along the tangent of m, instead of τ_nn and τ_nt. */
   std::optional<Tensor<1, 2>> direction = {};
   /** Whether contact acts along several directions on the edge. Then nothing presses there: no
    * polynomials are tractions of all of them. */

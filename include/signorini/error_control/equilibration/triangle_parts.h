@@ -3,7 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/equilibration/cell_shape.h>
-#include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/geometry/kinks.h>
 
 #include <deal.II/base/quadrature.h>
 

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <signorini/base/columns.h>
-#include <signorini/discretization/mesh/mesh.h>
 #include <signorini/discretization/space/linear_system.h>
 #include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/postprocessing/fields/energies.h>
-#include <signorini/problem/scene/material.h>
 #include <signorini/solvers/methods/solved.h>
 
 namespace Signorini {
@@ -68,16 +66,4 @@ template <int dim>
 Certificate certify(const Solved<dim> &solved, const std::vector<Resultant<dim>> &applied,
                     const NodalForces &forces, const Energies &energies);
 
-/**
- * Returns the locking number K/μ (h/l)² with the largest ratio of bulk to shear modulus K =
- * I:E:I/dim² and μ, half the smallest d:E:d of a deviator d of norm one, the longest edge h and
- * the body's size l. Where bodies are nearly incompressible (K/μ > 10, Poisson's ratio above
- * 0.45), bilinear elements with the full strain need the number to be well below one: their
- * pressures exceed the true ones by about that part. Where an arc is in contact, it is K/μ h/l:
- * curved cells have no strains without dilatation, and at the ends of the arc single pressures
- * are wrong by about that part.
- * @return 0 for other bodies.
- */
-template <int dim>
-double locking_number(const Mesh<dim> &mesh, const Scene<dim> &scene);
 } // namespace Signorini

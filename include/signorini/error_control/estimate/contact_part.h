@@ -27,7 +27,7 @@ double softer_modulus(const Scene<dim> &scene, const Point<dim> &x);
  * modulus d². Hertz' theory has π modulus d²/(2 Λ + 1), Λ = ln(4 L/l) up to a constant for a body
  * of size L: 0.63 for Λ = 2 and 0.35 for Λ = 4. A sphere has 0.82 by this rule, and 0.75 modulus l
  * d² by Hertz. In a pair the modulus is 1/(1/E_1 + 1/E_2). In 3-D the part of a patch where d has
- * one sign takes the place of a stretch, and the root of its area that of l.
+ * one sign replaces a stretch, and the root of its area that of l.
  * @throws InputError where g has no value. Collective.
  */
 template <int dim>

@@ -9,7 +9,7 @@
 
 namespace Signorini {
 /** Returns ∫_{Γ_c} q φ_j.m for all j, as the column of a coupling: @p values_on (piece, rule) is q
- * at the points of @p rule_on (piece). With t in the place of m if the component is tangential. */
+ * at the points of @p rule_on (piece). With t instead of m if the component is tangential. */
 template <int dim, typename RuleOn, typename ValuesOn>
 Coupling::Column contact_load(const DisplacementSpace<dim> &space,
                               const ContactSurface<dim> &surface, const RuleOn &rule_on,

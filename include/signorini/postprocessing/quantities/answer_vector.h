@@ -61,7 +61,7 @@ struct Trend {
     settled,
     /** The number still changes, by more than refinement would let it if it converged. */
     not_settled,
-    /** The mesh was not refined at the place of the number. */
+    /** The mesh was not refined at the point of the number. */
     not_refined,
     /** The exact number is infinite. */
     unlimited

@@ -3,6 +3,7 @@
 
 #include <signorini/discretization/space/multiplier_space.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
+#include <signorini/postprocessing/quantities/singular_edges.h>
 #include <signorini/postprocessing/quantities/von_mises.h>
 
 #include <optional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/postprocessing/quantities/singular_edges.h>
 #include <signorini/postprocessing/quantities/von_mises.h>
 
 #include <array>

@@ -4,73 +4,12 @@
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/space/displaced_body.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
-#include <signorini/problem/scene/scene.h>
-#include <signorini/problem/scene/wedges.h>
+#include <signorini/postprocessing/quantities/singular_edges.h>
 
-#include <boost/serialization/vector.hpp>
-
-#include <array>
 #include <optional>
 #include <vector>
 
 namespace Signorini {
-/** An edge where stresses grow without limit, for records. */
-struct GrowthEdge {
-  /** The ends of an edge of a 3-D body; equal for a corner of a 2-D body. */
-  std::array<AnswerVector, 2> ends;
-  /** The distance from which on largest values elsewhere are taken (length). */
-  double radius = 0.;
-  /** The stress grows like r^{exponent - 1}. */
-  double exponent = 1.;
-
-  template <typename Archive>
-  void serialize(Archive &archive, const unsigned int /*version*/) {
-    for (AnswerVector &end : ends)
-      archive &static_cast<std::vector<double> &>(end);
-    archive &radius &exponent;
-  }
-};
-
-/** A corner of a 2-D body, an end of an interface of materials on its boundary, or an edge of a
- * box, at which stresses behave like r^{λ - 1} with λ < 1 (corner_exponent()) in at least one state
- * of contact. */
-template <int dim>
-struct SingularEdge {
-  /** The ends of the edge; equal in 2-D. */
-  std::array<Point<dim>, 2> ends;
-  std::array<unsigned int, 2> sides;
-  /** The materials about it. */
-  std::vector<WedgeLayer> layers;
-  /** A tenth of the shortest side that meets here, or of the distance to the next corner where that
-   * is shorter (length). It is the same on all levels. */
-  double radius;
-
-  /** Returns the point of the edge that is nearest to @p x. */
-  Point<dim> nearest(const Point<dim> &x) const;
-  bool contains(const Point<dim> &x) const {
-    return nearest(x).distance(x) < radius;
-  }
-};
-
-/** Returns the singular edges. There are none where the exact solution is known: it may be smooth
- * at every corner. Across an edge of a box the exponent is that of plane strain. */
-std::vector<SingularEdge<2>> singular_edges(const Scene<2> &scene);
-std::vector<SingularEdge<3>> singular_edges(const Scene<3> &scene);
-
-/** Returns the axis of a box along the normal of a side. */
-unsigned int axis_of(const Side<3> &side);
-
-/** Returns whether @p x lies at one of the edges. */
-template <int dim>
-bool any_contains(const std::vector<SingularEdge<dim>> &edges, const Point<dim> &x);
-
-/** Returns the edge where a value at @p x is part of unlimited growth: @p x lies next to it, and
- * the state of contact there makes λ < 1. The result is empty if there is none. */
-template <int dim>
-std::optional<GrowthEdge> growth_at(const Point<dim> &x,
-                                    const std::vector<SingularEdge<dim>> &edges,
-                                    const BodyInContact<dim> &body);
-
 /** The largest value of a field, and where it is. */
 struct FieldMaximum {
   double value = 0.;

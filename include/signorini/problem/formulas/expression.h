@@ -42,7 +42,7 @@ public:
   const std::string &text() const {
     return text_;
   }
-  /** Returns the place that the formula was read from, for messages about its values. */
+  /** Returns the origin that the formula was read from, for messages about its values. */
   const std::string &where() const {
     return where_;
   }

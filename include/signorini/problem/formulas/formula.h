@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/geometry/box_tree.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/tensor.h>
@@ -18,7 +18,7 @@ namespace Signorini {
 using Constants = std::map<std::string, double>;
 
 /** Formulas with a name, in any order. As a name f is the formula, as a function f(p, q, r) the
- * formula with p, q, r in the place of a, b, c. */
+ * formula with p, q, r instead of a, b, c. */
 using Definitions = std::map<std::string, std::string>;
 
 namespace FormulaParts {

@@ -63,7 +63,7 @@ struct FileMesh {
    * ends. check_and_sort() finds them. */
   std::vector<std::vector<Edge>> loops;
 
-  std::string place(const std::size_t line) const {
+  std::string location(const std::size_t line) const {
     return place_in_file(name, line);
   }
   /** Returns the physical name of an element of this dimension. A group without a name is called by
@@ -101,7 +101,7 @@ void keep_part(FileMesh &mesh, const std::string &body, const std::vector<std::s
  * cells come first.
  * @return the number of vertices.
  * @throws InputError with the number of the first element or node that is wrong: cells that are not
- * convex or lie on one another, named lines that are not edges, two nodes at one place, nodes with
+ * convex or lie on one another, named lines that are not edges, two nodes at one point, nodes with
  * different z, edges with two names, parts that are not connected.
  */
 unsigned int check_and_sort(FileMesh &mesh);

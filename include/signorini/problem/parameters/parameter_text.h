@@ -8,15 +8,15 @@
 namespace Signorini {
 /**
  * One `set Name = value` of a parameter file, or one value of `--set` or `--sweep` on the command
- * line, with the place it was read from.
+ * line, with its origin.
  */
 struct Assignment {
   /** The subsections and the name, joined by '/': "Solver/Tolerance". */
   std::string path;
   /** The value without comment and surrounding blanks. */
   std::string value;
-  /** The place for messages: "scene.prm:12", "--set" or "--sweep". */
-  std::string place;
+  /** The origin for messages: "scene.prm:12", "--set" or "--sweep". */
+  std::string origin;
 };
 
 /**

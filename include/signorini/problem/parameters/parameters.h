@@ -10,12 +10,12 @@
 #include <vector>
 
 namespace Signorini {
-/** The name and the place of an entry of the parameter file, for messages. */
+/** The name and the origin of an entry of the parameter file, for messages. */
 struct Entry {
   /** The subsection and the name: "Solver/Tolerance". */
   std::string name;
-  /** The place, "scene.prm:12", "--set" or "--sweep"; for a default the file alone. */
-  std::string place;
+  /** The origin, "scene.prm:12", "--set" or "--sweep"; for a default the file alone. */
+  std::string origin;
   /** Whether the value is given, and whether it differs from the default. */
   bool is_given = false, changed = false;
   /** The constants that numbers of the entry may be made of. */
@@ -23,11 +23,11 @@ struct Entry {
 
   /** Returns "scene.prm:12: Solver/Tolerance", the beginning of every message about the entry. */
   std::string where() const {
-    return place + ": " + name;
+    return origin + ": " + name;
   }
 };
 
-/** The value of an entry, with the place where it was given. It converts to the value. */
+/** The value of an entry, with its origin. It converts to the value. */
 template <typename T>
 struct Given : Entry {
   T value = T();
@@ -114,7 +114,7 @@ struct LoadParameters {
 /** Subsection Contact. */
 struct ContactParameters {
   Given<std::string> gap{"0"};
-  /** The rigid obstacles in place of the gap. */
+  /** The rigid obstacles instead of the gap. */
   Given<std::string> foundation;
   Given<std::string> foundation_position{"0, 0"};
   Given<ContactDirection> direction{ContactDirection::foundation};

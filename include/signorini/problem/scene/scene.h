@@ -3,9 +3,12 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/geometry/kinks.h>
 #include <signorini/problem/parameters/options.h>
 #include <signorini/problem/scene/foundation.h>
+#include <signorini/problem/scene/load_case.h>
 #include <signorini/problem/scene/material.h>
+#include <signorini/problem/scene/plate.h>
 #include <signorini/problem/scene/probe.h>
 
 #include <deal.II/base/function.h>
@@ -30,87 +33,6 @@ constexpr double max_distance = 1e6;
 
 /** The largest ratio of a body's length to its thickness, and to its shortest side. */
 constexpr double max_slenderness = 1e6;
-
-/** A change of a scene's loads and of its foundation; the body and its supports stay the same, and
- * so does its stiffness. */
-struct LoadCase {
-  /** Factor of tractions and of the forces and moments on plates. */
-  double force = 1.;
-  /** Factor of the body force. */
-  double weight = 1.;
-  /** Factor of prescribed displacements and of the given travels of plates. */
-  double travel = 1.;
-  /** Factor of the gap. */
-  double gap = 1.;
-  /** Factor of the tangential motion of the foundation. */
-  double slide = 1.;
-  /** Factor of the forces across the direction of plates. */
-  double cross = 1.;
-  /** The shift of the foundation, in addition to Contact/Foundation position (length). */
-  double shift_x = 0., shift_y = 0.;
-  /** Whether its fields are written. */
-  bool has_fields = false;
-
-  Tensor<1, 2> shift() const {
-    return Tensor<1, 2>({shift_x, shift_y});
-  }
-};
-
-/** The motion of a plate. */
-struct PlateMotion {
-  /** The travel delta along the plate's direction (length). */
-  double travel = 0.;
-  /** The drift eta across the plate's direction (length). */
-  double drift = 0.;
-  /** The rotation theta, counter-clockwise about the plate's centre (radians, small). */
-  double rotation = 0.;
-};
-
-/**
- * A side to which a rigid plate is bonded: u = delta d + eta d' + theta (-(y - c2), x - c1) on it,
- * where d' is d turned counter-clockwise by a right angle. Each of the three motions is given, or
- * the force or the moment that drives it is.
- */
-struct Plate {
-  /** The number of the side in the geometry. */
-  unsigned int side = 0;
-  /** The direction d, a unit vector. */
-  Tensor<1, 2> direction;
-  /** The centre c: the middle of the side, of a closed one that of the box around it (of a circle
-   * its centre). */
-  Point<2> centre;
-  /** Whether a force drives the travel; otherwise it is given. */
-  bool is_pushed = false;
-  /** The force along d on a plate that is pushed (force per thickness). */
-  double force = 0.;
-  /** The travel delta of a plate that is not pushed (length). */
-  double travel = 0.;
-  /** Whether a force drives the drift; otherwise it is zero. */
-  bool drifts = false;
-  /** The force along d' on a plate that drifts (force per thickness). */
-  double cross_force = 0.;
-  /** Whether a moment drives the rotation; otherwise it is zero. */
-  bool turns = false;
-  /** The moment about c, counter-clockwise, on a plate that turns (force x length per thickness).
-   */
-  double moment = 0.;
-
-  /** Returns d'. */
-  Tensor<1, 2> across() const {
-    return -cross_product_2d(direction);
-  }
-  /** Returns the displacement of the point @p x of the plate. */
-  Tensor<1, 2> displacement(const PlateMotion &motion, const Point<2> &x) const;
-  /** Returns the work that the forces and the moment that drive the plate do in a motion (force x
-   * length per thickness). */
-  double work(const PlateMotion &motion) const {
-    return force * motion.travel + cross_force * motion.drift + moment * motion.rotation;
-  }
-};
-
-/** Returns the displacement of a plate as data of its side. */
-std::shared_ptr<const Function<2>> plate_displacement(const Plate &plate,
-                                                      const PlateMotion &motion);
 
 /** The condition on a side of the body; every side has exactly one role. */
 enum class Role {
@@ -223,34 +145,4 @@ Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &m
 template <int dim>
 Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions);
 
-/** Returns the scene of a load case, without its exact solution. @param scene must have a
- * foundation of obstacles if the shift is not zero. */
-Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case);
-
-/** Returns the plates with the forces and travels of a load case. */
-std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &load_case);
-
-/** The kinds of load of a scene. */
-enum class LoadKind { force, weight, travel, cross };
-
-/** A number of a load case, a factor or a shift. */
-struct CaseFactor {
-  /** The name in Load cases/Cases: "shift x". */
-  std::string name;
-  double LoadCase::*number;
-  /** The kind of load that it multiplies; none of other numbers. */
-  std::optional<LoadKind> kind;
-  /** The lack of a scene in which it changes nothing: "no body force". */
-  std::string lacking;
-};
-
-/** Returns all numbers of load cases, those of the same kind as in LoadKind in its order. */
-const std::vector<CaseFactor> &case_factors();
-
-/** Returns the scene with one kind of load; all others are zero, and forces do not act on plates.
- */
-Scene<2> with_only(Scene<2> scene, LoadKind kind);
-
-/** Returns whether the scene has loads of this kind. */
-bool has_load(const Scene<2> &scene, LoadKind kind);
 } // namespace Signorini

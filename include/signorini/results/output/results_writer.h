@@ -78,7 +78,7 @@ private:
   std::string scene_description_;
   std::filesystem::path directory_;
   MPI_Comm communicator_;
-  /** Whether the results of this run have taken the place of earlier ones. */
+  /** Whether the results of this run have replaced earlier ones. */
   bool started_ = false;
   /** The VTU files of the levels so far: those of the body and of contact, by these names. */
   std::map<std::string, std::vector<std::pair<double, std::string>>> vtu_files_;

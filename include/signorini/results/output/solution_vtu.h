@@ -89,6 +89,6 @@ template <int dim>
 void write_pvtu(std::ostream &stream, const std::vector<std::string> &files,
                 const VtuCells<dim> &fields);
 
-/** Writes a .pvd that lists one file per level; the level takes the place of time. */
+/** Writes a .pvd that lists one file per level; the level replaces time. */
 void write_pvd(std::ostream &stream, const std::vector<std::pair<double, std::string>> &files);
 } // namespace Signorini

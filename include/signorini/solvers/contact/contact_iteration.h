@@ -36,7 +36,7 @@ struct ContactSystem {
 
 /** The options of the iteration. */
 struct ContactIterationOptions {
-  /** The tolerance of the KKT residual: that of the dual problem with t Ĉ_1 in place of C and the
+  /** The tolerance of the KKT residual: that of the dual problem with t Ĉ_1 instead of C and the
    * true W. */
   double tolerance = 1e-10;
   /** The tolerance of |f + D P - A U|_2 relative to max(|D P|_2, loads), but to not less than a
@@ -76,7 +76,7 @@ struct ContactIterationResult {
 
 /**
  * Returns the scale t of t Ĉ_1 for the iteration: 0.6 times the largest eigenvalue of Ĉ_1⁻¹ Dᵀ
- * V D, where V ≤ A⁻¹ takes the place of A⁻¹. The iteration needs t > lambda_max(Ĉ_1⁻¹ C)/2.
+ * V D, where V ≤ A⁻¹ replaces A⁻¹. The iteration needs t > lambda_max(Ĉ_1⁻¹ C)/2.
  * @param n_steps of the power method; each is one V-cycle. It finds some 95 % of the eigenvalue.
  */
 double estimate_scale(const ContactSystem &system, unsigned int n_steps);

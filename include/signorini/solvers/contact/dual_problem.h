@@ -206,7 +206,7 @@ struct QPResult {
   bool by_path = false;
   /** Whether P is the only solution; true if that was not examined. */
   bool unique = true;
-  /** The reason why the active set method failed and projected SOR took its place. */
+  /** The reason why the active set method failed and projected SOR replaced it. */
   std::optional<std::string> active_set_failure;
 };
 } // namespace Signorini

@@ -58,7 +58,7 @@ struct ReducedMotions {
   std::optional<Vector> escape;
   /** The motions v with K v = 0, B v = 0 and b.v = 0: nothing determines them, and q has no part of
    * them. They are scaled like the escape. */
-  std::vector<Vector> unseen;
+  std::vector<Vector> neutral;
 };
 
 /** Steady sliding: a motion v along which contact sides slide, with the work of the loads in it,
@@ -85,7 +85,7 @@ struct MotionResult {
   /** See ReducedMotions. With friction the cone is larger than what elastic patches carry, so that
    * a body that slides may be seen later: then this is the motion of its sliding. */
   std::optional<dealii::Vector<double>> escape;
-  std::vector<dealii::Vector<double>> unseen;
+  std::vector<dealii::Vector<double>> neutral;
   /** With friction: the sliding of a body that escapes along its contact sides. */
   std::optional<Sliding> sliding;
 };

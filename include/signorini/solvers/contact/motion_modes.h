@@ -3,7 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/space/multiplier_space.h>
-#include <signorini/problem/scene/rigid_motions.h>
+#include <signorini/problem/scene/free_motion.h>
 #include <signorini/solvers/stiffness/stiffness_inverse.h>
 
 #include <deal.II/lac/full_matrix.h>
@@ -37,12 +37,12 @@ struct MotionModes {
   FullMatrix<double> K;
   /** The rigid motions that no contact resists, and their nodal values. Those that V^h lacks, and
    * so resists a little, are among the motions above; the others stay zero. */
-  std::vector<FreeMotion> unseen;
-  std::vector<Displacement> unseen_modes;
+  std::vector<FreeMotion> neutral;
+  std::vector<Displacement> neutral_modes;
 
-  /** The tolerance of the work of balanced loads on an unseen motion, relative to its terms: the
+  /** The tolerance of the work of balanced loads on a neutral motion, relative to its terms: the
    * force on cells that approximate a curved body is not exactly that on the body. */
-  double unseen_tolerance = 1e-9;
+  double neutral_tolerance = 1e-9;
 
   std::size_t size() const {
     return motions.size();
@@ -56,11 +56,11 @@ struct MotionModes {
    */
   MotionWork work(const std::vector<Plate> &plates, const DualVector &loads,
                   const Displacement &U_0) const;
-  /** Returns the number of the first unseen motion that the forces on plates and the loads f_i
+  /** Returns the number of the first neutral motion that the forces on plates and the loads f_i
    * drive, within rounding and the part of a rotation that curved cells lack; none if they are in
    * balance. */
-  std::optional<unsigned int> driven_unseen(const std::vector<Plate> &plates,
-                                            const DualVector &loads) const;
+  std::optional<unsigned int> driven_neutral(const std::vector<Plate> &plates,
+                                             const DualVector &loads) const;
   /** Adds Σ_j q_j z_j to U. */
   void add_to(Displacement &U, const dealii::Vector<double> &q) const;
   /** Returns the motions of the plates with q, without the given part. */

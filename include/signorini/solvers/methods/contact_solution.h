@@ -27,10 +27,10 @@ struct DualSolve {
   bool by_path = false;
   /** Whether the pressure is the only one that solves the dual problem. */
   bool unique = true;
-  /** The reason why the active set method failed and projected SOR took its place; empty if the
+  /** The reason why the active set method failed and projected SOR replaced it; empty if the
    * chosen solver was used. */
   std::optional<std::string> active_set_failure;
-  /** The reason why MINRES took the place of V-cycles with boundary problems. */
+  /** The reason why MINRES replaced V-cycles with boundary problems. */
   std::optional<std::string> stalled;
   /** The level on which V-cycles failed, and why; this level and later ones are solved with
    * factors. */

@@ -34,8 +34,8 @@ struct LevelVector : std::array<AlignedVector<Number>, n_components> {
 /**
  * One level of the mesh as blocks: every cell of the coarse mesh is a block of n^dim cells, n a
  * power of two. Cells are numbered block by block, the first direction fastest, and taken n_lanes
- * at a time, as batches. A block has (n + 1)^dim places for nodes, numbered in the same way. Nodes
- * are numbered in the order in which places meet them.
+ * at a time, as batches. A block has (n + 1)^dim slots for nodes, numbered in the same way. Nodes
+ * are numbered in the order in which slots meet them.
  */
 template <int dim>
 struct BlockGrid {
@@ -56,8 +56,8 @@ struct BlockGrid {
   std::size_t n_batches() const {
     return (n_cells + n_lanes - 1) / n_lanes;
   }
-  /** Returns the place of a vertex of a cell. */
-  std::size_t place(std::size_t cell, unsigned int vertex) const;
+  /** Returns the slot of a vertex of a cell. */
+  std::size_t slot(std::size_t cell, unsigned int vertex) const;
   /** Returns the nodes of a cell, in the order of its vertices. */
   std::array<NodeNumber, n_vertices> nodes(std::size_t cell) const;
   /** Returns the cell that is a child of a cell of the next coarser level. */
@@ -78,8 +78,8 @@ struct BlockGrid {
   /** The number of cells per direction of a block. */
   unsigned int n;
   std::size_t n_cells;
-  /** The node at every place of every block, and the identity of every node. */
-  std::vector<NodeNumber> places, identities;
+  /** The node in every slot of every block, and the identity of every node. */
+  std::vector<NodeNumber> slots, identities;
   /** The nodes of the cells of a batch, [batch][vertex]: the first of n_lanes consecutive numbers,
    * or list_bit and the number of a list. Lanes behind the last cell repeat it. */
   std::vector<NodeNumber> starts;

@@ -87,7 +87,7 @@ public:
   }
   std::size_t memory() const {
     return storage.capacity() * sizeof(int) +
-           (shared.capacity() + stored.capacity()) * sizeof(Number) + places.memory();
+           (shared.capacity() + stored.capacity()) * sizeof(Number) + positions.memory();
   }
 
   std::shared_ptr<const BlockGrid<dim>> grid;
@@ -98,7 +98,7 @@ public:
    * E/E_0 in Voigt's notation, by rows of the lower triangle; 11, 22, (33,) 12, (13, 23), the same
    * for each lane. Empty where nothing is integrated. */
   PointRule<dim, Number> rule;
-  LevelVector<dim, Number> places;
+  LevelVector<dim, Number> positions;
   std::vector<Number> moduli;
 };
 

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Contradictions between parameters and scene, found before the first level.
+
+#include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
+#include <signorini/driver/study/settings.h>
+#include <signorini/problem/parameters/entry_error.h>
+
+#include <string>
+
+namespace Signorini {
+namespace {
+/** @throws InputError which states the option that was found and the others that are allowed, if a
+ * setting is @p wrong. */
+template <typename Option>
+void refuse_if(const bool wrong, const Given<Option> &found, const std::string &context,
+               const std::string &allowed) {
+  if (wrong)
+    throw error_at(found, "found '", to_text(found.value), "' ", context, ", allowed ", allowed,
+                   ".");
+}
+
+/** Refuses multigrid for meshes that are not nested, for Q2, and where a matrix
+ * is to be written. @throws InputError */
+template <typename Option>
+void check_multigrid(const Given<Option> &solver, const std::string &allowed,
+                     const Parameters &parameters) {
+  if (solver != Option::multigrid)
+    return;
+  refuse_if(parameters.discretization.strategy == Strategy::hp, solver, "with Strategy 'hp'",
+            "with it: " + allowed);
+  refuse_if(parameters.discretization.element == Element::q2, solver, "with Element 'Q2'",
+            "with it: " + allowed);
+  refuse_if(parameters.output.compliance, solver, "with Compliance = true, which writes a matrix",
+            "with it: " + allowed);
+}
+
+/** Refuses settings that friction cannot have. @throws InputError */
+template <int dim>
+void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
+  const Given<CaseSequence> &sequence = parameters.load_cases.sequence;
+  refuse_if(scene.friction == Friction::none && sequence == CaseSequence::steps &&
+              !parameters.contact.friction.is_given,
+            sequence, "without friction, where cases have no history", "there: independent");
+  if (scene.friction == Friction::none)
+    return;
+  const DiscretizationParameters &given = parameters.discretization;
+  const Given<ContactSolver> &contact = parameters.solver.contact_solver;
+  refuse_if(contact == ContactSolver::multigrid, contact, "with friction",
+            "with it: automatic, psor, active set");
+  if (given.strategy == Strategy::hp)
+    return;
+  refuse_if(given.element == Element::q2, given.element, "with friction",
+            dim == 2 ? "with it: Q1, Q1 B-bar" : "with it: Q1");
+}
+} // namespace
+
+template <int dim>
+void check_settings(const Parameters &parameters, const Scene<dim> &scene) {
+  const Given<ContactSolver> &contact = parameters.solver.contact_solver;
+  const Given<LinearSolver> &linear = parameters.solver.linear_solver;
+  check_multigrid(linear, "automatic, condensed", parameters);
+  check_multigrid(contact, "automatic, psor, active set", parameters);
+  check_friction(parameters, scene);
+  const bool by_cycles = contact == ContactSolver::multigrid;
+  const std::string revolved = "with Plane state '" + to_text(PlaneState::axisymmetric) + "'";
+  refuse_if(scene.geometry.axisymmetric && by_cycles, contact, revolved,
+            "with it: automatic, psor, active set");
+  refuse_if(scene.geometry.axisymmetric && parameters.output.inf_sup_constant == Choice::yes,
+            parameters.output.inf_sup_constant, revolved, "with it: automatic, false");
+  if (scene.geometry.axisymmetric && parameters.output.lemmas)
+    throw error_at(parameters.output.lemmas, "found 'true' ", revolved,
+                   ", allowed with it: false.");
+  refuse_if(parameters.discretization.strategy == Strategy::hp &&
+              parameters.output.inf_sup_constant == Choice::yes,
+            parameters.output.inf_sup_constant, "with Strategy 'hp'", "with it: automatic, false");
+  refuse_if(scene.has_pairs() && parameters.discretization.strategy == Strategy::hp,
+            parameters.discretization.strategy, "with a pair of sides", "with it: nested");
+  refuse_if(dim == 3 && linear == LinearSolver::amesos_klu, linear, "in 3-D",
+            "there: automatic, condensed, amesos_mumps, multigrid");
+  refuse_if(by_cycles && linear != LinearSolver::multigrid && linear != LinearSolver::automatic,
+            linear, "with Contact solver 'multigrid'", "with it: automatic, multigrid");
+  refuse_if(by_cycles && !scene.load_cases.empty(), contact, "with load cases",
+            "with them: psor, active set");
+}
+
+INSTANTIATE_FUNCTION(check_settings);
+} // namespace Signorini
