@@ -115,7 +115,7 @@ int start_and_run(const CommandLine &command_line) {
   const std::vector<int> signals = ending_signals();
   std::unique_ptr<SessionFolder> session = configure_single_process();
   // deal.II starts PETSc, too, which would take the program's options for its own. It warns at the
-  // end of what it did not use, also of a user's settings for other programs.
+  // end about options that it did not use, also about a user's settings for other programs.
   std::array<std::string, 4> words = {{"signorini", "-skip_petscrc", "-options_left", "no"}};
   std::array<char *, 5> pointers = {};
   std::transform(words.begin(), words.end(), pointers.begin(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What is set up, and can fail, before the program has begun.
+// The set-up before the program begins, which can fail.
 
 #include "start_up.h"
 
@@ -83,7 +83,7 @@ void multiply_matrices() {
 }
 
 /** Takes the buffers of the BLAS: 128 MiB of address space per thread for OpenBLAS, and as much for
- * what a thread allocates in libc. */
+ * allocations of a thread in libc. */
 void reserve_buffers() {
   rlimit limit = {};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)

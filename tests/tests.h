@@ -15,10 +15,10 @@
 #include <vector>
 
 /**
- * Assertions with names. Each prints one line, "name: ok" or what was found instead; a test returns
- * exit_code() from main. Numbers are not printed when they are right, so that the stored output
- * does not depend on rounding. An assertion may stand in a loop: "ok" is printed once per name,
- * what fails every time.
+ * Assertions with names. Each prints one line, "name: ok" or the value found instead; a test
+ * returns exit_code() from main. Numbers are not printed when they are right, so that the stored
+ * output does not depend on rounding. An assertion may stand in a loop: "ok" is printed once per
+ * name, a check that fails every time.
  */
 class Checks {
 public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Seconds and memory.
+// The columns of seconds and of memory.
 
 #include <signorini/base/columns.h>
 #include <signorini/base/dealii.h>

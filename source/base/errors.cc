@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// One sentence, on one line.
+// Messages of errors on one line, and errors on one rank that become the same errors on all.
 
 #include <signorini/base/dealii.h>
 #include <signorini/base/errors.h>
@@ -21,8 +21,6 @@ std::string one_line(std::string sentence) {
     '?');
   return sentence;
 }
-
-// An error on one rank becomes the same error on all.
 
 namespace {
 enum class Outcome {

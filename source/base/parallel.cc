@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Threads of one process.
+// Threads of one process: those of this program, and those of OpenBLAS and OpenMP.
 
 #include <signorini/base/parallel.h>
 

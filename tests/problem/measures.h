@@ -14,7 +14,7 @@
 
 #include "tests.h"
 
-/** What a mesh of curved cells knows of a body: integrals, and how far its faces are off the sides.
+/** Measures of a mesh of curved cells: integrals, and how far its faces are off the sides.
  */
 struct Measures {
   double area = 0., length = 0.;

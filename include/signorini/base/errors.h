@@ -16,7 +16,7 @@ std::string one_line(std::string sentence);
  * Thrown if the input is wrong and the user can mend it: exit code 1.
  *
  * The message is one sentence that names the origin (file and line, or command line option), the
- * parameter, what was found and what is allowed.
+ * parameter, the value found and the values allowed.
  */
 class InputError : public std::runtime_error {
 public:

@@ -23,7 +23,7 @@ unsigned int n_available_threads();
  * Computes consume(produce(i)) for i = 0, ..., n - 1: @p produce runs on @p n_threads threads at
  * once, @p consume on this one and in order, so that sums have the same digits for any number of
  * threads.
- * @throws what either throws. (WorkStream ends the program when a worker throws; here wrong
+ * @throws the exceptions of either. (WorkStream ends the program when a worker throws; here wrong
  * data at a quadrature point must become a message.)
  */
 template <typename Result>
@@ -48,9 +48,9 @@ void produce_in_parallel(const unsigned int n_threads, const std::size_t n,
 
 /**
  * Calls work(begin, end) for ranges that make up [0, n), on @p n_threads threads. The ranges are
- * the same for any number of threads: if work writes only to what belongs to its range, so are the
+ * the same for any number of threads: if work writes only to data of its range, so are the
  * digits.
- * @throws what work throws.
+ * @throws the exceptions of work.
  */
 void work_on_ranges(unsigned int n_threads, std::size_t n,
                     const std::function<void(std::size_t, std::size_t)> &work);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Γ_c in 2-D: faces, patches and pieces are intervals of arc length.
+// Faces, patches and pieces of Γ_c: intervals of arc length in 2-D, rectangles of faces of a box in
+// 3-D.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/mesh/contact_surface.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Rows and columns of patches.
+// Γ_c: its faces, the points of its pieces on the mesh, and the rows and columns of its patches.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
@@ -109,8 +109,6 @@ std::vector<Neighbours<dim>> ContactSurface<dim>::neighbours() const {
   }
   return all;
 }
-
-// Γ_c: its faces, and the points of its pieces on the mesh.
 
 namespace {
 template <int dim>

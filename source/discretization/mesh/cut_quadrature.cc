@@ -327,8 +327,8 @@ PlaneRule cut_rule(const Kinks<2> &kinks, const std::array<Point<2>, 4> &corners
 }
 
 namespace {
-/** The rule of cut_quadrature(). A square of the reference cell whose image is too curved for what
- * is cut in it is halved in both directions; most edges of cells are straight. */
+/** The rule of cut_quadrature(). A square of the reference cell whose image is too curved for the
+ * parts cut in it is halved in both directions; most edges of cells are straight. */
 class CellCuts {
 public:
   CellCuts(const Kinks<2> &kinks, const Mapping<2> &mapping,
@@ -409,7 +409,7 @@ private:
       weights_.push_back(rule.made().weights[q] / map.jacobian(xi) * width * width);
     }
   }
-  /** Returns whether what is cut in a quadrilateral, or near it, is not large compared with the
+  /** Returns whether the part cut in a quadrilateral, or near it, is not large compared with the
    * distance of its image from it. */
   bool is_too_curved(const BilinearMap &map, const double bend) const {
     constexpr double allowed = 0.1;

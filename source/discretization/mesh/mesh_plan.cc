@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Cells that meet a corner, or the bracket of an end of contact.
 
 #include <signorini/discretization/mesh/mesh_plan.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Displacement, strain and measure at points of cells.
+// Displacement, strain and measure at points of cells, and the samples of a solution.
 
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/space/cell_evaluator.h>
@@ -82,8 +82,6 @@ void CellEvaluator<dim>::evaluate(const Cell &cell, Tables &tables) {
       &tables.patches[k].on_reference_cell(cell, map_values_->get_quadrature().get_points());
   }
 }
-
-// The samples of a solution.
 
 namespace {
 /** Returns the middle of the reference cell and the corners, or the nodes of an element of several.

@@ -127,6 +127,7 @@ Tensor<2, 2> CellField::gradient(const LineTable &x, const LineTable &y,
 }
 
 Tensor<1, 2> CellField::on_face(const unsigned int face, const double s) const {
+  AssertIndexRange(face, 4);
   const LineTable line = make_line_table(degree_, {s});
   const unsigned int fixed = face % 2 * degree_;
   Tensor<1, 2> value;

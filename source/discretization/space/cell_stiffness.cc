@@ -24,7 +24,7 @@ Strain<dim> shape_strain(const Mesh<dim> &mesh, const FEValues<dim> &values, con
   return strain;
 }
 
-/** What integrals of a mesh need. */
+/** The data of integrals over a mesh. */
 template <int dim>
 UpdateFlags flags_on(const Mesh<dim> &mesh) {
   return mesh.is_axisymmetric() ? stiffness_flags | update_values : stiffness_flags;

@@ -51,7 +51,7 @@ AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh, const DoFH
 
 using Pin = DisplacementSpace<2>::Pin;
 
-/** A place for a pin, and the share at which its speed counts where pins are chosen. */
+/** A node for a pin, and the share at which its speed counts where pins are chosen. */
 struct PinCandidate {
   Pin pin;
   double weight;

@@ -76,7 +76,7 @@ std::optional<double> norm_of_rigid_motion(const DisplacedBody<dim> &body) {
   // Of a body that moves far, the strains are not known: they are less than rounding of U.
   if (unit_roundoff * motion > 1e-12 * size)
     return {};
-  // Rounding, or what V-cycles leave: strains below 1e-10, and below 1e-9 of the motion.
+  // Rounding, or the remainder of V-cycles: strains below 1e-10, and below 1e-9 of the motion.
   const double tolerance =
     std::max(1e3 * unit_roundoff, 1e-10 * size / std::max(motion, 0.1 * size));
   dealii::Vector<double> forces;

@@ -7,6 +7,8 @@
 
 namespace Signorini {
 Pressure Multiplier::component(const unsigned int number, const unsigned int n) const {
+  Assert((number + 1) * n <= values_.size(),
+         ExcDimensionMismatch(values_.size(), (number + 1) * n));
   Pressure part(n);
   std::copy_n(values_.begin() + number * n, n, part.begin());
   return part;
@@ -33,6 +35,7 @@ std::vector<Pressure> Multiplier::tangential() const {
 }
 
 NodeState Multiplier::state(const unsigned int k) const {
+  AssertIndexRange(k, normal_.size());
   NodeState state = {presses(k), State::inside};
   if (const unsigned int i = normal_.size() + k; has_friction() && set_.slips(i, values_))
     state.slip = values_[i] >= 0. ? State::upper : State::lower;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Q^H, and G of (22).
+// Q^H, G of (22), and D of (22): the normal trace B tested with the basis of Q^H.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
@@ -41,6 +41,7 @@ MultiplierSpace<dim>::MultiplierSpace(const ContactSurface<dim> &surface,
 
 template <int dim>
 Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) const {
+  AssertIndexRange(unknown, n_multipliers());
   const unsigned int patch = patch_of_[unknown];
   const Patch<dim> &interval = surface_.patches()[patch];
   const double t = rules_[n_of(patch) - 1].point(unknown - first_[patch])[0];
@@ -50,6 +51,7 @@ Point<dim - 1> MultiplierSpace<dim>::node(const unsigned int unknown) const {
 template <int dim>
 unsigned int MultiplierSpace<dim>::nearest_node(const unsigned int patch,
                                                 const Point<dim - 1> &s) const {
+  AssertIndexRange(patch, surface_.patches().size());
   unsigned int nearest = first_[patch];
   for (unsigned int k = nearest; k < first_[patch + 1]; ++k)
     if (node(k).distance(s) < node(nearest).distance(s))
@@ -60,6 +62,7 @@ unsigned int MultiplierSpace<dim>::nearest_node(const unsigned int patch,
 template <int dim>
 double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
                                          const Point<dim - 1> &s) const {
+  AssertIndexRange(unknown, n_multipliers());
   const unsigned int patch = patch_of_[unknown];
   const Patch<dim> &interval = surface_.patches()[patch];
   const double t = (s[0] - interval.lower[0]) / (interval.upper[0] - interval.lower[0]);
@@ -69,6 +72,9 @@ double MultiplierSpace<dim>::shape_value(const unsigned int unknown,
 template <int dim>
 double MultiplierSpace<dim>::value(const Vector &P, const unsigned int patch,
                                    const Point<dim - 1> &s, const unsigned int component) const {
+  AssertIndexRange(patch, surface_.patches().size());
+  Assert((component + 1) * n_multipliers() <= P.size(),
+         ExcDimensionMismatch(P.size(), (component + 1) * n_multipliers()));
   double sum = 0.;
   for (unsigned int k = first_of(patch); k < first_of(patch + 1); ++k)
     sum += P[component * n_multipliers() + k] * shape_value(k, s);
@@ -98,6 +104,7 @@ dealii::Vector<double> MultiplierSpace<dim>::lengths() const {
 
 template <int dim>
 dealii::Vector<double> MultiplierSpace<dim>::project(const Vector &moments) const {
+  AssertDimension(moments.size(), n_multipliers());
   // ∫ ψ_j ψ_k = δ_jk ∫ ψ_k: Gauss' rule integrates the product exactly.
   Vector coefficients = moments;
   const Vector squares = integrals();
@@ -154,8 +161,6 @@ dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
 template class MultiplierSpace<2>;
 template class MultiplierSpace<3>;
 INSTANTIATE_FUNCTION(assemble_gap);
-
-// D of (22): the normal trace B tested with the basis of Q^H.
 
 void Coupling::add_product(const dealii::Vector<double> &P, DualVector &vector) const {
   AssertDimension(P.size(), n_columns());

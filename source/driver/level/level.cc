@@ -92,7 +92,7 @@ LocatedBound located_bound(const Given<WantedBound> &wanted, const Solved<2> &so
   return none;
 }
 
-/** Adds what is known about other solutions with Coulomb's friction. */
+/** Adds the known facts about other solutions with Coulomb's friction. */
 void add_regularity(const Discretization<2> &discretization,
                     const std::shared_ptr<const ComplianceOperator> &C,
                     const ContactSolution &contact, FrictionSummary &friction) {
@@ -118,8 +118,8 @@ void add_certificate_and_answer(const Solved<dim> &solved, LevelSolution<dim> &s
   record.answer = compute_answer<dim>(solved, forces);
 }
 
-/** Computes what follows from U and P: the certificate, the answer and the estimate of the error,
- * as far as they are wanted. Collective. */
+/** Computes the results that follow from U and P: the certificate, the answer and the estimate of
+ * the error, as far as they are wanted. Collective. */
 template <int dim>
 void examine(const Parameters &parameters, const Solved<dim> &solved, const Progress &progress,
              LevelSolution<dim> &solution) {

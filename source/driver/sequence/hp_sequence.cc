@@ -22,7 +22,7 @@ struct HpStep {
 };
 
 /** Returns the scene with quadrature rules that are not graded: the mesh itself is graded to the
- * places where data is singular. */
+ * points where data is singular. */
 Scene<2> without_graded_rules(Scene<2> scene) {
   scene.kinks = scene.kinks.without_ends();
   return scene;
@@ -163,9 +163,9 @@ private:
     return std::make_shared<const Discretization<2>>(context_.parameters, scene_, plan_);
   }
 
-  /** Returns whether the error is not half of what it was two steps before, since a bound has
-   * missed the target: what is left is rounding, or data that no mesh resolves. The first steps see
-   * more and more of what the scene holds. */
+  /** Returns whether the error is not half of that two steps before, since a bound has
+   * missed the target: the rest is rounding, or data that no mesh resolves. The first steps see
+   * more and more of the scene. */
   bool is_out_of_reach(const double error, const bool has_bound) {
     constexpr std::size_t n_compared = 2, patience = 4;
     if (has_bound || !missed_.empty())

@@ -86,7 +86,7 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
         result.reports = report_on_probes<2>(solved, edges);
         if (load_case.has_fields)
           use_fields(result.number, solved);
-        // What sticks in a step follows the foundation from the slip of the steps before.
+        // Sticking points follow the foundation from the slip of the steps before.
         if (are_steps)
           moved.friction = Friction::none;
         result.estimate = error_of_case(parameters, solved, operators);

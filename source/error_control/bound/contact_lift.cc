@@ -38,8 +38,9 @@ EdgeFunction remainder(const PenetrationFace &face, const EdgeFunction &deficit,
   double first = deficit.value(0.), last = deficit.value(1.), size = 0.;
   for (const EdgeFunction::Part &lack : deficit.parts())
     size = std::max({size, std::abs(lack.first), std::abs(lack.bubble)});
-  // What w_h is too high at the ends spreads along the face, unless it is little: then its energy
-  // is less than what the pressure does on it.
+  // r_F leaves out the linear function between the deficits at the ends, on which the pressure then
+  // works. Where it is below a tenth of the deficit, r_F keeps it: its energy is less than that
+  // work.
   const bool follows =
     presses && std::max(std::abs(first), std::abs(last)) < std::max(0.1 * size, rounding);
   if (follows)
@@ -77,7 +78,8 @@ EdgeFunction difference(const EdgeFunction &deficit, const EdgeFunction &r) {
   return EdgeFunction(std::move(parts));
 }
 
-/** What w_h lacks on a face along n and along t, and what r_F does of it. */
+/** The normal and the tangential part of q - w_h on a face, and the part r_F of it that is lifted;
+ * term() is the work on the rest. */
 struct FaceLift {
   FaceLift(const BoundData &data, const ContactTrace &trace, const PenetrationFace &face,
            const std::vector<FaceVector> &w)
@@ -96,8 +98,8 @@ struct FaceLift {
   /** Returns ∫_F τ_n (ũ_n - g - w_n) (component 0), or ∫_F s |v| + τ_t v. */
   double term(const ContactTrace &trace, const PenetrationFace &face, const unsigned int c) const {
     // Where the face presses, w_n is d itself, raised by r - deficit; r stands for its difference
-    // from w_h there. Where friction holds the face, w_t is the slip itself. The root of rounding
-    // is not rounding.
+    // from w_h there. Where friction holds the face, w_t is the slip itself. Values below rounding
+    // are dropped: the bound takes the root of this term, and the root of 1e-16 would be seen.
     const bool follows = c == 0 ? face.presses_everywhere() : face.lifts_slip;
     const double rounding = trace.rounding(face);
     double term = 0.;
@@ -192,8 +194,6 @@ ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fi
   bound =
     evaluate(data, trace, LiftField(data, trace, std::move(*w_h), std::move(remainders)), on_faces);
 }
-
-// The lift in the body.
 
 namespace {
 /** Returns the modulus in r² of a displacement along m (component 0) or its tangent divided by that

@@ -394,7 +394,7 @@ UpperInterpolant ContactTrace::sample(const PenetrationFace &face, const Compone
     n_scanned *= 2;
   const double resolution =
     1e-15 * std::max(face.line.start().norm(), face.line.end().norm()) / face.length();
-  // Next to contact w_n touches: what rises there counts with the pressure.
+  // Next to contact w_n touches: a rise inside counts with the pressure.
   const auto is_pinned = [&](const unsigned int end) {
     const NodeCondition &condition = conditions_[face.conditions[end]];
     return component != Component::normal || condition.held() || condition.presses;
@@ -445,7 +445,7 @@ void ContactTrace::require() {
         std::max(condition.required,
                  i > 1 && condition.presses ? misfit(face, Component::normal, t) : face.d.value(t));
     }
-  // What rounding makes of u_n - g = 0.
+  // The rounding of u_n - g = 0.
   const double tolerance = 1e-12 * (size_of_U_ + data_.scene.geometry.diameter());
   for (const NodeCondition &condition : conditions_)
     if (!obstacle_ && condition.is_normal() && condition.held() && condition.required > tolerance)

@@ -138,8 +138,8 @@ std::string doubt(const StressBound &stress, const ContactLift &lift) {
   return lift.no_bound;
 }
 
-/** Returns whether the traction that is given on an edge is what it is between the points of a
- * lift, in the middles of the parts into which breaks divide the edge. */
+/** Returns whether the lifted traction of an edge is the given one between the points of a lift, in
+ * the middles of the parts into which breaks divide the edge. */
 bool is_resolved(const Scene<2> &scene, const TractionEdge &edge) {
   constexpr unsigned int n = 12;
   constexpr double allowed = 1e-8;
@@ -165,8 +165,8 @@ bool is_resolved(const Scene<2> &scene, const TractionEdge &edge) {
   return largest <= allowed * size;
 }
 
-/** Returns what the proof of the bound does not cover on a curved body, one sentence; empty if
- * there is no such thing. */
+/** Returns the part of a curved body that the proof of the bound does not cover, one sentence;
+ * empty if there is none. */
 std::string gap_of_proof(const BoundData &data, const BestStress &best) {
   const Scene<2> &scene = data.scene;
   if (!data.space.mesh().is_curved())

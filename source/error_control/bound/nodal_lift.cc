@@ -33,7 +33,7 @@ struct MovingNodes {
 
 private:
   Coupling select(const DisplacementSpace<2> &space, const ContactTrace &trace, const bool all) {
-    // Pins hold the body while A is solved: what is left of two normals of a pinned node is
+    // Pins hold the body while A is solved: the free parts of two normals of a pinned node are
     // dependent.
     const auto is_pinned = [&](const Coupling::Column::value_type &entry) {
       return space.constraints().is_constrained(entry.first);
@@ -156,9 +156,9 @@ Displacement relaxed_displacement(const BoundData &data, const Coupling &E, cons
   return result;
 }
 
-/** Returns the solution of the dual problem of nodal_lift(). @param of_carriers what is required of
- * the carriers' own w_n. @param touches receives the nodes at which it is that; rounding of A⁻¹ may
- * lift them. */
+/** Returns the solution of the dual problem of nodal_lift(). @param of_carriers the values required
+ * of the carriers' own w_n. @param touches receives the nodes at which it has them; rounding of A⁻¹
+ * may lift them. */
 Displacement pressed_displacement(const BoundData &data, const ContactTrace &trace,
                                   const Vector &of_carriers, std::vector<bool> &touches) {
   DualVector forces = data.space.make_vector();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Stresses without loads on a quadrilateral, from Airy's functions on its four triangles.
+// Stresses on a quadrilateral from Airy's functions on its four triangles, without loads and for
+// body forces.
 
 #include <signorini/base/errors.h>
 #include <signorini/error_control/equilibration/airy_cell.h>
@@ -18,7 +19,7 @@ using Jet = std::array<double, 3>;
 
 const char *const too_flat = "a cell is too flat for stresses in equilibrium";
 
-/** Writes R of A = Q R, at the given place of its diagonal, by Householder's reflections: they keep
+/** Writes R of A = Q R, at the given row of its diagonal, by Householder's reflections: they keep
  * twice the digits of a factor of AᵀA = RᵀR. @throws ComputationError if R is singular. */
 void write_factor(LAPACKFullMatrix<double> A, LAPACKFullMatrix<double> &R,
                   const unsigned int first = 0) {
@@ -138,6 +139,7 @@ unsigned int AiryCell::first_condition(const unsigned int k) const {
 }
 
 std::vector<Components> AiryCell::stresses(const unsigned int k, const Point<2> &at) const {
+  AssertIndexRange(k, 4);
   const unsigned int m = degree_ + 2;
   const std::vector<Jet> f = axis_functions(m, at[0], half_axes_[(k + 1) % 4 / 2 * 2]),
                          g = axis_functions(m, at[1], half_axes_[k / 2 * 2 + 1]);
@@ -203,7 +205,7 @@ void AiryCell::tabulate(const unsigned int k) {
     }
   }
   trace_points_[k] = trace_points(k);
-  // What lifts take away at the nodes of an arc: τ n, and -λ.
+  // The tractions that lifts take away at the nodes of an arc: τ n, and -λ.
   LAPACKFullMatrix<double> tractions(lifts_[k] ? 2 * lifts_[k]->nodes().size() : 0, n_local);
   for (std::size_t i = 0; i < trace_points_[k].size(); ++i) {
     const std::vector<Components> at_point = stresses(k, trace_points_[k][i].on_diagonals);
@@ -239,7 +241,7 @@ void AiryCell::factorise() {
   const unsigned int n = n_functions_, n_traces = first_condition(4);
   traces_.reinit(n, n_traces);
   factor_.reinit(n);
-  // Functions of one triangle are eliminated there, the others from what that leaves.
+  // Functions of one triangle are eliminated first, the others from the Schur complement.
   const unsigned int n_inner = degree_ * (degree_ - 1) / 2;
   unsigned int n_rows = 0, row = 0;
   for (const auto &numbers : numbers_)
@@ -323,8 +325,6 @@ FullMatrix<double> AiryCell::penalised_energy(const double weight) const {
   add_balance(weight, matrix);
   return matrix;
 }
-
-// Body forces.
 
 std::array<double, max_legendre> AiryCell::load_values(const unsigned int d,
                                                        const double at) const {
@@ -436,6 +436,7 @@ AiryCell::Vector AiryCell::subtract_load(const PolynomialLoad &load, Vector &val
 AiryCell::Vector AiryCell::subtract_traction(const unsigned int k,
                                              const std::vector<Tensor<1, 2>> &r,
                                              Vector &values) const {
+  AssertIndexRange(k, 4);
   LAPACKFullMatrix<double> column(2 * r.size(), 1), of_triangle(3 * points_[k].size(), 1);
   for (std::size_t i = 0; i < column.m(); ++i)
     column(i, 0) = r[i / 2][i % 2];

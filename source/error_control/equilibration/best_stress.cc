@@ -49,7 +49,7 @@ StressCells unresolved(const double total, const EquilibrationMesh &mesh,
 
 template <typename Misfit>
 BestStress find(const BoundData &data) {
-  /** What may be lacking, see minimise(). */
+  /** The largest residual force, see minimise(). */
   constexpr double largest_defect = 1e-9;
   EquilibrationMesh mesh(data);
   const Misfit misfit(data);

@@ -16,6 +16,7 @@ double stiffness(const Scene<2> &scene, const unsigned int number) {
 } // namespace
 
 bool is_carrier(const Scene<2> &scene, const unsigned int side) {
+  AssertIndexRange(side, scene.boundary.size());
   const ContactPair<2> pair = pair_with(scene, side);
   if (!pair.other_side())
     return scene.boundary[side].role == Role::contact;

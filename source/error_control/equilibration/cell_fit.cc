@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace Signorini {
 namespace {
@@ -53,6 +54,19 @@ PlaneRule rule_on_triangles(const CellShape &shape, const BoxTree &boxes, const 
     }
   }
   return rule;
+}
+
+/** Returns the laws below and above those at all points of a part: where the law is not resolved,
+ * energies are taken from above. */
+std::pair<Law, Tensor<2, 3>> bounds_of_law(const Material<2> &material, const RulePoints &part) {
+  Law softest(material.hooke(part.front().first));
+  Tensor<2, 3> stiffest = softest.stiffness;
+  for (auto point = part.begin() + 1; point != part.end(); ++point) {
+    const Law law(material.hooke(point->first));
+    softest.soften(law);
+    stiffest = upper_bound(stiffest, law.stiffness);
+  }
+  return {softest, stiffest};
 }
 } // namespace
 
@@ -98,8 +112,8 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
                                                               const double size,
                                                               const unsigned int degree) const {
   const Material<2> &material = *data_.scene.material;
-  // Squares of gradients of u_h have the degree 4 q - 2 on parallelograms; what has more than the
-  // degree q + 3 is small in σ(u_h) - τ. Where they are no polynomials, two degrees more.
+  // Squares of gradients of u_h have the degree 4 q - 2 on parallelograms; the part of more than
+  // the degree q + 3 is small in σ(u_h) - τ. Where they are no polynomials, two degrees more.
   const bool is_polynomial = shape.affine && is_constant_;
   const unsigned int whole = std::min(4 * degree - 2, 2 * degree + 6) + (is_polynomial ? 0 : 4);
   std::map<unsigned int, Quadrature<2>> rules;
@@ -110,29 +124,22 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
     law.emplace(material.hooke(shape.crossing));
   std::array<std::vector<AiryPoint>, 4> points;
   const auto add_part = [&](const unsigned int k, const RulePoints &part, const bool is_rough) {
-    // Where the law is not resolved, energies are taken from above.
     std::optional<Law> softest = law;
     Tensor<2, 3> stiffest;
-    for (auto point = part.begin(); point != part.end() && is_rough; ++point)
-      if (const Law law(material.hooke(point->first)); softest) {
-        softest->soften(law);
-        stiffest = upper_bound(stiffest, law.stiffness);
-      } else {
-        softest = law;
-        stiffest = law.stiffness;
-      }
+    if (is_rough)
+      std::tie(softest, stiffest) = bounds_of_law(material, part);
     for (const auto &[at, weight] : part) {
       AiryPoint &point = points[k].emplace_back();
       point.reference = shape.reference(at - shape.corners[0]);
       point.on_diagonals = Point<2>(inverse * (at - shape.crossing));
       point.weight = weight / (size * size);
-      const Law law = softest ? *softest : Law(material.hooke(at));
-      const Tensor<2, 3> root = law.root();
+      const Law at_point = softest ? *softest : Law(material.hooke(at));
+      const Tensor<2, 3> root = at_point.root();
       point.of_strain = std::sqrt(point.weight) * transpose(root);
       point.of_stress = std::sqrt(point.weight) * invert(root);
       if (is_rough)
-        point.unresolved = point.weight * (stiffest - law.stiffness);
-      point.min_eigenvalue = law.min_eigenvalue;
+        point.unresolved = point.weight * (stiffest - at_point.stiffness);
+      point.min_eigenvalue = at_point.min_eigenvalue;
     }
   };
   for (unsigned int k = 0; k < 4; ++k) {
@@ -147,11 +154,11 @@ std::array<std::vector<AiryPoint>, 4> CellFitter::make_points(const CellShape &s
       Quadrature<2> &rule = rules[of_part];
       if (rule.size() == 0)
         rule = triangle_rule(of_part);
-      RulePoints points;
+      RulePoints rule_points;
       for (unsigned int q = 0; q < rule.size(); ++q)
-        points.emplace_back(point_of(part.corners, rule.point(q)),
-                            rule.weight(q) * twice_area(part.corners));
-      add_part(k, points, part.is_rough);
+        rule_points.emplace_back(point_of(part.corners, rule.point(q)),
+                                 rule.weight(q) * twice_area(part.corners));
+      add_part(k, rule_points, part.is_rough);
     }
   }
   return points;
@@ -293,7 +300,7 @@ CellFit CellFitter::fit(const Cell &cell, const TractionSpace &space, Known &kno
     values = stress_of_u(cell, shape, known, fit);
   fit.shift = subtract_load(cell, shape, values, fit);
   fit.shift += subtract_given(space, cell_data, values, *fit.airy);
-  // The second projection removes what rounding left of the first.
+  // The second projection removes the rounding of the first.
   for (unsigned int pass = 0; pass < 2 && !values.all_zero(); ++pass)
     fit.shift += fit.airy->project(values);
   fit.rest = values.l2_norm();
@@ -323,7 +330,7 @@ std::vector<CellFit> CellFitter::fit_all(const EquilibrationMesh &mesh, const Tr
     else
       fresh.push_back(cell);
   }
-  // Threads must not decide which cell of a shape is the first: the others share what it makes.
+  // Threads must not decide which cell of a shape is the first: the others share its results.
   std::list<Known> alone;
   std::vector<Known *> shared;
   shared.reserve(fresh.size());

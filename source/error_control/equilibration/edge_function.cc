@@ -169,8 +169,8 @@ void take_limit(const std::function<double(double)> &f, const double t, const do
     value = limit;
 }
 
-/** Returns about what rounding makes of f between two points: the median of second differences over
- * distances at which f does not bend. No halves are closer to f than this. */
+/** Returns about the effect of rounding on f between two points: the median of second differences
+ * over distances at which f does not bend. No halves are closer to f than this. */
 double noise_of(const std::function<double(double)> &f, const double start, const double end) {
   constexpr unsigned int n = 7;
   const double distance = 1e-9 * (end - start);
@@ -183,7 +183,7 @@ double noise_of(const std::function<double(double)> &f, const double start, cons
   return noise[n / 2];
 }
 
-/** Returns parabolas with what raises them above f. */
+/** Returns parabolas with the shifts that raise them above f. */
 EdgeFunction raised(const std::vector<SampledInterval> &intervals, const Pinned &pinned) {
   const std::size_t n = intervals.size();
   std::vector<double> values(n + 1), lifts(n + 1);
@@ -208,7 +208,7 @@ EdgeFunction raised(const std::vector<SampledInterval> &intervals, const Pinned 
 }
 
 /** Halves intervals where f is far from a parabola, and marks those where it stays so. Where raised
- * parabolas are above zero by more than twice what samples of f are, halves of these and of their
+ * parabolas are above zero by more than twice the samples of f, halves of these and of their
  * neighbours, which raise their ends, follow up to rounding: a body that merely touches does not
  * move. */
 void refine(const std::function<double(double)> &f, const double allowed, const double rounding,

@@ -375,7 +375,7 @@ EnergyMisfit::Square EnergyMisfit::square(const std::size_t k, const Equilibrate
       value -= work;
       size += std::abs(work);
     }
-  // The terms cancel, up to that, rounding and what cells lack of balance.
+  // The terms cancel, up to that, rounding and the residual forces of cells.
   return {value, (1e-14 + stress.defect) * size};
 }
 

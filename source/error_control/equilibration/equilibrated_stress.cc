@@ -11,12 +11,14 @@
 
 namespace Signorini {
 double EquilibratedStress::distance(const std::size_t cell) const {
+  AssertIndexRange(cell, fits.size());
   const CellFit &fit = fits[cell];
   const dealii::Vector<double> y = fit.traces(tractions.space, cell, tractions.x);
   return fit.size * std::sqrt(fit.rest * fit.rest + std::max(0., y * fit.airy->multiply(y)));
 }
 
 double EquilibratedStress::oscillation(const std::size_t cell) const {
+  AssertIndexRange(cell, fits.size());
   const TractionCell &edges_of_cell = tractions.space.cells()[cell];
   const CellFit &fit = fits[cell];
   const std::vector<double> &normal = tractions.rests[0], &shear = tractions.rests[1];
@@ -34,6 +36,7 @@ double EquilibratedStress::oscillation(const std::size_t cell) const {
 }
 
 double EquilibratedStress::load_oscillation(const std::size_t cell) const {
+  AssertIndexRange(cell, fits.size());
   const CellFit &fit = fits[cell];
   if (fit.load_rest == 0.)
     return 0.;

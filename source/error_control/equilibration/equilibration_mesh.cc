@@ -64,7 +64,7 @@ Triangulation<2>::cell_iterator follow(const Triangulation<2> &mesh, const CellI
 }
 
 /** Moves each hanging node to the middle of its edge, which is straight. Large cells come first: an
- * edge may end in nodes that hang on larger ones. All others keep the places that manifolds give
+ * edge may end in nodes that hang on larger ones. All others keep the positions that manifolds give
  * them: between nodes on chords a thin curved body would have no cells. */
 void straighten(Triangulation<2> &mesh) {
   for (unsigned int level = 0; level + 1 < mesh.n_levels(); ++level)

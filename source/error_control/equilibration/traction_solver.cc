@@ -16,10 +16,10 @@ namespace Signorini {
 namespace {
 using Vector = dealii::Vector<double>;
 
-/** The weight of the squares of what cells lack in balance, relative to their energies. */
+/** The weight of the squares of the residual forces of cells, relative to their energies. */
 constexpr double penalty = 1e6;
-/** What is rounding of balances, relative to the largest trace, and where it may be if that does
- * not fall. */
+/** The rounding of balances, relative to the largest trace, and the largest residual that is
+ * accepted where it does not fall. */
 constexpr double rounding = 1e-14, near_rounding = 1e-12;
 /** The least part of a direction that falls, in the norm of the weights. Below it no stress
  * answers: the loads cannot be carried. */
@@ -160,7 +160,8 @@ private:
     FullMatrix<double> S = fits_[part].airy->penalised_energy(weights_[3 * part] / square);
     return S *= square;
   }
-  /** Keeps the entries of unknowns, with their places among these. @return the numbers of these. */
+  /** Keeps the entries of unknowns, with their positions among these. @return the numbers of these.
+   */
   Numbers keep_unknowns(Entries &V) const {
     Numbers unknowns;
     Entries kept;
@@ -218,7 +219,7 @@ double minimise(const std::vector<CellFit> &fits, const Vector &work, Tractions 
   Vector residual = problem.residual(x, scale), multipliers(residual.size()),
          direction(multipliers);
   for (unsigned int step = 0; step < max_steps; ++step) {
-    // The tractions of the next multipliers, and what rounding left of the last ones.
+    // The tractions of the next multipliers, and the rounding of the last ones.
     Vector next = problem.weighted(residual), forces(given), change(x.size());
     next += multipliers;
     next += direction;

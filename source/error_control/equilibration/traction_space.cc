@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The tractions on the edges of a mesh with hanging nodes, and what its cells see of them.
+// The tractions on the edges of a mesh with hanging nodes, and their traces on its cells.
 
 #include <signorini/discretization/mesh/arc_mapping.h>
 #include <signorini/error_control/equilibration/arc_lift.h>
@@ -185,6 +185,7 @@ unsigned int TractionSpace::contact_edge_at(const Triangulation<2>::cell_iterato
 }
 
 std::vector<unsigned int> TractionSpace::sources(const unsigned int edge) const {
+  AssertIndexRange(edge, edges_.size());
   std::vector<unsigned int> numbers;
   for (const SharedPart &part : parts_[edge])
     numbers.push_back(part.shared);

@@ -14,8 +14,8 @@
 
 namespace Signorini {
 namespace {
-/** Returns the norm of what a projection leaves, from the squares of the norms of a traction and of
- * its projection. */
+/** Returns the norm of the remainder of a projection, from the squares of the norms of a traction
+ * and of its projection. */
 double norm_of_rest(const double square, const double of_projection) {
   // The root of rounding is not rounding.
   const double rest = square - of_projection;
@@ -32,12 +32,14 @@ Tractions::Tractions(const BoundData &data, const EquilibrationMesh &mesh)
 
 std::vector<double> Tractions::on_edge(const unsigned int edge,
                                        const unsigned int component) const {
+  AssertIndexRange(edge, space.edges().size());
   const auto first = x.begin() + space.edges()[edge].position(component, 0);
   return {first, first + space.edges()[edge].degree + 1};
 }
 
 void Tractions::fix(const unsigned int edge, const unsigned int component,
                     const std::vector<double> &legendre) {
+  AssertIndexRange(edge, space.edges().size());
   space.set_free(edge, component, false);
   std::copy(legendre.begin(), legendre.end(),
             x.begin() + space.edges()[edge].position(component, 0));

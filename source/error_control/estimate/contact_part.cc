@@ -25,14 +25,14 @@ double softer_modulus(const Scene<dim> &scene, const Point<dim> &x) {
 }
 
 namespace {
-/** A part of Γ_c on which d has one sign. Where d < 0, only what presses counts. */
+/** A part of Γ_c on which d has one sign. Where d < 0, only pressing parts count. */
 struct Stretch {
   /** The number of the side, that of its corners before the stretch, and the arc length where it
    * begins; in 3-D the number of the patch. */
   unsigned int side_or_patch, corners;
   double from;
   bool penetrates;
-  /** The measure of what counts, and the integrals of modulus d² and 2 p_H d over it. */
+  /** The measure of the part that counts, and the integrals of modulus d² and 2 p_H d over it. */
   double measure, square, work;
 
   bool continues(const Stretch &before) const {

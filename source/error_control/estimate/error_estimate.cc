@@ -57,7 +57,7 @@ private:
       fields.insert(fields.end(), {{U, fine}, {U, fine - 1}});
     return fields;
   }
-  /** Adds what a point contributes to the integrals of a displacement. */
+  /** Adds the contribution of a point to the integrals of a displacement. */
   void add(const unsigned int k, const unsigned int q, const Tensor<1, dim> &value,
            const Tensor<2, dim> &gradient, Squares &sum) {
     const Point<dim> &x = u_.points()[q];

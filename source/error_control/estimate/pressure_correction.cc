@@ -49,7 +49,7 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multi
 
 /** The recovered p or q, shifted on every patch so that its mean is that of p_H or q_H; p is cut
  * off at zero. R^H p - p_H converges faster than p - p_H, see (25). The means of a line through the
- * middles of patches do not, and whole patches act on the body far more than what varies on them.
+ * middles of patches do not, and whole patches act on the body far more than variations on them.
  */
 template <int dim>
 class ShiftedPressure {
@@ -128,7 +128,7 @@ private:
   const BodyInContact<dim> &body_;
   ShiftedPressure<dim> pressure_;
   std::vector<ShiftedPressure<dim>> components_;
-  /** A large coefficient must not multiply what the recovered p has beyond its mean. */
+  /** A large coefficient must not multiply the part of the recovered p beyond its mean. */
   double largest_ = 0.;
 };
 

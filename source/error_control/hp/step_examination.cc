@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What steps predict for the next one.
+// The examination of a step of a graded sequence: its distance to the step before, its error, and
+// its predictions for the next one.
 
 #include <signorini/discretization/space/cell_evaluator.h>
 #include <signorini/discretization/space/internal_forces.h>
@@ -37,7 +38,7 @@ double ErrorHistory::add(const double indicator, const std::optional<double> &di
 bool ErrorHistory::stagnates() const {
   if (!estimates_.empty() && !std::isfinite(estimates_.back()))
     return true;
-  // The first steps see more and more of what the scene holds.
+  // The first steps see more and more of the scene.
   constexpr std::size_t patience = 6, n_compared = 4;
   return estimates_.size() > patience &&
          estimates_.back() > 0.5 * estimates_[estimates_.size() - 1 - n_compared];
@@ -47,8 +48,6 @@ bool ErrorHistory::falls() const {
   const std::size_t n = estimates_.size();
   return n < 2 || estimates_[n - 1] < 0.9 * estimates_[n - 2];
 }
-
-// The distance between the solutions of two steps.
 
 namespace {
 using MeshCell = Triangulation<2>::cell_iterator;
@@ -127,8 +126,6 @@ double energy_distance(const DisplacedBody<2> &u, const DisplacedBody<2> &v) {
   return std::sqrt(square);
 }
 
-// What is known about one step of a graded sequence.
-
 StepFindings StepExamination::examine(const Solved<2> &solved, const EnergyScale &scale,
                                       const std::optional<DisplacedBody<2>> &before,
                                       const double planned) {
@@ -155,7 +152,7 @@ StepFindings StepExamination::examine(const Solved<2> &solved, const EnergyScale
   // A solution that lies in the space leaves nothing but rounding.
   constexpr double rounding = 1e-12;
   double error = std::max(history_.add(indicator, difference, planned), rounding * findings.scale);
-  // What does not fall while the mesh is refined has no limit: data contradict each other.
+  // A number that does not fall while the mesh is refined has no limit: data contradict each other.
   constexpr double noticeable = 1e-3;
   if (history_.stagnates() && error > noticeable * findings.scale)
     error = std::max(error, findings.scale);
@@ -170,7 +167,7 @@ StepFindings StepExamination::examine(const Solved<2> &solved, const EnergyScale
 
 bool StepExamination::plates_penetrate(Scene<2> scene) const {
   constexpr unsigned int patience = 3;
-  // What is left of a plate are the displacements of its side.
+  // Without its plate, a side keeps only its prescribed displacements.
   scene.plates.clear();
   return history_.n_steps() > patience && !find_contradiction(scene).empty();
 }

@@ -75,8 +75,6 @@ Pressure transfer_pressure(const MultiplierSpace<2> &from, const Pressure &P,
   return transferred;
 }
 
-// A displacement carried over to the next level.
-
 template <int dim>
 Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement &U,
                         const DisplacementSpace<dim> &fine) {

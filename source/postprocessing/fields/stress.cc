@@ -12,7 +12,7 @@ template <int dim>
 Stress3D StressIn3D<dim>::operator()(const Point<dim> &x, const Point<dim> &middle,
                                      const Strain<dim> &strain) {
   // Corners and sides belong to several cells, and to the material of each. A step inside chooses;
-  // it is longer than rounding, and shorter than what changes a smooth law.
+  // it is longer than rounding, and shorter than the details of a smooth law.
   constexpr double step = 1e-8;
   const Point<dim> inside = x + step * (middle - x);
   if (!is_known_)

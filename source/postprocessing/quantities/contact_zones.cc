@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The ends of zones, according to the nodes of the multipliers.
 
 #include <signorini/discretization/mesh/patch_row.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Zones of stick and slip, and what friction does.
+// Zones of stick and slip, forces and dissipation of friction.
 
 #include <signorini/base/instantiate.h>
 #include <signorini/postprocessing/quantities/friction.h>

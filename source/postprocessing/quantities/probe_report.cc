@@ -71,7 +71,7 @@ public:
     , field_(field)
     , singular_(singular) {}
 
-  /** Returns what a chunk of cells contributes to the probes. */
+  /** Returns the contributions of a chunk of cells to the probes. */
   ProbeParts read_cells(const Cells<dim> &cells) const {
     CellEvaluator<dim> u = field_.at_nodes();
     std::vector<FieldSample<dim>> samples;
@@ -93,7 +93,7 @@ public:
     return parts;
   }
 
-  /** Returns what the cells of this rank contribute to the points of a probe. */
+  /** Returns the contributions of the cells of this rank to the points of a probe. */
   ProbePart read_points(const Probe<dim> &probe, const GridTools::Cache<dim> &cache) const {
     CellEvaluator<dim> u = field_.at_nodes();
     ProbePart part;
@@ -177,7 +177,7 @@ private:
   const std::vector<SingularEdge<dim>> &singular_;
 };
 
-/** Returns what the whole body contributes to the probes. Collective. */
+/** Returns the contributions of the whole body to the probes. Collective. */
 template <int dim>
 ProbeParts parts_of_all(const SampledField<dim> &field, const ProbeReader<dim> &reader) {
   const std::vector<Probe<dim>> &probes = field.scene.probes;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The force of the contact pressure, and lines of action.
+// The forces on sides: those of the contact pressure with their lines of action, and reactions
+// divided among the sides that hold the body.
 
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/space/nodes.h>
@@ -77,8 +78,6 @@ SideForce contact_force(const MultiplierSpace<dim> &multipliers,
   return side_force(name, resultant, total != 0. ? Point<dim>(centre / total) : Point<dim>(),
                     std::abs(total));
 }
-
-// The division of reactions among the sides that hold the body.
 
 namespace {
 /** A node that is held, by one or more sides. */

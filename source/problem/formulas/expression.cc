@@ -110,7 +110,7 @@ void check_syntax(const std::string &text, const Constants &constants) {
   for (unsigned int d = 0; d < dim; ++d)
     parser.DefineVar(coordinate_names[d], &x[d]);
   parser.SetExpr(text);
-  // Names the variable that stands in the wrong place; Eval() would call it a token.
+  // Names the variable that stands where none may be; Eval() would call it a token.
   parser.GetUsedVar();
   parser.Eval();
 }

@@ -77,7 +77,7 @@ unsigned int body_at(const std::vector<Geometry<2>> &bodies, const Point<2> &x) 
 }
 
 /** Makes the coarse meshes of all bodies side by side; the material id of a cell is the number of
- * its body. Vertices at the same place stay apart. */
+ * its body. Vertices at the same point stay apart. */
 void make_meshes(const std::vector<Geometry<2>> &bodies,
                  const std::vector<unsigned int> &first_side, Triangulation<2> &triangulation) {
   std::vector<Point<2>> vertices;

@@ -43,6 +43,7 @@ bool ends_inside_a_face(const std::vector<Side<2>> &sides, const Triangulation<2
 }
 
 void number_boundary(const std::vector<Side<2>> &sides, Triangulation<2> &triangulation) {
+  Assert(!sides.empty(), ExcMessage("A body has sides."));
   if (ends_inside_a_face(sides, triangulation))
     throw input_error("a side of this scene ends inside a face of the mesh, allowed: a finer mesh "
                       "(Coarsest level).");

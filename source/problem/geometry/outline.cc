@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Omega between closed loops of segments and arcs, filled with quadrilaterals.
+// Omega between closed loops of segments and arcs: polygons with their corners on the sides, which
+// are checked and filled with quadrilaterals.
 
 #include <signorini/base/message.h>
 #include <signorini/problem/geometry/arc_cell.h>
@@ -134,8 +135,6 @@ Geometry<2> make_body(const std::vector<Side<2>> &sides, const CoarseMesh &mesh)
   };
   return geometry;
 }
-
-// Outlines: polygons with their corners on the sides, which are checked and filled.
 
 namespace {
 /** How sides become chords. */

@@ -137,7 +137,7 @@ public:
   std::vector<KinkLine<2>> kinks() const;
 
 private:
-  /** Returns the formulas that depend on the place. @param side that has them; none for the body.
+  /** Returns the formulas that depend on x. @param side that has them; none for the body.
    */
   Data data_of(const std::vector<Expression<2>> &formulas, const Side<2> *side = nullptr);
   /** @param share that of the box in the body, or of an interval in its side. */

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Contact/Foundation: rigid obstacles by words and numbers.
+// Contact/Foundation: rigid obstacles by words and numbers, the gaps of sides, and those of pairs
+// of sides.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
@@ -235,8 +236,6 @@ SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2>
                    rigid.front(), ": 0).");
   return read_list_for(without, gap.value, gap.where(), all);
 }
-
-// Pairs of sides of two bodies.
 
 void close_pairs(const std::string &where, Scene<2> &scene) {
   const double small = 0.01 * scene.geometry.diameter(), least = std::cos(numbers::PI / 6.);

@@ -114,7 +114,7 @@ Point<dim> read_point(const std::string &text, const Entry &entry);
 template <int dim>
 void check_size(const Geometry<dim> &geometry, const std::string &where);
 
-/** Reads the places of Output/Report. @throws InputError */
+/** Reads the probes of Output/Report. @throws InputError */
 template <int dim>
 std::vector<Probe<dim>> read_probes(const Given<std::string> &given, const Geometry<dim> &geometry);
 

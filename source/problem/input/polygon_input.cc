@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Shape = polygon: vertices, arcs, fillets and holes become loops of sides with the body on the
-// left.
+// Shape = polygon: texts with vertices, arcs, fillets and holes become loops of sides with the body
+// on the left.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/message.h>
@@ -154,8 +154,6 @@ std::vector<Side<2>> sides_of(const PolygonLoop &given, const bool is_outer,
   }
   return sides;
 }
-
-// From texts to loops.
 
 void check_number(const std::size_t n, const std::string &where) {
   if (n > max_vertices)

@@ -224,7 +224,7 @@ void check_described_scene(const Parameters &parameters, const Scene<dim> &scene
   const Points<dim> body = sample_body(scene.geometry);
   for (const Point<dim> &x : body)
     scene.material->hooke(x);
-  // Data of the problem refuses values itself, and names its own place.
+  // Data of the problem refuses values itself, and names its own entry.
   check_finite(scene.body_force, body, "");
   check_finite(scene.exact_displacement, body, exact.displacement.where());
   check_exact_gradient(exact, scene, body);

@@ -31,7 +31,7 @@ using Node = FileMesh::Node;
 using FileElement = FileMesh::Element;
 
 /** Checks that the corners of cells, the first nodes, have the same z, and that no two are at one
- * place, which would be a crack. */
+ * point, which would be a crack. */
 void check_nodes(const FileMesh &mesh, const unsigned int n_corners) {
   std::vector<const Node *> nodes;
   for (unsigned int i = 0; i < n_corners; ++i)

@@ -263,8 +263,6 @@ void Declarations::declare_output(OutputParameters &output) {
     "writes the VTU files of this level.");
 }
 
-// The subsection Geometry.
-
 void Declarations::declare_geometry(GeometryParameters &geometry) {
   add(
     "Geometry/Bodies", geometry.bodies,

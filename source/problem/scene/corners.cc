@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Where the sides of a 2-D body meet, and how rough a displacement may be there.
+// The corners of a 2-D body, the materials and the conditions about them, and how rough a
+// displacement may be at them.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
@@ -81,8 +82,6 @@ std::vector<Corner> corners(const Geometry<2> &geometry) {
   }
   return found;
 }
-
-// The materials and the conditions about a corner.
 
 WedgeLayer make_layer(const SymmetricTensor<4, 2> &hooke, const double angle) {
   // E_iijj = 4 (lambda + mu) and E_ijij = 2 lambda + 6 mu do not change with the axes.
@@ -183,6 +182,7 @@ std::vector<WedgeLayer> layers_at(const Scene<2> &scene, const Corner &corner) {
 template <int dim>
 std::vector<EdgeCondition> possible_conditions(const Scene<dim> &scene, const unsigned int side,
                                                const Point<dim> &x) {
+  AssertIndexRange(side, scene.boundary.size());
   AssertIndexRange(side, scene.boundary.size());
   const BoundaryCondition<dim> &condition = scene.boundary[side];
   const Role role = condition.role;

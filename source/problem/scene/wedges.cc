@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The leading exponents of plane elasticity in wedges: roots of entire functions.
+// The leading exponents of plane elasticity in wedges of one and of several materials: roots of
+// entire functions.
 
 #include <signorini/base/dealii.h>
 #include <signorini/problem/scene/wedges.h>
@@ -99,8 +100,6 @@ double corner_exponent(const double angle, const EdgeSupport first, const EdgeSu
     smallest = std::min(smallest, min_real_part(f, kappa, smallest));
   return smallest;
 }
-
-// Wedges of several materials.
 
 namespace {
 /** The displacements u_r, u_theta over r^lambda and the stresses sigma_theta,theta, sigma_r,theta

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// answer.json and certificate.json, for programs to read.
+// answer.json, and certificate.json with the residuals of (5) on each level, for programs to read.
 
 #include <signorini/results/output/answer_output.h>
 #include <signorini/results/output/tables.h>
@@ -189,8 +189,6 @@ void write_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
     json["contact_area"] = finest.contact.length;
   stream << json.dump(2) << "\n";
 }
-
-// certificate.json: how well each level satisfies (5).
 
 namespace {
 Json describe(const LevelRecord &level, const Judge &judge) {

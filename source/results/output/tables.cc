@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// convergence.csv: one row per level.
+// The tables of a run: convergence.csv, the lines on the screen, the errors at the end, and
+// cases.csv.
 
 #include <signorini/results/output/tables.h>
 
@@ -24,8 +25,6 @@ void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> 
   for (const LevelRecord &level : levels)
     stream << csv_row(columns, level) << "\n";
 }
-
-// The tables on the screen: one line per level as it finishes, and the errors at the end.
 
 namespace {
 constexpr int number_width = 11;
@@ -178,8 +177,6 @@ void write_rows(std::ostream &stream, const std::string &header,
     for (std::size_t k = 0; k < row.size(); ++k)
       stream << row[k] << (k + 1 < row.size() ? "," : "\n");
 }
-
-// cases.csv: force against travel, zone against force.
 
 namespace {
 using NamedNumbers = std::vector<std::pair<std::string, double>>;

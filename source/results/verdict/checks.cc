@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Whether the answer of one level solves its equations.
+// The checks of a study in their order: whether each level solves its equations, and whether the
+// finest one resolves the solution.
 
 #include <signorini/base/message.h>
 #include <signorini/results/verdict/judge.h>
@@ -141,8 +142,6 @@ std::string check_residuals(const LevelRecord &level, const Judge &judge) {
     text << cause_and_remedy(residual.origin, level.dual);
   return text.str();
 }
-
-// Whether all levels are solved, and whether the finest one resolves the solution.
 
 /** The largest locking_number(): above it contact forces are wrong by ten per cent and more. */
 constexpr double max_locking_number = 0.25;
@@ -389,8 +388,6 @@ std::string check_estimate(const std::vector<LevelRecord> &levels, const Judge &
          "the solution: refine, or take cells that are as wide as high (long cells are too stiff "
          "in bending).";
 }
-
-// The checks in their order.
 
 template <typename Subject>
 using Check = std::string (*)(const Subject &, const Judge &);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The rounding and the residual of a level, which are compared with bounds.
+// The judge: the rounding and the residuals of a level, the error of the finest one in words, and
+// the verdict.
 
 #include <signorini/results/verdict/judge.h>
 
@@ -43,8 +44,6 @@ Residual max_residual(const Certificate &certificate) {
 double rounding(const LevelRecord &level) {
   return std::max(level.linear.rounding_error, level.certificate.rounding);
 }
-
-// The error of the finest level in words.
 
 namespace {
 /** Returns "0.85 %"; a share that may be rounding has no digits. */

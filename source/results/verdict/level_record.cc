@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The sizes in convergence.csv.
+// The columns of a record in convergence.csv, the summary of load cases, and the thickness as a
+// factor of forces.
 
 #include <signorini/base/text.h>
 #include <signorini/results/verdict/level_record.h>
@@ -21,8 +22,6 @@ Columns<LevelSizes> LevelSizes::columns() {
           {"min_h", &LevelSizes::min_h}};
 }
 
-// The columns of plates in convergence.csv.
-
 Columns<MotionRecord> MotionRecord::columns() {
   const auto of_first = [](const std::function<double(const PlateRecord &)> &number) {
     return [number](const MotionRecord &record) {
@@ -38,8 +37,6 @@ Columns<MotionRecord> MotionRecord::columns() {
     {"plate_cross_force", of_first([](const PlateRecord &plate) { return plate.cross_force; })},
     {"plate_moment", of_first([](const PlateRecord &plate) { return plate.moment; })}};
 }
-
-// The numbers of load cases for the screen and the verdict.
 
 CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds) {
   CaseSummary summary;
@@ -109,8 +106,6 @@ void multiply_forces(const double thickness, std::vector<Plate> &plates) {
     multiply(thickness, plate.force, plate.cross_force, plate.moment);
 }
 
-// The columns of convergence.csv, put together from those that the parts of a record declare.
-
 namespace {
 /** Returns the column of an estimated error divided by the true one. */
 template <typename Number>
@@ -149,7 +144,7 @@ Columns<LevelRecord> columns_of_parts() {
   return all;
 }
 
-/** Returns the place of a column; those without a fixed place share the one behind the others. */
+/** Returns the position of a column; those without a fixed one share that behind the others. */
 std::size_t fixed_place(const Column<LevelRecord> &column) {
   const std::vector<std::string> &names = columns_with_fixed_places();
   return std::find(names.begin(), names.end(), column.name) - names.begin();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The active set method.
+// The active set method, in intervals and in discs.
 
 #include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/contact/dual_solver.h>
@@ -89,8 +89,6 @@ bool join_deepest(const BoundConstrainedQP &qp, const Iterate &x, States &states
 }
 } // namespace
 
-// Discs.
-
 namespace {
 /** Performs a step of Newton's method, shorter where that decreases the residual and the whole step
  * does not. @throws LACExceptions::ExcSingular */
@@ -165,7 +163,7 @@ QPResult solve_with_discs(const BoundConstrainedQP &qp, const Vector &start,
       result.kkt_residual = residual;
       idle = 0;
     } else if (result.kkt_residual <= options.tolerance)
-      // What is left is rounding.
+      // The rest is rounding.
       break;
   }
   result.converged = result.kkt_residual <= options.tolerance;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The common functions of every Ĉ: entries, and solves on sets of multipliers.
+// Ĉ: the functions that all models share, and the choice of a model for a surface.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
@@ -81,11 +81,7 @@ Vector BoundaryModel::diagonal() const {
   return values;
 }
 
-// The choice of Ĉ for a surface.
-
 namespace {
-using Vector = ComplianceOperator::Vector;
-
 /** Returns the size of sets of patches up to which they are factorised. In 2-D a product with m
  * patches costs m², as a solve with factors does; in 3-D only m^{3/2}. */
 constexpr unsigned int max_factorised_set_size(const unsigned int dim) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The compliance C column by column, as far as it is needed.
+// C = Dᵀ A⁻¹ D from the factors or column by column, F = G - Dᵀ A⁻¹ f, and U = A⁻¹(D P + f) of
+// (23).
 
 #include <signorini/base/columns.h>
 #include <signorini/base/instantiate.h>
@@ -67,8 +68,6 @@ void ColumnCompliance::require(const Indices &numbers) const {
   n_known_ += static_cast<unsigned int>(missing.size());
 }
 
-// C = Dᵀ A⁻¹ D: read from the factors, or by columns.
-
 namespace {
 /** Returns C = Dᵀ S⁻¹ D = Wᵀ W with S = L Lᵀ and W = L⁻¹ D. */
 FullMatrix<double> compliance_from(TrailingFactor &factor, const Coupling &condensed_D) {
@@ -104,8 +103,6 @@ std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse
   return std::make_shared<const ColumnCompliance>(inverse, condensed_D, progress);
 }
 
-// F = G - Dᵀ A⁻¹ f of the dual problem.
-
 bool FreeState::nothing_touches(const AdmissibleSet &K) const {
   dealii::Vector<double> step(F);
   step *= -1.;
@@ -133,8 +130,6 @@ FreeState solve_free_state(const StiffnessInverse &inverse, const DisplacementSp
   }
   return state;
 }
-
-// U = A⁻¹(D P + f), (23).
 
 template <int dim>
 Displacement recover_displacement(const StiffnessInverse &inverse,

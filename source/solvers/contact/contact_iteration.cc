@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Anderson's acceleration of V-cycles and boundary problems.
+// Contact by V-cycles, each followed by a problem on the boundary, with Anderson's acceleration.
 
 #include <signorini/solvers/contact/contact_iteration.h>
 #include <signorini/solvers/contact/dual_problem.h>
@@ -146,8 +146,6 @@ void Acceleration::advance(NodalVector &U, dealii::Vector<double> &P, const Cont
   last_->P -= P_before;
   std::transform(U.begin(), U.end(), last_->U.begin(), U.begin(), std::plus<double>());
 }
-
-// A V-cycle, then a problem on the boundary, repeated.
 
 namespace {
 using Vector = dealii::Vector<double>;

@@ -96,7 +96,7 @@ LAPACKFullMatrix<double> cholesky(const Matrix &C, const double rounding) {
   L = C;
   L.set_property(LAPACKSupport::symmetric);
   L.compute_cholesky_factorization();
-  // L_ii² is what elimination leaves of a diagonal entry.
+  // Elimination leaves L_ii² of a diagonal entry.
   for (unsigned int i = 0; i < C.m(); ++i)
     if (!(L(i, i) * L(i, i) > rounding * C(i, i)))
       throw LACExceptions::ExcSingular();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The choice of a solver for the dual problem.
+// The dual problem: the choice of a solver, and the growing set of patches.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/text.h>
@@ -71,8 +71,6 @@ QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C, 
   return solve(BoundConstrainedQP(C, F, K, balances), start);
 }
 
-// The dual problem on a growing set of patches.
-
 namespace {
 using Indices = ComplianceOperator::Indices;
 
@@ -120,7 +118,7 @@ QPResult solve_on_growing_set(const ComplianceOperator &C, const Vector &F, cons
   const bool has_start = !whole.P.all_zero();
   if (joining.empty())
     joining = find_outside(S, m, [&](const unsigned int i) { return F[i] < 0.; });
-  whole.converged = joining.empty() && !moves; // then P = 0 it is
+  whole.converged = joining.empty() && !moves; // then P = 0 is the solution
   for (bool first = true; !joining.empty() || (first && moves); first = false) {
     S.insert(S.end(), joining.begin(), joining.end());
     std::sort(S.begin(), S.end());

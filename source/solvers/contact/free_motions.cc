@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Free motions as multipliers of balances, and the motions that escape.
+// The dual problem with free motions as multipliers of balances, and the motions that escape.
 
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/free_motions.h>
@@ -164,7 +164,7 @@ std::vector<Generator> generators_of(const AdmissibleSet &K) {
 }
 
 /** Finds P ≤ 0, with friction in Coulomb's cone, so that Π(b + Bᵀ P) = 0 for a projector Π.
- * @return what remains of Π b. */
+ * @return the remainder of Π b. */
 Vector balance(const Matrix &projector, const AdmissibleSet &K, Balances &balances) {
   const unsigned int n = balances.size();
   const std::vector<Generator> generators = generators_of(K);
@@ -414,7 +414,7 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   if (reduced.escape || nothing_happens)
     return result;
   const bool needs_start = start.size() == 0 && !C->is_explicit() && !has_friction;
-  // What few systems or sweeps do not solve may be close to the limit of sliding.
+  // A problem that few systems or sweeps do not solve may be close to the limit of sliding.
   DualSolverOptions first = options;
   if (K.moves())
     first.maximum_iterations =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Discrete cosines diagonalise the H^{-1/2} Gram matrix of equal patches.
+// Ĉ by discrete cosines, which diagonalise the H^{-1/2} Gram matrix of equal patches, and by the
+// kernel of the half space.
 
 #include <signorini/discretization/space/cosine_modes.h>
 #include <signorini/solvers/contact/kernel_models.h>
@@ -86,8 +87,6 @@ void CosineGrid::apply(Vector &product, const Vector &P, const bool inverse) con
       product[multipliers_[i + n * j]] = values(i, j);
 }
 
-// Ĉ on sides that are grids of equal patches.
-
 CosineModel::CosineModel(std::vector<CosineGrid> blocks, Vector scaling,
                          const unsigned int max_factorised_size)
   : BoundaryModel(max_factorised_size)
@@ -118,8 +117,6 @@ double CosineModel::entry(const unsigned int i, const unsigned int j) const {
   return scaling_[i] * scaling_[j] *
          blocks_[places_[i].first].entry(places_[i].second, places_[j].second);
 }
-
-// Ĉ by the kernel of the half space.
 
 KernelModel::KernelModel(Matrix C)
   : BoundaryModel(std::numeric_limits<unsigned int>::max())

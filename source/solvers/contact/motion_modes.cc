@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Z = k - A⁻¹ A k for the lifts k of free motions.
+// Free motions on a level: Z = k - A⁻¹ A k for the lifts k of free motions, and their words for
+// messages.
 
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/space/internal_forces.h>
@@ -104,7 +105,7 @@ MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space, const Scene<2> &sc
   };
   for (const FreeMotion &motion : basis.resisted)
     add_mode(motion, false);
-  // Where V^h lacks a rotation, a pin in its place would take a part of the loads.
+  // Where V^h lacks a rotation, a pin would take a part of the loads.
   for (const FreeMotion &motion : modes.neutral)
     add_mode(motion, true);
   const unsigned int k = modes.size();
@@ -206,8 +207,6 @@ MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space, const Sc
 template struct MotionModes<2>;
 template struct MotionModes<3>;
 INSTANTIATE_FUNCTION(make_motion_modes);
-
-// The motion of a body that neither supports nor contact stop.
 
 std::string text_of_escape(const RigidMotion &motion, const bool opens) {
   if (!opens)

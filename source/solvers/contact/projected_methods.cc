@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Projected successive over-relaxation, algorithm (i)-(iii).
+// Projected successive over-relaxation, algorithm (i)-(iii), and its proximal form where motions
+// are free.
 
 #include <signorini/solvers/contact/projected_methods.h>
 
@@ -123,7 +124,7 @@ FullMatrix<double> proximal_stiffness(const BoundConstrainedQP &qp, const Vector
   constexpr double part = 0.3, small = 1e-4, rounding = 1e-10;
   ComplianceOperator::Indices A;
   const AdmissibleSet K = qp.K.at(P);
-  // What separate patches would resist; B may be rounding on A.
+  // The resistance of separate patches; B may be rounding on A.
   double typical = 0.;
   for (unsigned int i = 0; i < qp.size(); ++i) {
     if (K.is_inside(i, P[i]))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The residuals of U and P in (5).
+// The steps of contact by V-cycles on (5): the residuals of U and P, the problem on the boundary,
+// and MINRES on the saddle point problem of a set.
 
 #include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/contact/saddle_point.h>
@@ -99,8 +100,6 @@ NodalVector measure(const ContactSystem &system, const ContactIterationOptions &
   return r;
 }
 
-// The problem on the boundary that follows a V-cycle.
-
 namespace {
 using Vector = dealii::Vector<double>;
 using Indices = ComplianceOperator::Indices;
@@ -149,8 +148,6 @@ Vector solve_boundary_problem(const BoundaryModel &model, const Vector &W, const
     active = next;
   }
 }
-
-// The active set method with MINRES on the saddle point problem of each set.
 
 namespace {
 /** (U, P_S), where rank 0 has P_S. */

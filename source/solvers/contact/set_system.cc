@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The linear system of a set of states, and what it says about uniqueness with friction.
+// The linear system of a set of states, and uniqueness with Coulomb's friction.
 
 #include <signorini/solvers/contact/active_set.h>
 #include <signorini/solvers/contact/dual_solver.h>
@@ -227,8 +227,6 @@ Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states, const V
     move_until_one_stops(qp, states, S.free, x);
   return x;
 }
-
-// Uniqueness with Coulomb's friction.
 
 namespace {
 /** Returns the slipping part of -H_0⁻¹ H_1, where H_0 + λ H_1 is the linear system of a set with

@@ -97,7 +97,7 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
   if (!motions.b_magnitude.all_zero() ||
       std::none_of(F.begin(), F.begin() + m, [&](double F_k) { return F_k < -touches; }))
     return;
-  // A body that has lifted off keeps pressures that are rounding, or what the tolerance allows: its
+  // A body that has lifted off keeps pressures of the size of rounding, or of the tolerance: its
   // KKT residual compares C_ii P_i with F. They hold nothing. Friction holds with its bound,
   // however little of it is needed.
   const double negligible = std::max<double>(rounding, parameters.solver.tolerance) * F.l2_norm();
@@ -354,7 +354,7 @@ private:
                                          const LevelOperators<dim> &operators, const DualData &data,
                                          const Vector &start, StageTimes &times) const {
     constexpr unsigned int max_passes = 3;
-    // What was given up would be given up again.
+    // A solve that was given up would be given up again.
     constexpr double negligible = 1e-12, hopeless = 1e-4;
     const double measure = discretization.multipliers.integrals().l2_norm();
     Vector F = data.F;

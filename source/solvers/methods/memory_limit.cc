@@ -54,7 +54,7 @@ double read_limit(const char *file_name) {
   return file >> limit && limit > 0. ? limit : HUGE_VAL;
 }
 
-/** Returns what each process on this machine may have, the smallest of all machines. */
+/** Returns the memory that each process on this machine may have, the smallest of all machines. */
 double available_bytes(MPI_Comm communicator) {
   double available =
     static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));

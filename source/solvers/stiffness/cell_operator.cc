@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// K x, cell by cell: batches of cells in vector types of the compiler, for several instruction
-// sets.
+// K of a level: K x cell by cell in batches, in vector types of the compiler for several
+// instruction sets; the matrices of coarse cells, the diagonal and the smoother.
 
 #include <signorini/base/instantiate.h>
 #include <signorini/solvers/stiffness/cell_operator.h>
@@ -201,8 +201,6 @@ void CellOperator<dim, Number>::store_matrices() {
   stored.resize(n_stored * batch_size);
 }
 
-// The matrices of coarse cells from those of their children.
-
 namespace {
 /** The matrices of n_lanes cells, [i][j][lane]. */
 template <int dim>
@@ -235,6 +233,21 @@ void add_child(const unsigned int child, const BatchMatrices<dim> &K_child, Batc
                 target[l] += weight * source[l];
             }
 }
+
+/** Returns the sum over the children of a batch, of which entry(child, lane, i, j) is one entry. */
+template <int dim, typename Entry>
+BatchMatrices<dim> sum_children(const Entry &entry) {
+  constexpr unsigned int n_dofs = dim << dim;
+  BatchMatrices<dim> K = {}, K_child;
+  for (unsigned int child = 0; child < (1U << dim); ++child) {
+    for (unsigned int l = 0; l < n_lanes; ++l)
+      for (unsigned int i = 0; i < n_dofs; ++i)
+        for (unsigned int j = 0; j < n_dofs; ++j)
+          K_child[i][j][l] = entry(child, l, i, j);
+    add_child<dim>(child, K_child, K);
+  }
+  return K;
+}
 } // namespace
 
 template <int dim, typename Number>
@@ -250,24 +263,11 @@ CellOperator<dim, Number>::coarsen(std::shared_ptr<const BlockGrid<dim>> coarse_
       for (NodeNumber node = 0; node < to.n_nodes(); ++node)
         coarse.positions[d][node] = positions[d][to.identities[node]];
   }
-  // Sums the matrices of all children of a batch, of which entry(child, lane, i, j) is one entry.
-  const auto sum_children = [](const auto &entry) {
-    BatchMatrices<dim> K = {}, K_child;
-    for (unsigned int child = 0; child < (1U << dim); ++child) {
-      for (unsigned int l = 0; l < n_lanes; ++l)
-        for (unsigned int i = 0; i < n_dofs; ++i)
-          for (unsigned int j = 0; j < n_dofs; ++j)
-            K_child[i][j][l] = entry(child, l, i, j);
-      add_child<dim>(child, K_child, K);
-    }
-    return K;
-  };
   // The parent of cells with a shared matrix has its number.
   for (auto matrix = shared.cbegin(); matrix != shared.cend(); matrix += n_dofs * n_dofs) {
     const BatchMatrices<dim> K =
-      sum_children([&](unsigned int, unsigned int, const unsigned int i, const unsigned int j) {
-        return matrix[i * n_dofs + j];
-      });
+      sum_children<dim>([&](unsigned int, unsigned int, const unsigned int i,
+                            const unsigned int j) { return matrix[i * n_dofs + j]; });
     for (const auto &row : K)
       for (const auto &entry : row)
         coarse.shared.push_back(entry[0]);
@@ -288,13 +288,14 @@ CellOperator<dim, Number>::coarsen(std::shared_ptr<const BlockGrid<dim>> coarse_
   coarse.store_matrices();
   for (std::size_t batch = 0; batch < to.n_batches(); ++batch)
     if (!coarse.is_shared(batch)) {
-      const BatchMatrices<dim> K = sum_children([&](const unsigned int child, const unsigned int l,
-                                                    const unsigned int i, const unsigned int j) {
-        const std::size_t cell = child_cell(batch, l, child);
-        return is_shared(cell / n_lanes)
-                 ? shared_matrix(cell / n_lanes)[i * n_dofs + j]
-                 : stored_matrices(cell / n_lanes)[lower(i, j) * n_lanes + cell % n_lanes];
-      });
+      const BatchMatrices<dim> K =
+        sum_children<dim>([&](const unsigned int child, const unsigned int l, const unsigned int i,
+                              const unsigned int j) {
+          const std::size_t cell = child_cell(batch, l, child);
+          return is_shared(cell / n_lanes)
+                   ? shared_matrix(cell / n_lanes)[i * n_dofs + j]
+                   : stored_matrices(cell / n_lanes)[lower(i, j) * n_lanes + cell % n_lanes];
+        });
       for (unsigned int i = 0; i < n_dofs; ++i)
         for (unsigned int j = 0; j <= i; ++j)
           std::copy(K[i][j].begin(), K[i][j].end(),
@@ -309,8 +310,6 @@ template class CellOperator<3, float>;
 template class CellOperator<3, double>;
 template CellOperator<2, float>::CellOperator(const CellOperator<2, double> &, unsigned int);
 template CellOperator<3, float>::CellOperator(const CellOperator<3, double> &, unsigned int);
-
-// The diagonal of K, and the smoother.
 
 template <int dim>
 NodeBlocks<dim> diagonal_blocks(const CellOperator<dim, float> &K) {

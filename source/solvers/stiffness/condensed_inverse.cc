@@ -53,8 +53,8 @@ struct Workspace {
   cholmod_common common = {};
 };
 
-/** Returns a symmetric matrix by its rows, of which CHOLMOD reads the upper triangle: what A has
- * below the diagonal is not read. Without @p values it is a pattern. */
+/** Returns a symmetric matrix by its rows, of which CHOLMOD reads the upper triangle: the entries
+ * of A below the diagonal are not read. Without @p values it is a pattern. */
 cholmod_sparse view_of(const int n, int *const start, int *const column, double *const value) {
   cholmod_sparse matrix = {};
   matrix.nrow = matrix.ncol = n;

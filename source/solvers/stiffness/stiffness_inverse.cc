@@ -33,7 +33,7 @@ double irregular_number(const types::global_dof_index i) {
 }
 
 /**
- * Calls work(), which runs MUMPS or KLU, and keeps what they print: the user reads one sentence
+ * Calls work(), which runs MUMPS or KLU, and keeps their output: the user reads one sentence
  * instead.
  * @throws ComputationError that begins with @p failure. The code of MUMPS stands in the output as
  * "INFOG(1) = -13", negative; those of a lack of memory are those of section "Error diagnostics" of
@@ -224,8 +224,8 @@ StiffnessInverse::Check StiffnessInverse::improve(Vector &x, const Vector &b) co
          "1/2, moduli of very different size, a very slender body).";
     throw ComputationError(message.str());
   }
-  // The first step shows what rounding does, also that in the entries of the matrix. Further ones
-  // make answers to different right-hand sides agree with each other.
+  // The first step shows the effect of rounding, also of that in the entries of the matrix. Further
+  // ones make answers to different right-hand sides agree with each other.
   double change = check.rounding_error;
   for (unsigned int step = 0; step < 2 && change > 1e-13; ++step) {
     residual(r, x, b, true);

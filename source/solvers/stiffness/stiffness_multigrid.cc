@@ -375,8 +375,6 @@ void StiffnessMultigrid<dim>::precondition(Vector &z, const Vector &r) const {
 template class StiffnessMultigrid<2>;
 template class StiffnessMultigrid<3>;
 
-// Conjugate gradients with V-cycles.
-
 namespace {
 constexpr unsigned int max_cycles = 500;
 /** The rounding error of products with A, relative to a smooth load: 1e-16 / h². */

@@ -102,6 +102,7 @@ CosineNorm<2>::Modes CosineNorm<2>::coefficients(const std::vector<double> &arc_
 
 CosineNorm<2>::Modes CosineNorm<2>::coefficients_of_constants(const std::vector<double> &ends,
                                                               const Vector &values) const {
+  AssertDimension(ends.size(), values.size() + 1);
   // ∫ q e^{i k ω s} is -Σ jump e^{i k ω s}/(i k ω), with the jumps at both ends of the side.
   std::vector<double> theta, jumps;
   for (unsigned int i = 0; i <= values.size(); ++i) {
@@ -149,6 +150,7 @@ double CosineNorm<2>::primal_norm(const Modes &f, const unsigned int n_pieces) c
 }
 
 FullMatrix<double> CosineNorm<2>::gram_matrix(const std::vector<double> &ends) const {
+  Assert(ends.size() > 1, ExcMessage("A side has a patch at least."));
   const unsigned int m = ends.size() - 1, n = n_modes_ + 1;
   FullMatrix<double> weighted(m, closed_ ? 2 * n : n), gram(m, m);
   Vector unit(m);

@@ -13,7 +13,7 @@
 namespace Signorini {
 namespace {
 /** The cosines that are summed one by one on an edge of n equal intervals, in whole periods 2 n,
- * and what is beyond them. */
+ * and the sum of the others. */
 struct EdgeModes : CosineModes {
   EdgeModes(const double length, const unsigned int n, const unsigned int at_least)
     : CosineModes(length, n, whole_periods(n, at_least))

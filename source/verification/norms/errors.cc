@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The left-hand sides of (13), (24) and (31), in one pass over the cells.
+// The errors of a level against the exact solution: the left-hand sides of (13), (14), (24), (31)
+// and (33), and the ends of contact.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
@@ -171,8 +172,6 @@ DisplacementErrors compute_displacement_errors(const DisplacedBody<dim> &body,
 
 INSTANTIATE_FUNCTION(compute_displacement_errors);
 
-// The left-hand side of (14) and (33).
-
 template <int dim>
 PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space, const Pressure &P,
                                        const unsigned int n_points,
@@ -203,8 +202,6 @@ PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space, const 
 }
 
 INSTANTIATE_FUNCTION(compute_pressure_errors);
-
-// The ends of contact, in the exact and in the discrete solution.
 
 namespace {
 /** Returns the arc lengths at which the sign of the exact pressure changes from 0 to negative or

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the scan of formulas finds: integrals of data that hides between points, against closed
+// The findings of the scan of formulas: integrals of data that hides between points, against closed
 // forms, and nothing where data is smooth.
 
 #include <signorini/discretization/mesh/cut_quadrature.h>

@@ -118,13 +118,13 @@ double moment_error(const MultiplierSpace<2> &space, const dealii::Vector<double
                     const std::function<double(const Patch<2> &, const Point<1> &)> &f) {
   double error = 0.;
   for (unsigned int patch = 0; patch < space.surface().patches().size(); ++patch) {
-    const Patch<2> &place = space.surface().patches()[patch];
+    const Patch<2> &interval = space.surface().patches()[patch];
     for (unsigned int j = 0; j < space.n_of(patch); ++j) {
       double found = 0.;
       for (unsigned int k = space.first_of(patch); k < space.first_of(patch + 1); ++k)
         found += b[k] * std::pow(space.node(k)[0], j);
-      error = std::max(error, std::abs(found - integral(place, [&](const Point<1> &s) {
-                                         return f(place, s) * std::pow(s[0], j);
+      error = std::max(error, std::abs(found - integral(interval, [&](const Point<1> &s) {
+                                         return f(interval, s) * std::pow(s[0], j);
                                        })));
     }
   }

@@ -33,7 +33,7 @@ struct Roller {
 
 constexpr double catalan = 0.915965594177219;
 
-/** What is left of the relative differences when those of first order are taken away. */
+/** The relative differences less those of first order. */
 struct Rest {
   double zone, peak, uncertainty;
 };

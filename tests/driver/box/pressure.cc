@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What becomes of a contact pressure on a rectangle: recovery, transfer, norms, errors.
+// A contact pressure on a rectangle: its recovery, transfer, norms, errors.
 
 #include <signorini/postprocessing/fields/contact_intervals.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>

@@ -115,8 +115,8 @@ void test_published(Checks &checks) {
               {5. / 64., 43. / 64., 16. / 64.}, 1e-12);
 }
 
-/** Projected SOR finds what the active set method finds; so do columns of C by linear solves, and
- * a warm start needs few sets. */
+/** Projected SOR finds the solution of the active set method; so do columns of C by linear solves,
+ * and a warm start needs few sets. */
 void test_solvers(Checks &checks) {
   for (const std::string &text : {hild, long_block}) {
     const LevelSolution<2> exact = OneLevel(text, 4).solve();
@@ -172,7 +172,7 @@ void test_patch(Checks &checks) {
     }
 }
 
-/** A block on an incline that contact alone holds, and what is said if it does not. */
+/** A block on an incline that contact alone holds, and the message if it does not. */
 void test_free_bodies(Checks &checks) {
   const std::string incline = "Boundary/Contact = bottom\n"
                               "Load/Body force = 0.01*sin(alpha); -0.01*cos(alpha)\n";
@@ -328,7 +328,7 @@ void test_three_solutions(Checks &checks) {
   checks.that("their signs", signs == std::vector<bool>{true, false, true});
 }
 
-/** A bound that is never reached is no slip: its size has no part in what is certified. */
+/** A bound that is never reached is no slip: its size has no part in the certificate. */
 void test_glued(Checks &checks) {
   const auto glued = [](const std::string &s) {
     return OneLevel(
@@ -353,7 +353,8 @@ void test_glued(Checks &checks) {
   }
 }
 
-/** Loads that work in no free motion: rollers carry them, and friction holds what needs no force.
+/** Loads that work in no free motion: rollers carry them, and friction holds the others, which need
+ * no force.
  */
 void test_loads_in_balance(Checks &checks) {
   const std::string held = "Boundary/Rollers = top\nBoundary/Traction = left: 0; 0.001*sin(3*y)\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Load steps: what friction remembers is the slip since the beginning.
+// Load steps: friction remembers the slip since the beginning.
 
 #include <signorini/verification/catalogue/catalogue.h>
 #include <signorini/verification/verify.h>
@@ -89,7 +89,7 @@ void test_steps(Checks &checks) {
   const CaseResult home = steps.solve(step(0.)), rest = cases.solve(step(0.));
   checks.that("the way matters",
               std::abs(home.friction->tangential_force - rest.friction->tangential_force) > 1e-4);
-  // The obstacle, moved by 0.01 along the side, does what a shift of 0.01 does.
+  // The obstacle, moved by 0.01 along the side, acts like a shift of 0.01.
   LoadCase moved = step(0.);
   moved.shift_x = 0.01;
   checks.near("a moved obstacle drags", cases.solve(moved).friction->tangential_force,

@@ -70,7 +70,7 @@ inline std::string text_of(const Family &family) {
   return text.str();
 }
 
-/** What is known of one value on an axis. */
+/** The known values at a point of an axis. */
 struct Measured {
   Signorini::StudyResult<2> study;
   double condition = 0.;

@@ -18,7 +18,7 @@ struct Range {
 };
 using Orders = std::map<std::string, Range>;
 
-/** A scene, and what differs from the orders of its kind. */
+/** A scene, and its differences from the orders of its kind. */
 struct Expectation {
   std::string scene;
   const Orders &orders;

@@ -41,7 +41,7 @@ void known_solutions(Checks &checks) {
                        lowest, highest);
 }
 
-/** Whether the energy estimate sees what the distance to pi^{2h} alone does not. */
+/** Whether the energy estimate sees errors that the distance to pi^{2h} alone does not. */
 void coarse_patches(Checks &checks) {
   for (const auto &[scene, partition] :
        {std::pair("A1", "Patch ratio=8"), std::pair("E2", "Patches=8")}) {
@@ -73,7 +73,7 @@ void finer_reference(Checks &checks) {
       internal_forces(DisplacedBody(fine.space(), fine.scene, difference)).energy_norm;
     const ErrorEstimate &estimate = *solution.record.estimate;
     const std::string name = std::string("block on parabola, Patches = ") + partition;
-    // Two of four patches press, and the misfit of contact exceeds what p_H lacks.
+    // Two of four patches press, and the misfit of contact exceeds the error of p_H.
     constexpr double highest_of_few = 1.5;
     checks.between(name, estimate.energy / error, lowest, highest_of_few);
     checks.that(name + ": the mesh is not the largest part", estimate.mesh < estimate.pressure);

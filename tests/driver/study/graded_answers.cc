@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Answers of graded meshes without an exact solution: they lie in what nested levels guarantee, are
-// found where the first mesh misses the contact, and are not claimed where unknowns run out.
+// Answers of graded meshes without an exact solution: they lie within the bounds of nested levels,
+// are found where the first mesh misses the contact, and are not claimed where unknowns run out.
 
 #include <deal.II/base/numbers.h>
 

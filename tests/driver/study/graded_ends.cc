@@ -28,7 +28,7 @@ void check_nothing_to_do(Checks &checks) {
   }
 }
 
-/** What a contact solver left half done is not refined. */
+/** A contact problem that its solver left half done is not refined. */
 void check_early_stop(Checks &checks) {
   const StudyResult<2> result =
     solve_hp({pressed, "Contact/Gap=0.3*(x-0.37)^2", "Solver/Contact solver=psor",

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Graded meshes on every scene with a known solution: the estimate is nowhere below half of the
 // error, the bound is between the error and one and a half of it, the error falls exponentially
-// with the cubic root of the unknowns, and what it costs to come below 1e-6.
+// with the cubic root of the unknowns, and the cost of coming below 1e-6.
 
 #include <signorini/verification/catalogue/catalogue.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Orders of convergence with other patches and elements, warm start, and what a scene does not
-// need.
+// Orders of convergence with other patches and elements, warm start, and quantities that a scene
+// does not need.
 
 #include <tuple>
 

@@ -51,10 +51,10 @@ void check_corner(Checks &checks) {
                       "Discretization/Target error=0.005", "Discretization/Coarsest level=0"});
   const Scene<2> scene = make_scene<2>(parameters);
   std::vector<double> exponents;
-  for (const Singularity &place : first_plan(scene, 0, 9).singularities)
-    if (place.point.distance(dealii::Point<2>(1., 1.)) < 1e-12) {
-      exponents.push_back(place.exponent);
-      checks.that("L, re-entrant corner: certain", place.is_certain);
+  for (const Singularity &singularity : first_plan(scene, 0, 9).singularities)
+    if (singularity.point.distance(dealii::Point<2>(1., 1.)) < 1e-12) {
+      exponents.push_back(singularity.exponent);
+      checks.that("L, re-entrant corner: certain", singularity.is_certain);
     }
   checks.near("L, re-entrant corner: exponent", exponents, {0.544483737}, 1e-6);
   const StudyResult<2> result = run(parameters, scene);

@@ -78,7 +78,7 @@ std::string below(const std::string &text) {
 /**
  * Returns the text of two bodies with the same stress, one the image of the other in the line
  * between them, the lower one k times as stiff: its displacement is (u1, -u2)/k at the image. The
- * gap is what both move, and the distance 1/4 as drawn is subtracted.
+ * gap is the motion of both, and the distance 1/4 as drawn is subtracted.
  */
 std::string pair_of(const Field &field, const std::string &k, const std::string &cells) {
   const auto both = [](const std::string &above, const std::string &lower) {

@@ -158,8 +158,8 @@ void test_couple(Checks &checks) {
     }
 }
 
-/** Two leaves; what presses the longer one at its end moves it away from the shorter one, which
- * follows. The energy of the lift is that of bending, and the bound names the end. */
+/** Two leaves; the load that presses the longer one at its end moves it away from the shorter one,
+ * which follows. The energy of the lift is that of bending, and the bound names the end. */
 void test_leaves(Checks &checks) {
   const LevelSolution<2> solution =
     OneLevel("Geometry/Bodies = a b\nGeometry/Lower left = a: 0, 0 | b: 0, 5\n"

@@ -388,9 +388,9 @@ void test_press_fit(Checks &checks) {
 }
 
 void test_refusals(Checks &checks) {
-  const auto refuses = [&](const std::string &what, const std::string &text,
+  const auto refuses = [&](const std::string &name, const std::string &text,
                            const std::string &sentence) {
-    checks.throws<InputError>(what, sentence, [&]() { solve(text, levels(1, 2)); });
+    checks.throws<InputError>(name, sentence, [&]() { solve(text, levels(1, 2)); });
   };
   refuses("bodies that overlap",
           bodies("a: 0, -0.1 | b: 0, -1", "a: 1, 1 | b: 1, 0", "1, 1", "1", "0.3") + pair +

@@ -37,7 +37,7 @@ double extreme(const ProbeReport &report, const ReportField field) {
   return report.extremes.at(static_cast<std::size_t>(field)).value;
 }
 
-void check_place(Checks &checks, const ProbeReport &report, const double r,
+void check_probe(Checks &checks, const ProbeReport &report, const double r,
                  const double tolerance) {
   checks.about(report.probe);
   checks.near("von Mises", extreme(report, ReportField::von_mises), von_mises_at(r), tolerance);
@@ -46,7 +46,7 @@ void check_place(Checks &checks, const ProbeReport &report, const double r,
               tolerance);
   checks.near("displacement", extreme(report, ReportField::displacement), displacement(r),
               tolerance);
-  checks.near("places of growth", report.growth.size(), 0., 0.);
+  checks.near("points of growth", report.growth.size(), 0., 0.);
 }
 
 void check_ring(Checks &checks, const std::vector<std::string> &mesh, const double tolerance) {
@@ -54,9 +54,9 @@ void check_ring(Checks &checks, const std::vector<std::string> &mesh, const doub
   overrides.push_back("Output/Report=side3 | 0.9,1.2 | 0.6,0.8 to 1.2,1.6 | 0,0 radius 1.0000001");
   const StudyResult<2> result = solve(ring, overrides);
   const std::vector<ProbeReport> &reports = result.levels.back().answer.reports;
-  check_place(checks, reports.at(0), 1., tolerance);
-  check_place(checks, reports.at(1), 1.5, tolerance);
-  check_place(checks, reports.at(3), 1., tolerance);
+  check_probe(checks, reports.at(0), 1., tolerance);
+  check_probe(checks, reports.at(1), 1.5, tolerance);
+  check_probe(checks, reports.at(3), 1., tolerance);
   checks.about("line");
   checks.near("points", reports.at(2).rows.size(), 101., 2.);
   for (const std::vector<double> &row : reports[2].rows) {
@@ -73,18 +73,18 @@ void check_ring(Checks &checks, const std::vector<std::string> &mesh, const doub
   checks.about("");
 }
 
-/** Stress is constant in a block that is pulled: every place has the same one, on every mesh. */
+/** Stress is constant in a block that is pulled: every point has the same one, on every mesh. */
 void check_block(Checks &checks, const std::string &entries, const std::string &report) {
   const StudyResult<2> result = solve(
     "Geometry/Upper right = 2, 1\n" + entries +
       "Boundary/Rollers = left\nBoundary/Contact = bottom\nBoundary/Traction = right: 0.3; 0 | "
       "top: 0; -0.5\n",
     levels(1, 3, {"Output/Report=" + report, "Material/Plane state=stress"}));
-  for (const ProbeReport &place : result.levels.back().answer.reports) {
-    checks.about(place.probe);
-    checks.near("tension", extreme(place, ReportField::largest_principal), 0.3, 1e-12);
-    checks.near("compression", extreme(place, ReportField::smallest_principal), -0.5, 1e-12);
-    checks.near("von Mises", extreme(place, ReportField::von_mises), 0.7, 1e-12);
+  for (const ProbeReport &report : result.levels.back().answer.reports) {
+    checks.about(report.probe);
+    checks.near("tension", extreme(report, ReportField::largest_principal), 0.3, 1e-12);
+    checks.near("compression", extreme(report, ReportField::smallest_principal), -0.5, 1e-12);
+    checks.near("von Mises", extreme(report, ReportField::von_mises), 0.7, 1e-12);
   }
   checks.about("");
 }
@@ -95,10 +95,10 @@ void check_space(Checks &checks) {
              "Boundary/Rollers = left front bottom\nBoundary/Contact = top\n"
              "Boundary/Traction = right: 0.3; 0; 0 | back: 0; -0.5; 0\nContact/Gap = 10\n",
              levels(1, 2, {"Output/Report=right | 0.5,0.5,0.3 | 0.5,0.5,0.5 radius 0.3"}));
-  for (const ProbeReport &place : result.levels.back().answer.reports) {
-    checks.about("space, " + place.probe);
-    checks.near("tension", extreme(place, ReportField::largest_principal), 0.3, 1e-10);
-    checks.near("compression", extreme(place, ReportField::smallest_principal), -0.5, 1e-10);
+  for (const ProbeReport &report : result.levels.back().answer.reports) {
+    checks.about("space, " + report.probe);
+    checks.near("tension", extreme(report, ReportField::largest_principal), 0.3, 1e-10);
+    checks.near("compression", extreme(report, ReportField::smallest_principal), -0.5, 1e-10);
   }
   checks.about("");
 }
@@ -110,13 +110,13 @@ void check_corner(Checks &checks) {
           "Boundary/Clamped = side4\nBoundary/Contact = side0\nContact/Gap = 10\n"
           "Load/Body force = 0; -0.01\n",
           {"Discretization/Strategy=hp", "Output/Report=side2 | 1,1 | 1,0.5 to 1,1"});
-  for (const ProbeReport &place : result.levels.back().answer.reports) {
-    checks.about("corner, " + place.probe);
-    checks.near("places of growth", place.growth.size(), 1., 0.);
-    checks.near("exponent", place.growth.at(0).exponent, 0.544483737, 1e-6);
-    const AnswerVector &x = place.extremes.at(0).point;
+  for (const ProbeReport &report : result.levels.back().answer.reports) {
+    checks.about("corner, " + report.probe);
+    checks.near("points of growth", report.growth.size(), 1., 0.);
+    checks.near("exponent", report.growth.at(0).exponent, 0.544483737, 1e-6);
+    const AnswerVector &x = report.extremes.at(0).point;
     const double distance = x.distance(AnswerVector(dealii::Point<2>(1., 1.)));
-    checks.that("left out", place.rows.size() == 1 ? distance == 0. : distance >= 0.1);
+    checks.that("left out", report.rows.size() == 1 ? distance == 0. : distance >= 0.1);
   }
   checks.about("");
 }
@@ -129,7 +129,7 @@ void check_other_growth(Checks &checks) {
   const std::string friction = "Contact/Friction = coulomb\nContact/Friction coefficient = ";
   struct Row {
     std::string name, settings;
-    double exponent, place;
+    double exponent, position;
     bool is_pressure;
   };
   for (const Row &row : std::vector<Row>{
@@ -150,8 +150,8 @@ void check_other_growth(Checks &checks) {
     checks.that("growth is named", growth.has_value());
     checks.near("exponent", growth->exponent, row.exponent, 1e-3);
     checks.near("measured", 1. - std::log2(values[2] / values[1]), row.exponent, 0.03);
-    if (row.place > 0.)
-      checks.near("place", growth->ends[0][0], row.place, 1e-9);
+    if (row.position > 0.)
+      checks.near("place", growth->ends[0][0], row.position, 1e-9);
   }
   checks.about("");
 }

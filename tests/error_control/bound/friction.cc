@@ -14,8 +14,8 @@ using namespace Signorini;
 namespace {
 const std::string tresca = "Boundary/Contact = bottom\nContact/Friction = tresca\n";
 
-/** Scenes without a known solution: what may hold or move a body, bounds of friction that jump or
- * vanish, foundations that move. */
+/** Scenes without a known solution: supports and loads of all kinds, bounds of friction that jump
+ * or vanish, foundations that move. */
 struct Described {
   std::string name, text;
 };

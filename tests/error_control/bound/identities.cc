@@ -36,7 +36,7 @@ void patch_tests(Checks &checks) {
     for (const unsigned int number : {2U, 3U}) {
       const ErrorBound bound = Bounded(text, number).bound;
       checks.about("patch test, J = " + std::to_string(energy));
-      // The roots of what rounding leaves of energies, and of the contact part.
+      // The roots of the rounding of energies, and of the contact part.
       checks.near("bound", *bound.absolute, 0., 2e-7);
       checks.near("stress", *bound.mesh, 0., 2e-7);
       checks.near("energy, from below", *bound.energy_lower, energy, 1e-13);
@@ -126,7 +126,7 @@ void brackets(Checks &checks) {
   }
 }
 
-/** Of a body force that jumps on a parabola: what the rules of cells miss is enclosed. */
+/** Of a body force that jumps on a parabola: the error of the rules of cells is enclosed. */
 void hidden_load(Checks &checks) {
   const double below = -0.1653, above = -0.1869, low = 0.3374, end = std::sqrt(1. - low);
   const OneLevel level("Boundary/Clamped = top\nBoundary/Contact = bottom\nContact/Gap = 1\n"

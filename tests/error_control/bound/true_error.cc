@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The bounds are not below the energy errors of u_h and pi^{2h} u_h in scenes with a known
 // solution, and not much above them. The error is integrated from the exact gradient, with nothing
-// of what the bound is computed from.
+// of the data of the bound.
 
 #include <signorini/discretization/space/cell_values.h>
 #include <signorini/discretization/space/patch_interpolation.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Meshes and patches that miss what happens: the bound of the energy error holds nevertheless, and
-// shows that the answer is worth nothing.
+// Meshes and patches that miss details of the solution: the bound of the energy error holds
+// nevertheless, and shows that the answer is worth nothing.
 //
 // The reference is u_f in V^h of a much finer mesh, nested in that of u_h. |||u_f - u_h||| is not
 // above |||u - u_h||| where nothing touches, or the same points touch (a(u - u_f, u_f - u_h) = 0),

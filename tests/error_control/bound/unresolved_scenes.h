@@ -87,7 +87,7 @@ inline void add_missed_contact(Scenes &scenes) {
        3.});
 }
 
-/** Cells that are too few or too thin for what bends. */
+/** Cells that are too few or too thin for bending. */
 inline void add_bending(Scenes &scenes) {
   const std::string steel = modulus("1000") + "Boundary/Clamped = left\n";
   for (const std::string length : {"10", "20", "50"})

@@ -72,7 +72,7 @@ void two_sides(Checks &checks) {
            std::abs(found[0].to - 0.5 + a) < 1e-13 && std::abs(found[1].from - 0.75 + a) < 1e-13 &&
            std::abs(found[1].to - 0.75 - a) < 1e-13;
   }());
-  // What a solver leaves of a zero does not press.
+  // A zero up to the tolerance of a solver does not press.
   auto rounding = on(2, 0.25, 0.75);
   for (double &p : rounding)
     p = p == 0. ? -1e-14 : p;

@@ -138,8 +138,8 @@ public:
 
 private:
   std::array<double, 2> ends(const unsigned int patch) const {
-    const Patch<2> &place = space_.surface().patches()[patch];
-    return {{place.lower[0], place.upper[0]}};
+    const Patch<2> &interval = space_.surface().patches()[patch];
+    return {{interval.lower[0], interval.upper[0]}};
   }
 
   /** Adds ∫ κ(x) A(x) dx between two points; halves the interval until the next singularity

@@ -63,9 +63,9 @@ void graded_meshes(Checks &checks) {
  */
 std::vector<std::complex<double>> fourier(const MultiplierSpace<2> &space, const unsigned int patch,
                                           const double omega) {
-  const Patch<2> &place = space.surface().patches()[patch];
+  const Patch<2> &interval = space.surface().patches()[patch];
   const unsigned int n_unknowns = space.n_of(patch);
-  const double h = 0.5 * (place.upper[0] - place.lower[0]), c = place.centre()[0];
+  const double h = 0.5 * (interval.upper[0] - interval.lower[0]), c = interval.centre()[0];
   const dealii::QGauss<1> gauss(n_unknowns);
   std::vector<std::complex<double>> sums(n_unknowns);
   std::complex<double> power = 1.;
@@ -102,7 +102,7 @@ dealii::FullMatrix<double> series(const MultiplierSpace<2> &space, const unsigne
   return gram;
 }
 
-/** Sides of the lengths 1 and 20. What N modes leave is about 1/N² of the jumps. */
+/** Sides of the lengths 1 and 20. N modes leave about 1/N² of the jumps. */
 void gram_matrices(Checks &checks) {
   for (const unsigned int length : {1U, 20U}) {
     MeshPlan plan = uniform_plan(1, 4);

@@ -45,9 +45,9 @@ void check(Checks &checks, const std::string &name, const std::string &text, con
     return -1. - side - t + 0.5 * t * t;
   };
   const auto P = nodal(coarse.multipliers(), p);
-  for (const auto &[to, place] : std::vector<std::pair<const GradedLevel *, std::string>>{
+  for (const auto &[to, mesh_name] : std::vector<std::pair<const GradedLevel *, std::string>>{
          {&coarse, "the same"}, {&fine, "finer elsewhere"}, {&uniform, "uniform"}})
-    checks.near(name + ", to a mesh, " + place,
+    checks.near(name + ", to a mesh, " + mesh_name,
                 distance(transfer_pressure(coarse.multipliers(), P, to->multipliers()),
                          nodal(to->multipliers(), p)),
                 0., 1e-12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What the indicator says about functions whose Legendre coefficients are known.
+// The indicator for functions whose Legendre coefficients are known.
 
 #include <signorini/error_control/hp/cell_indicator.h>
 

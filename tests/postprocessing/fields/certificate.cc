@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The certificate of a correct answer vanishes, and each of its residuals notices what it is for.
+// The certificate of a correct answer vanishes, and each of its residuals notices its own kind of
+// error.
 
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>

@@ -9,7 +9,7 @@
 
 #include "one_level.h"
 
-/** One level of a scene with U, P and what they were computed from. */
+/** One level of a scene with U, P and the data they were computed from. */
 struct SolvedLevel : public OneLevel {
   SolvedLevel(const std::string &text, const unsigned int number)
     : OneLevel(text, number)

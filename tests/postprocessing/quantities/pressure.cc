@@ -104,7 +104,7 @@ void trends(Checks &checks) {
     Kind kind;
   };
   // Nothing known; order one, also where levels without contact are left out; constant; a punch's
-  // factor 2^{1/2}, a facet's log h, a sharp corner's 2^{0.1}; what jumps.
+  // factor 2^{1/2}, a facet's log h, a sharp corner's 2^{0.1}; jumps.
   for (const Row &row :
        std::vector<Row>{{{1.}, Kind::unknown},
                         {{{}, {}}, Kind::unknown},

@@ -96,7 +96,7 @@ Entries entries_of(const Block &block) {
   return entries;
 }
 
-/** What is said about a file, or that it was not refused; the memory of this machine is left out.
+/** The message about a file, or that it was not refused; the memory of this machine is left out.
  */
 std::string message_of(const std::string &text, const std::vector<std::string> &overrides,
                        const bool late) {
@@ -117,9 +117,9 @@ std::string message_of(const std::string &text, const std::vector<std::string> &
   return "nothing was refused";
 }
 
-/** The message of a block with the place for '@'. */
-std::string with_place(const std::string &message, const std::string &place) {
-  return message.rfind("@: ", 0) == 0 ? place + message.substr(1) : message;
+/** The message of a block with the origin for '@'. */
+std::string with_origin(const std::string &message, const std::string &origin) {
+  return message.rfind("@: ", 0) == 0 ? origin + message.substr(1) : message;
 }
 
 /** The parameter that a message "@: Section/Name: ..." is about. */
@@ -148,7 +148,7 @@ std::vector<std::string> overrides_of(const Block &block) {
 void test_settings(Checks &checks, const Block &block) {
   // Each entry takes three lines of the file.
   std::ostringstream text;
-  std::string place = "bad.prm";
+  std::string origin = "bad.prm";
   unsigned int line = 1;
   for (const auto &[path, value] : entries_of(block)) {
     const auto slash = path.find('/');
@@ -157,13 +157,13 @@ void test_settings(Checks &checks, const Block &block) {
          << path.substr(is_inside ? slash + 1 : 0) << " = " << value << "\n"
          << (is_inside ? "end" : "") << "\n";
     if (path == path_of(block.message))
-      place = "bad.prm:" + std::to_string(line + 1);
+      origin = "bad.prm:" + std::to_string(line + 1);
     line += 3;
   }
   compare(checks, block.line + " in the file", message_of(text.str(), {}, block.late),
-          with_place(block.message, place));
+          with_origin(block.message, origin));
   compare(checks, block.line + " by --set", message_of("", overrides_of(block), block.late),
-          with_place(block.message, "--set"));
+          with_origin(block.message, "--set"));
 }
 
 void test_table(Checks &checks) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Any text as a formula: it is refused by an InputError, or has the value that muParser alone gives
-// it, with operators of our own for its squares and cubes or without.
+// Any text as a formula: it is refused by an InputError, or has the value that muParser gives it.
 
 #include <signorini/base/errors.h>
 #include <signorini/problem/formulas/expression.h>

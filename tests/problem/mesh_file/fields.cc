@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Solutions on meshes from files: a half disc gives what the half disc of the catalogue gives.
+// Solutions on meshes from files: a half disc gives the answer of the half disc of the catalogue.
 
 #include <signorini/verification/catalogue/catalogue.h>
 

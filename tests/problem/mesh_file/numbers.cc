@@ -18,15 +18,15 @@ namespace {
 FileMesh shuffle(const FileMesh &mesh) {
   std::mt19937 random(3);
   FileMesh shuffled = mesh;
-  std::vector<unsigned int> place(mesh.nodes.size());
-  std::iota(place.begin(), place.end(), 0);
-  std::shuffle(place.begin(), place.end(), random);
-  for (std::size_t i = 0; i < place.size(); ++i)
-    shuffled.nodes[place[i]] = mesh.nodes[i];
+  std::vector<unsigned int> number_of(mesh.nodes.size());
+  std::iota(number_of.begin(), number_of.end(), 0);
+  std::shuffle(number_of.begin(), number_of.end(), random);
+  for (std::size_t i = 0; i < number_of.size(); ++i)
+    shuffled.nodes[number_of[i]] = mesh.nodes[i];
   for (std::vector<FileMesh::Element> *const elements : {&shuffled.lines, &shuffled.cells}) {
     for (FileMesh::Element &element : *elements)
       for (unsigned int &node : element.nodes)
-        node = place[node];
+        node = number_of[node];
     std::shuffle(elements->begin(), elements->end(), random);
   }
   for (FileMesh::Element &cell : shuffled.cells) {

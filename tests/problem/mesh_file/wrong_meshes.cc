@@ -218,7 +218,7 @@ void test_good_meshes(Checks &checks) {
                   std::vector<std::string>({"9", "rest"}));
 }
 
-/** Names without dimensions, as in version 2.0 and, with -1, in what Gmsh makes of it. */
+/** Names without dimensions, as in version 2.0 and, with -1, in the text that Gmsh makes of it. */
 void test_old_names(Checks &checks) {
   for (const std::string dimension : {"", "-1 "}) {
     const Geometry<2> square = read(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What one rank throws, every rank throws: the same kind of error with the same message.
+// An error on one rank becomes an error on every rank: the same kind of error with the same
+// message.
 
 #include <signorini/base/errors.h>
 

@@ -82,7 +82,7 @@ void test_files(Checks &checks) {
               scan_parameter_text("set A = 1\rset B = 2\r", "a.prm").size(), 2, 0.);
 }
 
-/** tests/problem/bad_input has what is refused, and the names of all choices. */
+/** tests/problem/bad_input has the refused texts, and the names of all choices. */
 void test_values(Checks &checks) {
   checks.refuses("--set: Discretization/Finest level: found '1', allowed: an integer not "
                  "below "

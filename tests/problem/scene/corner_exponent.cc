@@ -270,7 +270,7 @@ void test_kolosov(Checks &checks) {
                 (3. - nu) / (1. + nu), 1e-12);
     checks.near("shear modulus", layer(lambda, mu).shear_modulus, mu, 1e-12);
   }
-  // The mean over rotations does not see what E_1111 takes from E_2222.
+  // The mean over rotations does not see a part that E_1111 takes from E_2222.
   dealii::SymmetricTensor<4, 2> hooke = 1.5 * Tensors::IxI + 2. * Tensors::S;
   const double isotropic = make_layer(hooke, 1.).kappa;
   hooke[0][0][0][0] += 0.4;

@@ -176,7 +176,8 @@ void test_agreement(Checks &checks) {
   }
 }
 
-/** Two blocks, one on the other: only what both sides prescribe at points across contradicts. */
+/** Two blocks, one on the other: only data that both sides prescribe at points across contradicts.
+ */
 void test_pairs_of_bodies(Checks &checks) {
   struct Row {
     std::string name;

@@ -228,7 +228,7 @@ void test_planes(Checks &checks) {
 
 /** A body that fits its foundation has no gap: not by rounding either, which would press it. */
 void test_exact_fit(Checks &checks) {
-  const auto fits = [&checks](const std::string &what, std::vector<std::string> settings,
+  const auto fits = [&checks](const std::string &name, std::vector<std::string> settings,
                               const std::string &side) {
     const Scene<2> scene = make_scene<2>(parse_parameters("", "fit.prm", settings));
     const unsigned int number = scene.geometry.find_side(side);
@@ -237,7 +237,7 @@ void test_exact_fit(Checks &checks) {
     for (unsigned int k = 0; k <= 200; ++k)
       largest = std::max(
         largest, std::abs(scene.boundary[number].data->value(on.point(on.length() * k / 200.))));
-    checks.near(what, largest, 0., 0.);
+    checks.near(name, largest, 0., 0.);
   };
   const std::vector<std::string> half_disc = {"Geometry/Shape=half disc", "Geometry/Radius=0.7",
                                               "Geometry/Centre=0.3,0.1", "Boundary/Clamped=flat",

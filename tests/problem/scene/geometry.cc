@@ -26,7 +26,7 @@ std::string names_of_motions(const Scene<2> &scene) {
   return names;
 }
 
-/** What the sides leave free; the scene is not refused here. */
+/** The motions that the sides leave free; the scene is not refused here. */
 void test_rigid_motions(Checks &checks) {
   const std::string x = "the translation along (1, 0)", y = "the translation along (0, 1)";
   const std::string all = x + ", " + y + ", the rotation about (1, 0.5)";

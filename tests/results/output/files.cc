@@ -27,9 +27,9 @@ namespace fs = std::filesystem;
 namespace {
 /** The text of a matrix as the format demands it: a banner, sizes, and entries with all digits. */
 void matrix_market(Checks &checks) {
-  const auto written = [](const auto &...what) {
+  const auto written = [](const auto &...parts) {
     std::ostringstream stream;
-    write_matrix_market(stream, what...);
+    write_matrix_market(stream, parts...);
     return stream.str();
   };
   const std::string banner = "%%MatrixMarket matrix ", third = "0.3333333333333333";

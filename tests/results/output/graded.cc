@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What is written about elements of several degrees: fields and curves of polynomials, and the
+// The output on elements of several degrees: fields and curves of polynomials, and the
 // files of a run.
 
 #include <signorini/results/output/contact_files.h>
@@ -78,7 +78,7 @@ void fields(Checks &checks, const Columns4 &example) {
   checks.that("no recovered displacement", vtu.find("recovered_displacement") == std::string::npos);
 }
 
-/** p_H = -(1 + x - x³) on faces with at least four nodes, and what less nodes make of it. */
+/** p_H = -(1 + x - x³) on faces with at least four nodes, and its values with fewer nodes. */
 void curves(Checks &checks, const Columns4 &example) {
   const auto p = [](const double x) { return -1. - x + x * x * x; };
   const MultiplierSpace<2> &multipliers = example.multipliers;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What is said about the levels of a run, read back: convergence.csv, the table on the screen and
+// The output on the levels of a run, read back: convergence.csv, the table on the screen and
 // certificate.json.
 
 #include <signorini/base/text.h>

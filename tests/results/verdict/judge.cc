@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Each judgement with what it says, their order, and the bound on residuals.
+// Each judgement with its words, their order, and the bound on residuals.
 
 #include <signorini/results/verdict/judge.h>
 
@@ -105,7 +105,7 @@ ErrorBound bound_of(const double relative) {
   return bound;
 }
 
-/** Levels, and what is said about them as a study. */
+/** Levels, and the verdict on them as a study. */
 struct Study {
   Checks &checks;
   Demands demands = {1e-10, 0.2, 0.};
@@ -159,7 +159,7 @@ void studies(Checks &checks) {
   study.is(bad, {"."});
 }
 
-/** A bound decides where there is one, and the message names what dominates it. */
+/** A bound decides where there is one, and the message names its dominant part. */
 void errors(Checks &checks) {
   Study study = {checks};
   LevelRecord &level = study.levels[2];
@@ -178,7 +178,7 @@ void errors(Checks &checks) {
   study.is(coarse, {"The target error is not reached"});
   checks.that("reaches_target", !Judge(study.demands).reaches_target(level) &&
                                   Judge({1e-10, 0.2, 0.06}).reaches_target(level));
-  // A target that nobody has asked for does not refuse what is guaranteed and tolerated.
+  // A target that nobody has asked for does not refuse a guaranteed and tolerated result.
   study.demands.target_is_given = false;
   study.is(certified, {"the usual aim of graded meshes, 4 %, is missed by a factor of 1.2"});
   level.bound->relative = 0.21;

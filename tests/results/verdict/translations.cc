@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// A body and what it touches, both moved by S: the answer does not depend on S, or it is refused.
+// A body and its obstacle, both moved by S: the answer does not depend on S, or it is refused.
 
 #include <signorini/results/verdict/judge.h>
 
@@ -38,7 +38,7 @@ void test_translations(Checks &checks) {
                   judge.doubt(record).find("moved as a whole") != std::string::npos);
       continue;
     }
-    // What the certificate states for forces.
+    // The statement of the certificate for forces.
     const double allowed = judge.residual_bound(record);
     for (const char *column :
          {"energy", "bound_energy", "bound_relative", "energy_lower", "energy_upper"})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// V-cycles with boundary problems find what the factorisation and the active set method find.
+// V-cycles with boundary problems find the solution of the factorisation and the active set method.
 
 #include <signorini/solvers/contact/compliance.h>
 #include <signorini/solvers/contact/dual_solver.h>

@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-/** Hands out columns of a matrix and remembers which: what was asked for once is kept. */
+/** Hands out columns of a matrix and remembers which: columns are kept. */
 class ColumnsOnDemand final : public Signorini::DenseCompliance {
 public:
   explicit ColumnsOnDemand(const Matrix &from)

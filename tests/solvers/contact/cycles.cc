@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// What contact costs beside a linear solve, both counted in V-cycles; flat in h. The long test has
+// The cost of contact beside a linear solve, both counted in V-cycles; flat in h. The long test has
 // bodies for which it is not, and counts the linear solves of other methods.
 
 #include <signorini/solvers/contact/compliance.h>

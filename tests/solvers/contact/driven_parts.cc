@@ -190,7 +190,7 @@ void test_bore(Checks &checks) {
     const SideForce::Total &contact = record.answer.contact_force.resultant;
     checks.about("a bore, " + hole);
     checks.near("its centre", record.motions.plates.at(0).plate.centre.norm(), 0., 1e-14);
-    // The edges of a round hole bend: there nodes turn rigidly, and not what lies between them.
+    // The edges of a round hole bend: there nodes turn rigidly, and not the edges between them.
     checks.near("moment of the contact", contact.moment[0], 0.2, 1e-3);
   }
   checks.about("");

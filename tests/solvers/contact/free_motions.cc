@@ -174,7 +174,7 @@ void escaping_beams(Checks &checks) {
 }
 
 void neutral_motions(Checks &checks) {
-  // q_2 slides, and so does what q_0 + q_1 do together less q_3.
+  // q_2 slides, and so does q_0 + q_1 less q_3.
   const Beam beam{{-1, 1}, 2., 3., 0.5};
   const FreeMotions two = motions_of(beam);
   FreeMotions motions{Matrix(2, 4), Matrix(4, 4), Vector(4)};

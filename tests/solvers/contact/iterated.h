@@ -6,7 +6,7 @@
 #include <signorini/solvers/contact/contact_iteration.h>
 #include <signorini/solvers/stiffness/stiffness_multigrid.h>
 
-/** What the iteration needs of a level. */
+/** The data of a level for the iteration. */
 template <int dim>
 struct Iterated {
   Iterated(const Signorini::DisplacementSpace<dim> &space_, const Signorini::Scene<dim> &scene,

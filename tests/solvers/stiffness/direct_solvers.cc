@@ -102,7 +102,7 @@ std::vector<DualVector> different_loads(const System &system) {
   return loads;
 }
 
-/** What was solved before changes no bit of an answer; several at once are several.
+/** Earlier solves change no bit of an answer; several at once are several.
  * @param is_refined whether steps of refinement are needed. */
 void without_history(Checks &checks, const std::string &body, const System &system,
                      const bool is_refined, const double tolerance) {
@@ -143,7 +143,7 @@ void singular(Checks &checks, const std::string &body, const System &system) {
                                     [&]() { factorise(system.A, 1., solver); });
 }
 
-/** What a value of Linear solver means on these ranks. */
+/** The meaning of a value of Linear solver on these ranks. */
 void choice(Checks &checks) {
   const System system(scene_of(clamped), 3);
   const auto automatic = factorise(system.A, 1., LinearSolver::automatic);

@@ -112,7 +112,7 @@ void test_interior(Checks &checks, const Scene<2> &scene) {
   }
 }
 
-/** What each role of a side asks of the exact solution. */
+/** The conditions of each role of a side on the exact solution. */
 void test_sides(Checks &checks, const Scene<2> &scene) {
   for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     const BoundaryCondition<2> &condition = scene.boundary[i];

@@ -24,10 +24,10 @@ ArcCentres arc_centres(const std::vector<Side<2>> &sides,
                        const Triangulation<2>::cell_iterator &cell);
 
 /**
- * The maps of a mesh, with exact arcs: on each face on an arc, what its map F lacks of the arc γ is
- * added with a linear factor in the depth η, F(ξ, η) + (1 - η) (γ(ξ) - F(ξ, 0)), γ by the angle.
- * All other edges keep their maps, so that functions stay continuous. Polynomials of degree ten
- * leave arcs of up to 45 degrees by 1e-15 of the radius, of 90 degrees by 1e-12.
+ * The maps of a mesh, with exact arcs: on each face on an arc, the difference between the arc γ and
+ * its map F is added with a linear factor in the depth η, F(ξ, η) + (1 - η) (γ(ξ) - F(ξ, 0)), γ by
+ * the angle. All other edges keep their maps, so that functions stay continuous. Polynomials of
+ * degree ten leave arcs of up to 45 degrees by 1e-15 of the radius, of 90 degrees by 1e-12.
  */
 class ArcMapping : public MappingQ<2> {
 public:

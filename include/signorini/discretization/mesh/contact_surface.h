@@ -147,7 +147,7 @@ struct Piece {
   std::optional<std::pair<unsigned int, FaceSpan>> opposite = {};
 };
 
-/** A face at a piece, and what it adds to the closing u.n: u of the body itself, -u of the other
+/** A face at a piece, and its part of the closing u.n: u of the body itself, -u of the other
  * one. */
 template <int dim>
 struct FaceOfPiece {

@@ -45,7 +45,7 @@ public:
   CellEvaluator(const DisplacementSpace<dim> &space, std::vector<EvaluatedField> fields,
                 Rule rule = ValuesCache<dim>::gauss, Map map = {}, bool measures = true);
 
-  /** Moves to the points of a rule on a cell. What cells with this rule share is computed once. */
+  /** Moves to the points of a rule on a cell. Tables of a rule are computed once. */
   void reinit(const Cell &cell, unsigned int rule_number);
   /** Moves to points of a rule that does not come again. */
   void reinit_once(const Cell &cell, const Quadrature<dim> &rule);
@@ -82,7 +82,7 @@ public:
   }
 
 private:
-  /** What belongs to a rule. */
+  /** The tables of a rule. */
   struct Tables {
     /** On cells of one degree: the fields. */
     std::vector<PatchInterpolation<dim>> patches;

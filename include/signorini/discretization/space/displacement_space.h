@@ -16,15 +16,15 @@
 namespace Signorini {
 /**
  * A functional r on V^h by its values r_j = r(φ_j), such as forces at nodes. A rank stores the rows
- * that it owns, and collects what it adds to rows of others until compress(); the products r·U and
- * the norms are sums over all ranks.
+ * that it owns, and collects its contributions to rows of others until compress(); the products r·U
+ * and the norms are sums over all ranks.
  */
 using DualVector = LinearAlgebra::distributed::Vector<double>;
 
 /**
  * U, the nodal values of a function in V^h. A rank stores the values that it owns and, as ghosts,
- * those at all other nodes of the cells that its mesh holds (DisplacementSpace::zero()). What is
- * read cell by cell on these cells is there; nothing else is. Norms and products are collective.
+ * those at all other nodes of the cells that its mesh holds (DisplacementSpace::zero()). No other
+ * values can be read. Norms and products are collective.
  */
 class Displacement : public LinearAlgebra::distributed::Vector<double> {
 public:

@@ -33,7 +33,7 @@ InternalForces<dim> internal_forces(const DisplacedBody<dim> &body);
 template <int dim>
 std::optional<double> norm_of_rigid_motion(const DisplacedBody<dim> &body);
 
-/** What errors in the energy norm are divided by (root of force x length^{dim-1}). */
+/** The divisor of errors in the energy norm (root of force x length^{dim-1}). */
 struct EnergyScale {
   /** The norm |||u_h|||. */
   double norm = 0.;

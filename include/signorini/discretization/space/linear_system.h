@@ -12,8 +12,8 @@ namespace Signorini {
 template <int dim>
 TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space);
 
-/** Adds the matrix of a cell to such a matrix, constraints eliminated, and what prescribed
- * displacements contribute to @p reduction. */
+/** Adds the matrix of a cell to such a matrix, constraints eliminated, and the contribution of
+ * prescribed displacements to @p reduction. */
 template <int dim>
 void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cell_matrix,
               const std::vector<types::global_dof_index> &indices,

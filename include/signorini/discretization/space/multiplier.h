@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace Signorini {
-/** What the multiplier does at a node: whether p_H presses, and how q_H lies in its interval. */
+/** The state of the multiplier at a node: whether p_H presses, and how q_H lies in its interval. */
 struct NodeState {
   bool presses = false;
   /** Inside it sticks; at the lower or upper end it slips. Without friction it is inside. */

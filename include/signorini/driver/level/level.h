@@ -24,7 +24,7 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
                                const Discretization<dim> &discretization, const ContactStart &start,
                                const Progress &progress);
 
-/** Adds the bound of the error of a 2-D body, or says why there is none, and what is known about
+/** Adds the bound of the error of a 2-D body, or says why there is none, and the known facts about
  * other solutions with Coulomb's friction. Collective. */
 template <int dim>
 void add_bound(const Parameters &parameters, const Discretization<dim> &discretization,

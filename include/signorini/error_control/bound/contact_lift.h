@@ -19,7 +19,7 @@ using Remainders = std::array<EdgeFunction, 2>;
 
 /**
  * The lift w = w_h + Σ_F ψ_F (r_F n + r_F,t t): a function of V^h with homogeneous essential
- * conditions, and for each contact face F what it lacks inside the face.
+ * conditions, and for each contact face F its deficit inside the face.
  *
  * r_F vanishes at both ends of F; in the cell at F, t runs along F and η from F (0) to the opposite
  * edge (1), and ψ_F = (1 - η/δ)_+ with δ ≤ 1. So w is continuous and vanishes on essential

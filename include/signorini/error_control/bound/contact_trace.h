@@ -87,7 +87,7 @@ struct PenetrationFace {
   std::vector<Pressed> pressures;
   /** τ_n and τ_t. */
   std::array<Polynomial, 2> traction;
-  /** The places where p_H jumps or data has a kink, with 0 and 1. */
+  /** The positions where p_H jumps or data has a kink, with 0 and 1. */
   std::vector<double> breaks;
   /** The upper interpolant of d. */
   EdgeFunction d;
@@ -203,7 +203,7 @@ public:
   double misfit(const PenetrationFace &face, Component component, double t) const;
   /** Returns the bound of friction, zero where contact is not possible. */
   double friction_bound(const PenetrationFace &face, double t) const;
-  /** Returns what rounding makes of d = 0 on a face. */
+  /** Returns the rounding of d = 0 on a face. */
   double rounding(const PenetrationFace &face) const;
   /** Returns an EdgeFunction that is not below d - w_n, or close to ũ_t - g_t - w_t. @param w the
    * traces of w. */

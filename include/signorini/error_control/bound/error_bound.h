@@ -12,11 +12,12 @@
 namespace Signorini {
 /**
  * A guaranteed bound of the error of u_h in the energy norm |||v||| = a(v,v)^{1/2}, from a stress
- * τ in equilibrium (BestStress) and a lift w of what penetrates (ContactLift):
+ * τ in equilibrium (BestStress) and a lift w of the penetration (ContactLift):
  *
  *     |||u - u_h|||² ≤ Σ_K (‖σ(u_h) - τ‖_{E⁻¹,K} + osc_K)² + |||w|||²
- *                     + 2 ∫_{Γ_c} τ_n (u_{h,n} - g - w_n) + s |v| + τ_t v,   v = u_{h,t} - g_t -
- * w_t.
+ *                     + 2 ∫_{Γ_c} τ_n (u_{h,n} - g - w_n) + s |v| + τ_t v,
+ *
+ * with v = u_{h,t} - g_t - w_t.
  *
  * The last two terms belong to friction with the bound s (Tresca). For Coulomb's law s is f |τ_n|,
  * and the bound is conditional: it is that for the solution of Tresca's law with this s.
@@ -34,7 +35,7 @@ struct ErrorBound {
   std::string missing;
   /** The bound of |||u - u_h|||. */
   std::optional<double> absolute;
-  /** The bound divided by |||u_h|||, or by what rounding makes of it where that is larger; infinite
+  /** The bound divided by |||u_h|||, or by its rounding where that is larger; infinite
    * where u_h vanishes. */
   std::optional<double> relative;
   /** The bound of |||u - π^{2h} u_h|||, and the same divided like relative. There is none where
@@ -50,7 +51,7 @@ struct ErrorBound {
   }
   /** Whether friction is Coulomb's: u is the solution of Tresca's law with s = f |τ_n|. */
   bool is_conditional = false;
-  /** What the tractions on a cell lack of balance, relative to the largest one. */
+  /** The residual force of the tractions on a cell, relative to the largest one. */
   std::optional<double> algebra;
   /** The bounds between which J(u) lies. */
   std::optional<double> energy_lower, energy_upper;

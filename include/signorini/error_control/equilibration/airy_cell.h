@@ -81,7 +81,7 @@ public:
   /**
    * Returns the part of a body force that stresses balance, of the degree q - 1: the projection of
    * a force with the given values at points with weights, those of the cell at unit size.
-   * @param rest_square receives the square of the norm of what is left.
+   * @param rest_square receives the square of the norm of the rest.
    */
   PolynomialLoad project(const std::vector<Point<2>> &on_diagonals,
                          const std::vector<double> &weights, const std::vector<Tensor<1, 2>> &force,

@@ -18,8 +18,8 @@
 
 namespace Signorini {
 /**
- * What stresses with given tractions cost on a cell. With y = E x - shift, where E x are the traces
- * of the tractions,
+ * The energy of stresses with given tractions on a cell. With y = E x - shift, where E x are the
+ * traces of the tractions,
  *
  *     min_τ ‖σ - τ‖²_{E⁻¹,K} = size² (rest² + yᵀ S y),   S of @p airy,
  *
@@ -66,7 +66,7 @@ public:
 
 private:
   using Cell = EquilibrationMesh::Cell;
-  /** What cells of the same degree and shape share, unless the law varies. */
+  /** The data that cells of the same degree and shape share, unless the law varies. */
   struct Known {
     Known(const unsigned int degree, const CellShape &shape,
           const std::array<Tensor<1, 2>, 3> &edges, const SymmetricTensor<4, 2> &hooke)
@@ -93,7 +93,8 @@ private:
   };
 
   CellFit fit(const Cell &cell, const TractionSpace &space, Known &known) const;
-  /** Returns what the cell shares. A new one is added to @p alone where no other cell may share it.
+  /** Returns the shared data of the cell. New data is added to @p alone where no other cell may
+   * share it.
    */
   Known &find_known(const TractionCell &cell_data, std::list<Known> &alone);
   std::array<std::vector<AiryPoint>, 4> make_points(const CellShape &shape, double size,

@@ -13,7 +13,7 @@ class DifferenceMisfit {
 public:
   /** Fits are compared with σ(u_h). */
   static constexpr bool compares = true;
-  /** What it needs of u_h on a mesh of the stress: nothing. */
+  /** It needs no integrals of u_h on a mesh of the stress. */
   struct Works {};
 
   explicit DifferenceMisfit(const BoundData &data);
@@ -30,7 +30,7 @@ public:
   static double least(const CellFit &fit) {
     return fit.size * fit.rest;
   }
-  /** Returns what allowed_load() will be, or less, before tractions are known. */
+  /** Returns allowed_load(), or less, before tractions are known. */
   double expected(const EquilibratedStress &stress) const;
   /** Returns ‖σ(u_h) - τ‖. */
   double allowed_load(const EquilibratedStress &stress, const Works &works) const;

@@ -75,17 +75,17 @@ struct Pinned {
 /**
  * Returns an EdgeFunction q close to f with q ≥ f at all points where f was sampled.
  *
- * Between consecutive @p breaks (0, places where f jumps or has a kink, 1) f is sampled on four
+ * Between consecutive @p breaks (0, positions where f jumps or has a kink, 1) f is sampled on four
  * equal intervals, each at its ends, its middle and its quarters. q is the parabola through the
  * first three, raised by a piecewise linear function where f exceeds the parabola: for smooth f by
  * O(interval³), since the excess over a parabola is f'''/6 τ (τ - 1/2) (τ - 1) interval³,
- * of which the quarters show 97 %; it is raised by 5/4 of what they show. Intervals where the
+ * of which the quarters show 97 %; it is raised by 5/4 of the excess at them. Intervals where the
  * quarters differ by more than 1/100 of the range of f - (its chord) are halved, up to six times;
  * where that is not enough, f has a kink or jumps, and q is linear there and not below any sample.
  * @p n_scanned further points in each of the four intervals, and as close ones in the halves,
- * resolve details between them: what exceeds the parabola there counts like that at the quarters.
- * What is narrower than 1/16 of the edge, or 1/(4 n_scanned), may be missed. At a break q takes the
- * larger of both values.
+ * resolve details between them: an excess over the parabola counts like that at the quarters.
+ * A detail narrower than 1/16 of the edge, or 1/(4 n_scanned), may be missed. At a break q takes
+ * the larger of both values.
  *
  * @param rounding absolute rounding errors of f: differences that are not larger are ignored. An f
  * that is linear but for rounding gives one part between breaks: other functions may jump there,

@@ -94,10 +94,10 @@ private:
 
   const BoundData &data_;
   const ExactMaps maps_;
-  /** The translation c of each body. Of two bodies that move apart, one c would do work on what
-   * rounding leaves of tractions. */
+  /** The translation c of each body. Of two bodies that move apart, one c would do work on the
+   * rounding of tractions. */
   std::vector<Tensor<1, 2>> translations_;
-  /** What is known of one v: |||v|||², z and |||z|||. */
+  /** The numbers of one v: |||v|||², z and |||z|||. */
   struct Field {
     double strain = 0.;
     PrescribedLift lift;

@@ -25,14 +25,14 @@ struct EquilibratedStress {
 
   /** Returns ∫ τ_n over Γ_c. */
   double contact_force(const Scene<2> &scene) const;
-  /** Returns the tractions on the faces of the contact surface, and what ũ is there.
+  /** Returns the tractions on the faces of the contact surface, and ũ on them.
    * @param bubbles of ũ by line; none: ũ is u_h. */
   std::vector<FaceField> face_fields(const ContactSurface<2> &surface,
                                      const std::map<unsigned int, Tensor<1, 2>> &bubbles) const;
 
   Tractions tractions;
   std::vector<CellFit> fits;
-  /** What cells lack of balance, relative to the largest traction. */
+  /** The largest residual force of a cell, relative to the largest traction. */
   double defect = 0.;
 };
 } // namespace Signorini

@@ -66,7 +66,7 @@ private:
   /** The level of the mesh of u_h, and the degree of cells of this level. */
   unsigned int finest_, lowest_ = 2;
   std::unique_ptr<Triangulation<2>> own_;
-  /** What the degree of stresses is raised by. */
+  /** The increase of the stress degree per cell. */
   std::map<CellId, unsigned int> raised_;
 };
 } // namespace Signorini

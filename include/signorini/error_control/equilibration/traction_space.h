@@ -205,7 +205,7 @@ private:
 };
 
 /** Returns the forces and the moment of the tractions on a cell by its traces (rows), orthonormal,
- * less what ArcLift's conditions, the last traces, miss of them on arcs. They are those of the cell
- * at unit size. */
+ * less the parts that ArcLift's conditions, the last traces, miss on arcs. They are those of the
+ * cell at unit size. */
 FullMatrix<double> balance_rows(const CellShape &shape, unsigned int degree);
 } // namespace Signorini

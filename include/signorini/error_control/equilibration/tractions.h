@@ -17,8 +17,8 @@ struct TractionCondition {
   double value = 0., weight = 0.;
 };
 
-/** The coefficients x of a space, with what the sides of a body prescribe of them. Those that are
- * not free keep their values. */
+/** The coefficients x of a space, with the values that the sides of a body prescribe. Those that
+ * are not free keep their values. */
 struct Tractions {
   using Vector = dealii::Vector<double>;
 

@@ -11,7 +11,7 @@ template <int dim>
 double softer_modulus(const Scene<dim> &scene, const Point<dim> &x);
 
 /**
- * Returns what an error in contact costs in the energy norm: u_n <= g holds in the mean over
+ * Returns the share of an error in contact in the energy norm: u_n <= g holds in the mean over
  * patches only, and where contact is smaller than a patch, or hides between the nodes, no recovered
  * pressure shows it. It is about the contact part of the bound (doc/bound.md), the least of
  *

@@ -18,22 +18,23 @@ struct OtherErrors {
 };
 
 /**
- * A posteriori estimates of the error. Let p be a better pressure than p_H, and z_h in V^h what it
- * adds to u_h (PressureCorrection). With the exact pressure u_h + z_h is the best approximation of
- * u, so that u - u_h - z_h is orthogonal to V^h, and
+ * A posteriori estimates of the error. Let p be a better pressure than p_H, and z_h in V^h its
+ * contribution to u_h (PressureCorrection). With the exact pressure u_h + z_h is the best
+ * approximation of u, so that u - u_h - z_h is orthogonal to V^h, and
  *
  *     |||u - u_h|||² = |||u - (u_h + z_h)|||² + |||z_h|||².
  *
- * The first part is estimated by the distance to π^{2h}. What u_h and p_H lack of the solution on
- * this mesh, and what no recovered pressure shows, comes on top (OtherErrors). Energy norms are
- * roots of force x length^{dim-1}. An estimate that comes from elsewhere has no parts.
+ * The first part is estimated by the distance to π^{2h}. The errors of u_h and p_H against the
+ * solution on this mesh, and errors that no recovered pressure shows, come on top (OtherErrors).
+ * Energy norms are roots of force x length^{dim-1}. An estimate that comes from elsewhere has no
+ * parts.
  */
 struct ErrorEstimate {
   /** The distance ‖π^{2h} u_h - u_h‖_{1,Ω}, which estimates ‖u - u_h‖_1. It is asymptotically
    * exact where π^{2h} u_h superconverges and |||z_h||| is small. */
   std::optional<double> h1;
   /** The estimate of |||u - u_h|||: the root of the sum of the squares of all parts, of
-   * those of pressure and contact of the larger one, as both show what p_H lacks. */
+   * those of pressure and contact of the larger one, as both show the error of p_H. */
   double energy = 0.;
   /** The estimate divided by EnergyScale::of(): it depends neither on units nor on translations. */
   double relative = 0.;
@@ -56,9 +57,9 @@ ErrorEstimate estimate_error(const DisplacedBody<dim> &body, const EnergyScale &
                              const OtherErrors &others = {});
 
 /** Returns the number of generations with which PatchInterpolation comes closest to u: 2 (degree
- * four) where it changes π^{2h} u_h by less than 2/3 of what π^{2h} changes u_h, else 1 (degree
- * two, π^{2h} itself); 0 (u_h) where there is no T^{2h}. On meshes that are too coarse for the
- * solution the quartic oscillates more than that. Collective. */
+ * four) where it changes π^{2h} u_h by less than 2/3 of the change from u_h to π^{2h} u_h, else 1
+ * (degree two, π^{2h} itself); 0 (u_h) where there is no T^{2h}. On meshes that are too coarse for
+ * the solution the quartic oscillates more than that. Collective. */
 template <int dim>
 unsigned int best_interpolation(const DisplacementSpace<dim> &space, const Displacement &U);
 } // namespace Signorini

@@ -19,7 +19,7 @@ struct StepFindings {
    * length)^{1/2}. */
   double error = 0.;
   double target = 0.;
-  /** What errors are divided by, see EnergyScale. */
+  /** The divisor of errors, see EnergyScale. */
   double scale = 0.;
 
   /** Without it the next mesh will see another problem. */
@@ -28,7 +28,7 @@ struct StepFindings {
   }
 };
 
-/** Returns the plan of the first step: a uniform mesh of degree 2, and the places that are singular
+/** Returns the plan of the first step: a uniform mesh of degree 2, and the points that are singular
  * by the data. */
 MeshPlan first_plan(const Scene<2> &scene, unsigned int base_level,
                     unsigned int max_element_degree);

@@ -63,8 +63,7 @@ struct CaseResult {
  * case before: O(m²) operations.
  *
  * With friction, cases may be steps of a history. All that friction remembers is the slip Σ W_t
- * since the beginning, m numbers that are added to G_t: stick means that the slip stays what it
- * was.
+ * since the beginning, m numbers that are added to G_t: stick means that the slip does not change.
  */
 class CaseSolver {
 public:

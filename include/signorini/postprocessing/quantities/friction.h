@@ -20,8 +20,8 @@ struct FrictionSummary {
   double stick_length = 0.;
   double slip_length = 0.;
   double open_length = 0.;
-  /** The share |∫ p_t| / ∫ s of what friction can carry, and the largest |p_t| / s. Where the
-   * second is below one everything sticks, and would with that multiple of s, too. */
+  /** The share |∫ p_t| / ∫ s of the force that friction can carry, and the largest |p_t| / s. Where
+   * the second is below one everything sticks, and would with that multiple of s, too. */
   double carried_share = 0., largest_share = 0.;
   /** The same parts as zones, in the plane. */
   std::vector<ContactZone> stick_zones, slip_zones;

@@ -40,7 +40,7 @@ template <int dim>
 std::vector<unsigned int> sides_of_contact_force(const Scene<dim> &scene);
 
 /** Returns ∫ p_H n, with friction ∫ p_H n + q_H t, over contact sides, with the name of a single
- * one; or what acts on the second bodies of pairs. The line of action is given by its point
+ * one; or the forces on the second bodies of pairs. The line of action is given by its point
  * nearest to the centre of pressure, which lies on a straight side. */
 template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,

@@ -181,7 +181,7 @@ struct OutputParameters {
 
 /**
  * Everything a user can set, as plain values: checked for their form, not yet for their meaning
- * (names of sides and expressions are checked when the scene is made). Every value stores the place
+ * (names of sides and expressions are checked when the scene is made). Every value stores the line
  * where it was given.
  */
 struct Parameters {

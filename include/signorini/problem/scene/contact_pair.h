@@ -22,8 +22,8 @@ struct FrictionLimit {
 template <int dim>
 std::vector<FrictionLimit<dim>> friction_limits(Friction law);
 
-/** A contact side and its partner, a rigid foundation or a side of another body, with what the
- * scene prescribes between them. */
+/** A contact side and its partner, a rigid foundation or a side of another body, with the data that
+ * the scene prescribes between them. */
 template <int dim>
 class ContactPair {
 public:

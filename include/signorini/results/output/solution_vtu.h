@@ -77,7 +77,7 @@ struct VtuCells {
  * cells, at most 65536 or 16384 parents in a piece of the file: with fewer, the file has one piece.
  *
  * Collective; the function that is returned writes, without communication, so that it may fail on
- * one rank alone. It refers to what the arguments refer to, and returns the fields, without cells.
+ * one rank alone. It refers to the objects of the arguments, and returns the fields, without cells.
  */
 template <int dim>
 std::function<VtuCells<dim>(std::ostream &)> solution_vtu(const DisplacedBody<dim> &body,

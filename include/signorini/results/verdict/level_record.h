@@ -134,8 +134,8 @@ void multiply_forces(double thickness, LevelRecord &record, std::vector<CaseResu
 void multiply_forces(double thickness, std::vector<Plate> &plates);
 
 /**
- * Returns the names of the columns on whose places in convergence.csv programs rely. Other columns
- * follow in the order of the record's members. A release adds their names here.
+ * Returns the names of the columns on whose positions in convergence.csv programs rely. Other
+ * columns follow in the order of the record's members. A release adds their names here.
  */
 const std::vector<std::string> &columns_with_fixed_places();
 

@@ -38,10 +38,10 @@ struct Iterate {
 
 /**
  * Solves C_AA P_A + B_A z = F_A - C_AI e_I, P_I = e_I, K z - Bᵀ P = b by block elimination, with
- * the Schur complement S of the motions. With motions or followers three passes more solve for what
- * rounding leaves: rows of patches on tiny faces are small, and LU does not scale rows. In a motion
- * that neither K nor patches of A resist the body moves until a slipping patch stops, or not at
- * all.
+ * the Schur complement S of the motions. With motions or followers three passes more solve for the
+ * residuals of rounding: rows of patches on tiny faces are small, and LU does not scale rows. In a
+ * motion that neither K nor patches of A resist the body moves until a slipping patch stops, or not
+ * at all.
  *
  * A disc that slips along e = a_t/|a_t| has P_t = s e + y e⊥, and the derivative of the projection
  * onto the disc gives one equation more:  W_t·e⊥ + (|a_t|/s - 1) C_tt y = 0.
@@ -51,8 +51,8 @@ struct Iterate {
 Iterate solve_on_set(const BoundConstrainedQP &qp, const States &states,
                      const dealii::Vector<double> &a = {});
 
-/** Returns the stiffness of springs against free motions that is a millionth of what separate
- * patches would resist. */
+/** Returns the stiffness of springs against free motions that is a millionth of the resistance of
+ * separate patches. */
 double weak_spring(const BoundConstrainedQP &qp);
 
 /**

@@ -164,8 +164,8 @@ struct BoundConstrainedQP {
 /** The resistance of a set A of patches against the motions of Balances: the columns of
  * X = C_AA⁻¹ B_A, and S = K + B_trialᵀ X. */
 struct MotionResistance {
-  /** Computes X and S with a factor of C_AA. @param B_trial what the motions close where one of the
-   * unknowns of A is one: B_A, or more where bounds follow. */
+  /** Computes X and S with a factor of C_AA. @param B_trial the closing by the motions where one of
+   * the unknowns of A is one: B_A, or more where bounds follow. */
   MotionResistance(const FullMatrix<double> &K, const FullMatrix<double> &B_A,
                    const FullMatrix<double> &B_trial, const LAPACKFullMatrix<double> &C_AA);
 

@@ -69,9 +69,9 @@ QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<
  * patches that press. Where one would leave its interval, the step ends there, and the patch leaves
  * the set; else the patch with the largest penetration joins. The energy falls in every step, so no
  * set comes back (J. Nocedal, S. Wright: Numerical Optimization, 2006, section 16.5). A set may
- * leave bodies free, whose place would be arbitrary: patches that are to carry them would join and
- * leave again for ever. Weak springs hold them there; where these matter in the end, they are fixed
- * anew where the bodies have gone (a proximal iteration).
+ * leave bodies free, whose position would be arbitrary: patches that are to carry them would join
+ * and leave again for ever. Weak springs hold them there; where these matter in the end, they are
+ * fixed anew where the bodies have gone (a proximal iteration).
  *
  * With discs (friction in space, without balances) slip turns, which Newton's method finds
  * quadratically. There it begins with ten sweeps of projected SOR. Steps are shortened where that

@@ -82,8 +82,8 @@ struct MotionResult {
   QPResult qp;
   /** The k motions. */
   dealii::Vector<double> q;
-  /** See ReducedMotions. With friction the cone is larger than what elastic patches carry, so that
-   * a body that slides may be seen later: then this is the motion of its sliding. */
+  /** See ReducedMotions. With friction the cone is larger than that of loads which elastic patches
+   * carry, so that a body that slides may be seen later: then this is the motion of its sliding. */
   std::optional<dealii::Vector<double>> escape;
   std::vector<dealii::Vector<double>> neutral;
   /** With friction: the sliding of a body that escapes along its contact sides. */

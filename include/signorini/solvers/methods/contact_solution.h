@@ -85,7 +85,7 @@ struct ContactSolution {
   StageTimes times;
   /** The names of rigid motions that neither loads nor contact determine; they are zero. */
   std::vector<std::string> undetermined;
-  /** What the method found beside this. */
+  /** The further results of the method. */
   std::variant<DualData, CycleData> data;
 
   /** Returns whether contact was needed to find U. */

@@ -25,8 +25,9 @@ public:
    */
   MemoryLimit(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator);
 
-  /** Returns the size of the level that is checked, a low estimate of what it needs, and what there
-   * is: "level 6 has 4096 cells and 32 patches, which need more than 0.1 GiB of 23 GiB". */
+  /** Returns the size of the level that is checked, a low estimate of the memory that it needs, and
+   * the memory of the machine: "level 6 has 4096 cells and 32 patches, which need more than 0.1 GiB
+   * of 23 GiB". */
   std::string forecast() const {
     return describe(judged_) + " of " + describe_available();
   }

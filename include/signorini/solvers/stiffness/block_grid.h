@@ -32,10 +32,10 @@ struct LevelVector : std::array<AlignedVector<Number>, n_components> {
 };
 
 /**
- * One level of the mesh as blocks: every cell of the coarse mesh is a block of n^dim cells, n a
- * power of two. Cells are numbered block by block, the first direction fastest, and taken n_lanes
- * at a time, as batches. A block has (n + 1)^dim slots for nodes, numbered in the same way. Nodes
- * are numbered in the order in which slots meet them.
+ * One level of the mesh as blocks: every cell of the coarse mesh, with ranks every root of a
+ * subtree, is a block of n^dim cells, n a power of two. Cells are numbered block by block, the
+ * first direction fastest, and taken n_lanes at a time, as batches. A block has (n + 1)^dim slots
+ * for nodes, numbered in the same way. Nodes are numbered in the order in which slots meet them.
  */
 template <int dim>
 struct BlockGrid {

@@ -39,7 +39,7 @@ private:
 
   bool is_factorised_;
   SparseDirectUMFPACK factors_;
-  /** Without factors: the matrix, and what the cycle refers to. (Products of deal.II's vectors with
+  /** Without factors: the matrix, and the data of the cycle. (Products of deal.II's vectors with
    * matrices of Trilinos do not link with clang++.) */
   SparsityPattern pattern_;
   SparseMatrix<double> A_;

@@ -8,7 +8,7 @@
 
 namespace Signorini {
 /**
- * A scene with a name in the program. Its description is what the scene is made of, in lines of
+ * A scene with a name in the program. Its description lists the parts of the scene, in lines of
  * text that begin with a word in ten columns; lines that begin with blanks continue:
  *
  *     Body        one of the bodies of catalogue.cc
@@ -20,7 +20,7 @@ namespace Signorini {
  *     Moves       the given displacement of a side, or the tangential motion of the foundation
  *     Exact u     u1; u2. Exact p, Exact q: normal and tangential traction
  *     Kinks       x = ...; y = ...; t = ... (the angle of a line through the origin)
- *     With        definitions (FormulaTree) of what the other lines name; u1, u2, p and q are known
+ *     With        definitions (FormulaTree) of names in the other lines; u1, u2, p and q are known
  */
 template <int dim>
 struct CatalogueEntry {
