@@ -289,17 +289,17 @@ void ContactSurface<2>::divide(const Partition &partition) {
       while (middle > ends[t + 1])
         ++t;
       const FaceSpan &span = faces.own[own];
-      pieces_.push_back({faces.own_numbers[own],
-                         first_patch + t,
-                         Point<1>(start),
-                         Point<1>(end),
-                         span.parameter(start),
-                         span.parameter(end),
-                         {}});
+      Piece<2> &piece = pieces_.emplace_back();
+      piece.face = faces.own_numbers[own];
+      piece.patch = first_patch + t;
+      piece.lower = Point<1>(start);
+      piece.upper = Point<1>(end);
+      piece.lower_on_face = span.parameter(start);
+      piece.upper_on_face = span.parameter(end);
       if (!faces.opposite.empty()) {
         opposite = containing(faces.opposite, opposite, middle);
         const unsigned int number = faces.opposite_numbers[opposite];
-        pieces_.back().opposite = {number, all[number].span};
+        piece.opposite = {number, all[number].span};
       }
     }
   }

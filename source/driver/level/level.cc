@@ -24,16 +24,18 @@ constexpr unsigned long long max_bounded_unknowns = 10000000;
 template <int dim>
 LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy strategy) {
   const auto [shortest_edge, longest_edge] = discretization.mesh.range_of_edges();
-  return {discretization.mesh.level(),
-          discretization.mesh.triangulation().n_global_active_cells(),
-          discretization.space.dofs().n_dofs(),
-          discretization.multipliers.n_multipliers(),
-          longest_edge,
-          discretization.surface.longest_patch(),
-          is_unstable(discretization),
-          discretization.space.max_element_degree(),
-          shortest_edge,
-          strategy};
+  LevelSizes sizes;
+  sizes.level = discretization.mesh.level();
+  sizes.cells = discretization.mesh.triangulation().n_global_active_cells();
+  sizes.dofs = discretization.space.dofs().n_dofs();
+  sizes.multipliers = discretization.multipliers.n_multipliers();
+  sizes.h = longest_edge;
+  sizes.H = discretization.surface.longest_patch();
+  sizes.unstable = is_unstable(discretization);
+  sizes.max_degree = discretization.space.max_element_degree();
+  sizes.min_h = shortest_edge;
+  sizes.strategy = strategy;
+  return sizes;
 }
 
 /** Returns the records of all plates: their motions, and the forces that hold them there. */
@@ -45,9 +47,15 @@ std::vector<PlateRecord> plates_of(const Solved<dim> &solved, const MotionModes<
     const Scene<2> &scene = solved.scene;
     const std::vector<PlateMotion> motions = modes.plate_motions(scene.plates, solved.contact.q);
     const std::vector<PlateForce> forces = plate_forces(solved.space, scene, nodal);
-    for (std::size_t p = 0; p < scene.plates.size(); ++p)
-      plates.push_back({scene.geometry.sides[scene.plates[p].side].name(), scene.plates[p],
-                        motions[p], forces[p].force, forces[p].cross_force, forces[p].moment});
+    for (std::size_t p = 0; p < scene.plates.size(); ++p) {
+      PlateRecord &record = plates.emplace_back();
+      record.side = scene.geometry.sides[scene.plates[p].side].name();
+      record.plate = scene.plates[p];
+      record.motion = motions[p];
+      record.force = forces[p].force;
+      record.cross_force = forces[p].cross_force;
+      record.moment = forces[p].moment;
+    }
   }
   return plates;
 }

@@ -149,8 +149,11 @@ Parameters parameters_of(const RunInput &input, MPI_Comm communicator) {
 
 RunInput read_input(const std::string &file_name, const std::vector<std::string> &overrides,
                     const std::filesystem::path &directory, MPI_Comm communicator) {
-  RunInput input = {file_name, shorten_path(file_name), "", overrides, {}, directory, false, {},
-                    {}};
+  RunInput input;
+  input.file_name = file_name;
+  input.name = shorten_path(file_name);
+  input.overrides = overrides;
+  input.directory = directory;
   agree(communicator, [&]() {
     if (is_first_rank(communicator))
       input.text = read_text_file(file_name);

@@ -187,9 +187,14 @@ private:
 
 template <int dim>
 Judge judge_of(const Parameters &parameters, const Scene<dim> &scene) {
-  return Judge({parameters.solver.tolerance, parameters.solver.tolerated_error,
-                target_error(parameters.discretization), dim == 2 && !scene.has_pairs(), dim == 2,
-                parameters.discretization.target_error > 0.});
+  Demands demands;
+  demands.tolerance = parameters.solver.tolerance;
+  demands.tolerated_error = parameters.solver.tolerated_error;
+  demands.target_error = target_error(parameters.discretization);
+  demands.can_be_graded = dim == 2 && !scene.has_pairs();
+  demands.has_b_bar = dim == 2;
+  demands.target_is_given = parameters.discretization.target_error > 0.;
+  return Judge(demands);
 }
 
 template <int dim>

@@ -249,8 +249,12 @@ unsigned int ContactTrace::condition_at(const PenetrationFace &face, const std::
   const double s = data_.scene.geometry.sides[face.side].arc_length(x),
                least =
                  component == Component::normal ? -std::numeric_limits<double>::infinity() : 0.;
-  conditions_.push_back({direction, component, x, {face.side, s}, least, false, {}, {}});
-  NodeCondition &condition = conditions_.back();
+  NodeCondition &condition = conditions_.emplace_back();
+  condition.direction = direction;
+  condition.component = component;
+  condition.point = x;
+  condition.at = {face.side, s};
+  condition.required = least;
   const auto add = [&](Coupling::Column &column, const PenetrationFace::Dofs &dofs,
                        const double weight) {
     for (unsigned int d = 0; d < 2; ++d)
