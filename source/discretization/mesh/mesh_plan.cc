@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// From a plan to a mesh with degrees: the cells that meet a corner, or the bracket of an end of
+// contact, are split.
 
 #include <signorini/discretization/mesh/mesh_plan.h>
 
@@ -51,8 +53,6 @@ const Singularity *nearest(const std::vector<Singularity> &singularities, const 
       found = &singularity;
   return found;
 }
-
-// From a plan to a mesh with degrees.
 
 namespace {
 /** The deepest level. The numbers of cells (CellId) end at level 30; coordinates in double

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
+// The contact zones: runs of pressing patches, their ends, and the points where the pressure
+// vanishes.
 
 #include <signorini/discretization/mesh/patch_row.h>
 #include <signorini/postprocessing/fields/contact_intervals.h>
@@ -22,8 +24,6 @@ std::vector<ZoneBracket> zone_brackets(const MultiplierSpace<2> &multipliers,
   });
   return brackets;
 }
-
-// The contact zones: runs of pressing patches, and the points where the pressure vanishes.
 
 namespace {
 /** The data of a pressure that ends: the lengths of the last two patches that press, the distance

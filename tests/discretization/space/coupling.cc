@@ -30,14 +30,14 @@ std::string patches(const std::string &number) {
 /** Column tau as (x, component) -> D on the bottom of the unit square. */
 std::map<std::pair<double, unsigned int>, double> column_by_position(const OneLevel &level,
                                                                      const unsigned int tau) {
-  std::map<dealii::types::global_dof_index, std::pair<double, unsigned int>> places;
+  std::map<dealii::types::global_dof_index, std::pair<double, unsigned int>> positions;
   for (const auto &cell : level.space().dofs().active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
       for (unsigned int d = 0; d < 2; ++d)
-        places[cell->vertex_dof_index(v, d)] = {cell->vertex(v)[0], d};
+        positions[cell->vertex_dof_index(v, d)] = {cell->vertex(v)[0], d};
   std::map<std::pair<double, unsigned int>, double> column;
   for (const auto &entry : level.discretization.D.column(tau))
-    column[places.at(entry.first)] = entry.second;
+    column[positions.at(entry.first)] = entry.second;
   return column;
 }
 

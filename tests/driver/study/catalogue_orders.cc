@@ -55,7 +55,7 @@ const Orders revolved = {{"u_h1", {0.95, 1.1}},
 // Reasons for wider ranges:
 //  (1) the error is O(h^2 |ln h|), so that the order 2 is seen late, and later where a contact zone
 //      has few patches;
-//  (2) the place where contact ends in its patch changes from level to level: the rates are noisy.
+//  (2) the point where contact ends in its patch changes from level to level: the rates are noisy.
 const Orders late = {{"p_superclose_dual_spectral", {1.7, 2.1}}};
 const std::vector<Expectation> expectations = {
   {"A1", smooth, late},

@@ -88,7 +88,7 @@ void constant_stress(Checks &checks) {
   const std::string gap = "Contact/Gap = -0.125\n";
   const std::string pulled = held + "set Traction = left: 0.125; 0 | right: -0.125; 0\nend\n" + gap;
   const std::string guided = held + "set Rollers = left right\nend\n" + gap;
-  // The bottom is side 2. A part of a face at 0.3, and the place where two faces meet.
+  // The bottom is side 2. A part of a face at 0.3, and the point where two faces meet.
   const Singularity inside = end_of_contact({0.3, 0.}, 2, 0.29, 0.31, 3.);
   const Singularity between = end_of_contact({0.5, 0.}, 2, 0.5, 0.5, 3.);
   check(checks, "tractions, point of a face", pulled, towards({1., 1.}, inside), "2345", exact);

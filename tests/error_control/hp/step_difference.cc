@@ -17,7 +17,7 @@ const std::string square =
   "subsection Material\nset Young's modulus = 2.5\nset Poisson's ratio = 0.25\nend\n"
   "subsection Boundary\nset Clamped = top\nset Contact = bottom\nend\n";
 
-/** Meshes that are finer in different places. */
+/** Meshes that are finer in different parts. */
 struct TwoMeshes {
   explicit TwoMeshes(const std::string &text)
     : first(text, plan({0., 0.}, 4., 2.))

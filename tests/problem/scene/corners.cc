@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Corners of bodies: places, openings, sides, and the exponents of a scene's roles.
+// Corners of bodies: positions, openings, sides, and the exponents of a scene's roles.
 
 #include <signorini/problem/geometry/shapes.h>
 #include <signorini/problem/input/make_scene.h>

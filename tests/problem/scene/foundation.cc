@@ -40,7 +40,7 @@ struct Thing {
   std::function<double(const Point &, const Vector &)> beside = {};
 };
 
-/** Random lines: the distance is the first place where height has the value zero. */
+/** Random lines: the distance is that to the first point where height has the value zero. */
 void test_lines(Checks &checks) {
   constexpr double reach = 20., rounding = 1e-9;
   RandomNumbers random(7);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The columns of a level: each declared once, at its place, and empty where nothing is known.
+// The columns of a level: each declared once, at its position, and empty where nothing is known.
 
 #include <signorini/base/columns.h>
 #include <signorini/base/text.h>
@@ -13,7 +13,7 @@
 using namespace Signorini;
 
 namespace {
-void places(Checks &checks) {
+void positions(Checks &checks) {
   std::vector<std::string> names;
   for (const Column<LevelRecord> &column : level_columns())
     names.push_back(column.name);
@@ -57,5 +57,5 @@ void values(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests({places, values});
+  return run_tests({positions, values});
 }

@@ -18,8 +18,8 @@ using Numbers = std::vector<double>;
 
 namespace {
 /**
- * A rigid beam on springs of compliance c at the places x, with gaps below it. q_0 is its way down,
- * q_1 its rotation: B_i = (1, x_i). It is loaded with the force N at the place e.
+ * A rigid beam on springs of compliance c at the positions x, with gaps below it. q_0 is its way
+ * down, q_1 its rotation: B_i = (1, x_i). It is loaded with the force N at the position e.
  */
 struct Beam {
   Numbers x;

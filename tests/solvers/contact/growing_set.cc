@@ -95,7 +95,7 @@ int main() {
     const unsigned int n = compare(checks, "a dent", C, F, Vector());
     checks.between("a dent: columns", n, 1, 20);
 
-    // Pulled down at one place, with negative couplings to patches that were open: they close.
+    // Pulled down at one point, with negative couplings to patches that were open: they close.
     Matrix coupled = C;
     for (unsigned int i = 0; i < m; ++i)
       for (unsigned int j = 0; j < m; ++j)

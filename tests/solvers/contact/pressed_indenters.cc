@@ -17,7 +17,7 @@ using Vector = dealii::Vector<double>;
 using Matrix = dealii::FullMatrix<double>;
 
 namespace {
-/** A parabola, pressed by a force at the place e, that may rotate. */
+/** A parabola, pressed by a force at the position e, that may rotate. */
 MotionProblem indenter(const unsigned int m, const double curvature, const double force,
                        const double e) {
   MotionProblem problem{logarithmic_kernel(m), Vector(m), {Matrix(m, 2), Matrix(2, 2), Vector(2)}};
@@ -69,7 +69,7 @@ void indenters(Checks &checks) {
     }
 }
 
-/** Two patches at each place: only the sum of their pressures is known. */
+/** Two patches at each position: only the sum of their pressures is known. */
 void singular_compliance(Checks &checks) {
   const unsigned int m = 10;
   const MotionProblem single = indenter(m, 10., 1., 0.05);

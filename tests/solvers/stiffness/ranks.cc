@@ -12,7 +12,7 @@
 using namespace Signorini;
 
 namespace {
-/** What this rank has sent since the beginning. */
+/** The messages that this rank has sent since the beginning. */
 struct Traffic {
   unsigned int messages = 0, reductions = 0;
   double bytes = 0.;
@@ -20,7 +20,7 @@ struct Traffic {
 Traffic traffic;
 } // namespace
 
-// These take the place of MPI's functions, and call them. (PETSc defines macros of these names.)
+// These replace MPI's functions, and call them. (PETSc defines macros of these names.)
 extern "C" int(MPI_Isend)(const void *buffer, int count, MPI_Datatype type, int rank, int tag,
                           MPI_Comm communicator, MPI_Request *request) {
   int size = 0;
