@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -25,15 +26,6 @@ Vector predict(const BoundConstrainedQP &qp, const States &solved, const Iterate
     if (solved.empty() || solved[i] != State::inside)
       a[i] -= W[i] / qp.diagonal[i];
   return a;
-}
-
-/** Returns the states that the solution x for @p states predicts. */
-States improve(const BoundConstrainedQP &qp, const States &states, const Iterate &x) {
-  const Vector a = predict(qp, states, x);
-  States next = states_of(qp.K.at(a), a);
-  if (x.stopping)
-    next[*x.stopping] = State::inside;
-  return next;
 }
 
 /** Moves P towards the wanted one; where an unknown would leave its interval, only to the first end
@@ -87,88 +79,6 @@ bool join_deepest(const BoundConstrainedQP &qp, const Iterate &x, States &states
     states[joining] = State::inside;
   return joining < qp.size();
 }
-} // namespace
-
-namespace {
-/** Performs a step of Newton's method, shorter where that decreases the residual and the whole step
- * does not. @throws LACExceptions::ExcSingular */
-void newton_step(const BoundConstrainedQP &qp, Vector &P) {
-  const Vector a = predict(qp, {}, {P, {}}),
-               wanted = solve_on_set(qp, states_of(qp.K.at(a), a), a).P;
-  const double before = qp.kkt_residual(P);
-  const auto at = [&](const double part) {
-    Vector moved(P);
-    moved.sadd(1. - part, part, wanted);
-    qp.K.at(moved).project(moved);
-    return moved;
-  };
-  const Vector whole = at(1.);
-  constexpr double shortest = 1e-2;
-  for (double part = 1.; part > shortest; part *= 0.5)
-    if (const Vector moved = at(part); qp.kkt_residual(moved) < before) {
-      P = moved;
-      return;
-    }
-  P = whole;
-}
-
-/** Performs sweeps of projected SOR. */
-void sweep(const BoundConstrainedQP &qp, const unsigned int n_sweeps, Vector &P) {
-  for (unsigned int i = 0; i < n_sweeps; ++i)
-    psor_sweep(qp, 1., P);
-  qp.K.at(P).project(P);
-}
-
-/** Returns a random P. */
-Vector random_start(const BoundConstrainedQP &qp, const double size, std::minstd_rand &random) {
-  Vector P(qp.size());
-  std::uniform_real_distribution<double> share(-1., 1.);
-  for (double &p : P)
-    p = size * share(random);
-  qp.K.at(P).project(P);
-  return P;
-}
-
-/** Solves a problem with discs. */
-QPResult solve_with_discs(const BoundConstrainedQP &qp, const Vector &start,
-                          const IterationOptions &options) {
-  constexpr unsigned int patience = 4;
-  QPResult result;
-  std::minstd_rand random;
-  unsigned int n_sweeps = 10, all_sweeps = 0, idle = 0;
-  Vector P = start.size() > 0 ? start : Vector(qp.size());
-  sweep(qp, n_sweeps, P);
-  result.P = P;
-  result.kkt_residual = qp.kkt_residual(P);
-  while (result.kkt_residual > qp.rounding() && all_sweeps < options.maximum_iterations) {
-    if (idle < patience)
-      try {
-        ++idle;
-        ++result.iterations;
-        newton_step(qp, P);
-      } catch (const LACExceptions::ExcSingular &) {
-        idle = patience;
-      }
-    else {
-      idle = 0;
-      n_sweeps += 10;
-      all_sweeps += n_sweeps;
-      if (qp.K.moves() && random() % 2 == 0)
-        P = random_start(qp, result.P.linfty_norm(), random);
-      else
-        sweep(qp, n_sweeps, P = result.P);
-    }
-    if (const double residual = qp.kkt_residual(P); residual < 0.9 * result.kkt_residual) {
-      result.P = P;
-      result.kkt_residual = residual;
-      idle = 0;
-    } else if (result.kkt_residual <= options.tolerance)
-      // The rest is rounding.
-      break;
-  }
-  result.converged = result.kkt_residual <= options.tolerance;
-  return result;
-}
 
 /** Returns the problem of bodies that weak springs hold at the motions z: it determines where a
  * body goes that no patch of a set holds. */
@@ -180,31 +90,34 @@ BoundConstrainedQP held_by_springs(const BoundConstrainedQP &qp, const Vector &z
   return held;
 }
 
-/** Searches the set by Newton's method, and where a set comes back by a primal method, whose energy
- * falls in every step. */
+/** Searches the states. Each attempt goes on from the states and the P at which the one before has
+ * ended. */
 class ActiveSetSearch {
 public:
   ActiveSetSearch(const BoundConstrainedQP &qp, const Vector &start,
                   const IterationOptions &options)
     : qp_(qp)
     , options_(options)
+    , turns_(qp.K.n_discs() > 0)
     , moves_(qp.balances.size() > 0)
+    , most_systems_(std::min(options.maximum_iterations, 20 * qp.size() + 100))
     , states_(start.size() == 0 ? States(qp.size(), State::inside)
-                                : states_of(qp.K.at(start), start)) {}
+                                : states_of(qp.K.at(start), start)) {
+    x_.P = start.size() > 0 ? start : Vector(qp.size());
+  }
 
   QPResult run() {
-    const unsigned int max_solves = std::min(options_.maximum_iterations, 20 * qp_.size() + 100);
-    while (!settled_ && !gives_up_ && result_.iterations < max_solves) {
-      ++result_.iterations;
-      // Where a set comes back although the energy falls, it leaves bodies free.
-      if (result_.cycled && moves_ && !held_ && !visited_.insert(states_).second)
-        held_ = held_by_springs(qp_, x_.z);
-      const Iterate wanted = solve_on_set(problem(), states_);
-      if (result_.cycled)
-        lower_energy(wanted);
-      else
-        take_newton_step(wanted);
-    }
+    // Newton's method takes some 10 systems; far from a solution it may not come back for
+    // thousands.
+    constexpr unsigned int most_before_path = 21;
+    if (turns_)
+      sweep_and_turn();
+    else
+      take_newton_steps(qp_.K.moves() ? std::min(most_before_path, most_systems_) : most_systems_);
+    if (may_go_on() && qp_.K.moves())
+      follow_path();
+    else if (may_go_on())
+      lower_energy();
     qp_.K.at(x_.P).project(x_.P);
     result_.P = x_.P;
     result_.z = x_.z;
@@ -214,6 +127,9 @@ public:
   }
 
 private:
+  bool may_go_on() const {
+    return !settled_ && !turns_ && result_.iterations < most_systems_;
+  }
   /** Returns the problem whose sets are solved. */
   const BoundConstrainedQP &problem() const {
     return held_ ? *held_ : qp_;
@@ -223,49 +139,127 @@ private:
   double residual_of(const Iterate &of) const {
     Vector projected = of.P;
     qp_.K.at(projected).project(projected);
-    return qp_.kkt_residual(projected, of.z, qp_.gradient(projected, of.z), false);
+    return qp_.kkt_residual(projected, of.z);
   }
 
-  void take_newton_step(const Iterate &wanted) {
-    // Newton's method takes some 10 systems; far from a solution it may not come back for
-    // thousands.
-    constexpr unsigned int max_wandering = 20;
-    const double residual = residual_of(wanted);
-    x_ = wanted;
-    visited_.insert(states_);
-    const States next = improve(qp_, states_, x_);
-    const bool came_back = visited_.count(next) > 0;
-    settled_ = residual <= qp_.rounding() ||
-               (next == states_ && (!moves_ || residual <= options_.tolerance)) ||
-               (came_back && residual <= 1e-3 * options_.tolerance);
-    result_.cycled = came_back && !settled_;
-    states_ = next;
-    const bool wanders = !settled_ && !result_.by_path && result_.iterations > max_wandering;
-    if ((result_.cycled || wanders) && qp_.K.moves())
-      follow_path();
-    else if (result_.cycled)
-      begin_primal_method();
+  /** Sets the states that x predicts. @param solved see predict(). */
+  void predict_states(const States &solved) {
+    a_ = predict(qp_, solved, x_);
+    states_ = states_of(qp_.K.at(a_), a_);
+    if (x_.stopping)
+      states_[*x_.stopping] = State::inside;
+  }
+
+  /** Returns the P of a step to the wanted one, shorter where that decreases the residual and the
+   * whole step does not. */
+  Vector shortened(const Vector &wanted) const {
+    constexpr double shortest = 1e-2;
+    const auto at = [&](const double part) {
+      Vector P(x_.P);
+      P.sadd(1. - part, part, wanted);
+      qp_.K.at(P).project(P);
+      return P;
+    };
+    const double before = qp_.kkt_residual(x_.P);
+    for (double part = 1.; part > shortest; part *= 0.5)
+      if (const Vector P = at(part); qp_.kkt_residual(P) < before)
+        return P;
+    return at(1.);
+  }
+
+  /** Remembers P where its residual is clearly smaller than all before. @return whether it is. */
+  bool remember(const double residual) {
+    const bool falls = residual < 0.9 * smallest_;
+    if (falls) {
+      smallest_ = residual;
+      best_ = x_.P;
+    }
+    return falls;
+  }
+
+  /** Takes steps of Newton's method until they settle, or go around: until a set comes back, or
+   * with discs, where slip turns in each step, until the residual does not fall in four steps. */
+  void take_newton_steps(const unsigned int most_systems) {
+    constexpr unsigned int patience = 4;
+    unsigned int idle = 0;
+    bool goes_around = false;
+    while (!settled_ && !goes_around && result_.iterations < most_systems) {
+      ++result_.iterations;
+      const States solved = states_;
+      const Iterate wanted = solve_on_set(qp_, solved, a_);
+      x_ = turns_ ? Iterate{shortened(wanted.P), {}} : wanted;
+      const double residual = residual_of(x_);
+      const bool falls = remember(residual);
+      idle = falls ? 0 : idle + 1;
+      visited_.insert(solved);
+      predict_states(turns_ ? States() : solved);
+      goes_around = turns_ ? idle == patience : visited_.count(states_) > 0;
+      const bool stays = turns_ ? !falls : states_ == solved;
+      const bool is_exact = !turns_ && !moves_;
+      settled_ = residual <= qp_.rounding() ||
+                 (stays && (is_exact || residual <= options_.tolerance)) ||
+                 (goes_around && residual <= 1e-3 * options_.tolerance);
+    }
+  }
+
+  /** With discs: sweeps of projected SOR, more each time, then Newton's method; with Coulomb's law
+   * it may also begin at a random P (a fixed sequence of numbers). */
+  void sweep_and_turn() {
+    std::minstd_rand random;
+    std::uniform_real_distribution<double> share(-1., 1.);
+    for (unsigned int n_sweeps = 10, all = 0;
+         smallest_ > options_.tolerance && all < options_.maximum_iterations;
+         n_sweeps += 10, all += n_sweeps) {
+      const double size = best_.size() > 0 ? best_.linfty_norm() : 0.;
+      if (all > 0)
+        x_.P = best_;
+      if (all > 0 && qp_.K.moves() && random() % 2 == 0)
+        for (double &p : x_.P)
+          p = size * share(random);
+      else
+        for (unsigned int i = 0; i < n_sweeps; ++i)
+          psor_sweep(qp_, 1., x_.P);
+      qp_.K.at(x_.P).project(x_.P);
+      remember(residual_of(x_));
+      settled_ = smallest_ <= qp_.rounding();
+      predict_states({});
+      try {
+        take_newton_steps(most_systems_);
+      } catch (const LACExceptions::ExcSingular &) {
+        // The states after more sweeps are others.
+      }
+    }
+    x_.P = best_;
   }
 
   /** No energy falls where bounds move. A path leads to the solution, unless rounding spoils it. */
   void follow_path() {
-    const auto end = result_.by_path ? std::nullopt : follow_solutions(qp_);
+    const auto end = follow_solutions(qp_);
     result_.by_path = true;
-    gives_up_ = !end;
-    if (end)
-      states_ = *end;
-    result_.cycled = false;
+    if (!end)
+      return;
+    states_ = *end;
+    take_newton_steps(most_systems_);
   }
 
-  void begin_primal_method() {
+  /** Searches by a primal method, whose energy falls in every step. */
+  void lower_energy() {
+    result_.cycled = true;
     if (moves_)
       x_.P = qp_.balances.P;
     visited_.clear();
     qp_.K.project(x_.P);
     states_ = states_of(qp_.K, x_.P);
+    while (may_go_on()) {
+      ++result_.iterations;
+      // Where a set comes back although the energy falls, it leaves bodies free.
+      if (moves_ && !held_ && !visited_.insert(states_).second)
+        held_ = held_by_springs(qp_, x_.z);
+      step_down(solve_on_set(problem(), states_));
+    }
   }
 
-  void lower_energy(const Iterate &wanted) {
+  void step_down(const Iterate &wanted) {
     settled_ = residual_of(wanted) <= std::max(qp_.rounding(), 1e-3 * options_.tolerance);
     if (!settled_ && !step_to_first_end(qp_, wanted.P, x_.P, states_))
       return;
@@ -288,13 +282,19 @@ private:
 
   const BoundConstrainedQP &qp_;
   const IterationOptions &options_;
-  /** Whether bodies may move freely. */
-  const bool moves_;
+  /** Whether slip may turn, and whether bodies may move freely. */
+  const bool turns_, moves_;
+  const unsigned int most_systems_;
   QPResult result_;
   Iterate x_;
   States states_;
+  /** The point P - W/diag C that has the states, with discs. */
+  Vector a_;
   std::set<States> visited_;
-  bool settled_ = false, gives_up_ = false;
+  /** The smallest residual so far, and its P. */
+  double smallest_ = std::numeric_limits<double>::infinity();
+  Vector best_;
+  bool settled_ = false;
   /** The problem with springs, where they are needed. */
   std::optional<BoundConstrainedQP> held_;
 };
@@ -302,8 +302,6 @@ private:
 
 QPResult solve_by_active_set(const BoundConstrainedQP &qp, const Vector &start,
                              const IterationOptions &options) {
-  if (qp.K.n_discs() > 0)
-    return solve_with_discs(qp, start, options);
   return ActiveSetSearch(qp, start, options).run();
 }
 } // namespace Signorini

@@ -6,6 +6,7 @@
 
 #include <deal.II/lac/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -28,6 +29,14 @@ Indices nonzeros(const Vector &P) {
 Indices all_indices(const unsigned int n) {
   Indices numbers(n);
   std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+Indices indices_of(const std::vector<bool> &set) {
+  Indices numbers;
+  for (unsigned int i = 0; i < set.size(); ++i)
+    if (set[i])
+      numbers.push_back(i);
   return numbers;
 }
 
@@ -103,6 +112,49 @@ LAPACKFullMatrix<double> cholesky(const Matrix &C, const double rounding) {
   return L;
 }
 
+Splitting::Splitting(const Matrix &M, const double threshold) {
+  const unsigned int k = M.m();
+  LAPACKFullMatrix<double> svd(k);
+  svd = M;
+  svd.compute_svd();
+  unsigned int n = 0;
+  while (n < k && svd.singular_value(n) > threshold)
+    ++n;
+  null.reinit(k, k - n);
+  rest.reinit(k, n);
+  for (unsigned int i = 0; i < k; ++i)
+    for (unsigned int j = 0; j < k; ++j)
+      (j < n ? rest(i, j) : null(i, j - n)) = svd.get_svd_vt()(j, i);
+}
+
+Matrix projector_on(const Matrix &M, const unsigned int k) {
+  Matrix square(k, k);
+  if (M.n() > 0)
+    M.mTmult(square, M);
+  return square;
+}
+
+double kkt_residual(const AdmissibleSet &K, const Vector &P, const Vector &W, const Vector &F,
+                    const Vector &c, const Vector &imbalance, const Vector &b) {
+  Vector step(W);
+  for (unsigned int i = 0; i < P.size(); ++i)
+    step[i] /= c[i];
+  const Vector rest = K.residual(P, step);
+  double residual = 0., size_of_P = 0., size_of_F = 0., size_of_b = 0.;
+  for (const double r : imbalance)
+    residual += r * r;
+  for (const double b_j : b)
+    size_of_b += b_j * b_j;
+  for (unsigned int i = 0; i < P.size(); ++i) {
+    residual += rest[i] * rest[i];
+    size_of_P += P[i] * P[i];
+    if (P[i] != 0. || rest[i] != 0.)
+      size_of_F += std::pow(F[i] / c[i], 2);
+  }
+  const double scale = std::max({size_of_P, size_of_F, size_of_b});
+  return std::sqrt(scale > 0. ? residual / scale : residual);
+}
+
 BoundConstrainedQP::BoundConstrainedQP(std::shared_ptr<const ComplianceOperator> C_, Vector F_,
                                        AdmissibleSet K_, Balances balances_)
   : C(std::move(C_))
@@ -145,28 +197,6 @@ Vector BoundConstrainedQP::imbalance(const Vector &P, const Vector &z) const {
 
 double BoundConstrainedQP::energy(const Vector &P) const {
   return size() > 0 ? 0.5 * (P * gradient(P)) - 0.5 * (P * F) : 0.;
-}
-
-double BoundConstrainedQP::kkt_residual(const Vector &P, const Vector &z, const Vector &W,
-                                        const bool all_gaps) const {
-  Vector step(W);
-  for (unsigned int i = 0; i < size(); ++i)
-    step[i] /= diagonal[i];
-  const Vector rest = K.at(P).residual(P, step);
-  double residual = 0., size_of_P = 0., size_of_F = 0., size_of_b = 0.;
-  for (const double r : imbalance(P, z))
-    residual += r * r;
-  for (const double b : balances.b)
-    size_of_b += b * b;
-  for (unsigned int i = 0; i < size(); ++i) {
-    const double r = rest[i];
-    residual += r * r;
-    size_of_P += P[i] * P[i];
-    if (all_gaps || P[i] != 0. || r != 0.)
-      size_of_F += F[i] * F[i] / (diagonal[i] * diagonal[i]);
-  }
-  const double scale = std::max({size_of_P, size_of_F, size_of_b});
-  return scale > 0. ? std::sqrt(residual / scale) : std::sqrt(residual);
 }
 
 bool BoundConstrainedQP::has_unique_solution(const Vector &P, const Vector &z) const {

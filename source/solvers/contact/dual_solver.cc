@@ -15,6 +15,7 @@
 namespace Signorini {
 namespace {
 using Vector = dealii::Vector<double>;
+using Indices = ComplianceOperator::Indices;
 
 std::string message_of(const ExceptionBase &exception) {
   if (dynamic_cast<const LACExceptions::ExcSingular *>(&exception) != nullptr)
@@ -31,8 +32,9 @@ unsigned int affordable_sweeps(const BoundConstrainedQP &qp) {
   return static_cast<unsigned int>(most_products / std::pow(qp.size() + 1., 2)) + 1;
 }
 
-QPResult by_chosen_method(const BoundConstrainedQP &qp, const Vector &start,
-                          const DualSolverOptions &options) {
+/** Solves by the chosen method; where the active set method fails, by projected SOR. */
+QPResult attempt(const BoundConstrainedQP &qp, const Vector &start,
+                 const DualSolverOptions &options) {
   if (options.method == ContactSolver::psor && qp.size() > 0)
     return solve_by_psor(qp, start, options);
   QPResult result;
@@ -56,23 +58,14 @@ QPResult by_chosen_method(const BoundConstrainedQP &qp, const Vector &start,
   swept.active_set_failure = failure;
   return swept;
 }
-} // namespace
 
-QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C, const Vector &F,
-                            const AdmissibleSet &K, const Vector &start,
-                            const DualSolverOptions &options, const Balances &balances) {
-  const QPSolver solve = [&](const BoundConstrainedQP &qp, const Vector &qp_start) {
-    QPResult result = by_chosen_method(qp, qp_start, options);
-    result.unique = !options.may_be_singular || qp.has_unique_solution(result.P, result.z);
-    return result;
-  };
-  if (options.method != ContactSolver::psor && !C->is_explicit() && K.is_nonpositive())
-    return solve_on_growing_set(*C, F, start, solve, balances);
-  return solve(BoundConstrainedQP(C, F, K, balances), start);
+/** Solves, and examines whether the solution is unique where that is wanted. */
+QPResult attempt_and_examine(const BoundConstrainedQP &qp, const Vector &start,
+                             const DualSolverOptions &options) {
+  QPResult result = attempt(qp, start, options);
+  result.unique = !options.may_be_singular || qp.has_unique_solution(result.P, result.z);
+  return result;
 }
-
-namespace {
-using Indices = ComplianceOperator::Indices;
 
 Vector restrict_to(const Indices &S, const Vector &v) {
   Vector part(v.size() > 0 ? S.size() : 0);
@@ -91,19 +84,9 @@ Balances restrict_to(const Indices &S, const Balances &balances) {
   return part;
 }
 
-/** Returns the indices outside of S, below m, that satisfy @p is_wanted. */
-template <typename Predicate>
-Indices find_outside(const Indices &S, const unsigned int m, const Predicate &is_wanted) {
-  Indices found;
-  for (unsigned int i = 0; i < m; ++i)
-    if (!std::binary_search(S.begin(), S.end(), i) && is_wanted(i))
-      found.push_back(i);
-  return found;
-}
-} // namespace
-
+/** Solves on a set of patches that grows. */
 QPResult solve_on_growing_set(const ComplianceOperator &C, const Vector &F, const Vector &start,
-                              const QPSolver &solve, const Balances &balances) {
+                              const DualSolverOptions &options, const Balances &balances) {
   const unsigned int m = F.size();
   const bool moves = balances.size() > 0;
   QPResult whole;
@@ -112,32 +95,43 @@ QPResult solve_on_growing_set(const ComplianceOperator &C, const Vector &F, cons
     return i < m && (whole.P[i] < 0. || (moves && balances.P[i] < 0.));
   };
   // Ends of contact move by a patch or so; i - 1 wraps around at zero.
-  Indices S, joining = find_outside(S, m, [&](const unsigned int i) {
-               return presses(i) || presses(i - 1) || presses(i + 1);
-             });
-  const bool has_start = !whole.P.all_zero();
-  if (joining.empty())
-    joining = find_outside(S, m, [&](const unsigned int i) { return F[i] < 0.; });
-  whole.converged = joining.empty() && !moves; // then P = 0 is the solution
-  for (bool first = true; !joining.empty() || (first && moves); first = false) {
-    S.insert(S.end(), joining.begin(), joining.end());
-    std::sort(S.begin(), S.end());
-    const Vector start_on_S = first && !has_start ? Vector() : restrict_to(S, whole.P);
-    const unsigned int before = whole.iterations;
-    const bool cycled = whole.cycled;
-    whole = solve(BoundConstrainedQP(submatrix(C, S), restrict_to(S, F), restrict_to(S, balances)),
-                  start_on_S);
-    whole.iterations += before;
-    whole.cycled = whole.cycled || cycled;
+  std::vector<bool> belongs(m);
+  for (unsigned int i = 0; i < m; ++i)
+    belongs[i] = presses(i) || presses(i - 1) || presses(i + 1);
+  if (indices_of(belongs).empty())
+    for (unsigned int i = 0; i < m; ++i)
+      belongs[i] = F[i] < 0.;
+  // A body that moves has balances also where nothing presses.
+  bool grows = moves || !indices_of(belongs).empty();
+  whole.converged = !grows;
+  while (grows) {
+    const Indices S = indices_of(belongs);
+    const Vector start_on_S = whole.P.all_zero() ? Vector() : restrict_to(S, whole.P);
+    QPResult part = attempt_and_examine(
+      {submatrix(C, S), restrict_to(S, F), restrict_to(S, balances)}, start_on_S, options);
+    part.iterations += whole.iterations;
+    part.cycled = part.cycled || whole.cycled;
     Vector P(m);
-    for (unsigned int i = 0; i < S.size(); ++i)
-      P[S[i]] = whole.P[i];
+    P.add(S, part.P);
+    whole = part;
     whole.P = P;
     Vector W = C.apply(P);
     if (moves)
       balances.B.vmult_add(W, whole.z);
-    joining = find_outside(S, m, [&](const unsigned int i) { return W[i] - F[i] > 0.; });
+    grows = false;
+    for (unsigned int i = 0; i < m; ++i)
+      if (!belongs[i] && W[i] - F[i] > 0.)
+        belongs[i] = grows = true;
   }
   return whole;
+}
+} // namespace
+
+QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C, const Vector &F,
+                            const AdmissibleSet &K, const Vector &start,
+                            const DualSolverOptions &options, const Balances &balances) {
+  if (options.method != ContactSolver::psor && !C->is_explicit() && K.is_nonpositive())
+    return solve_on_growing_set(*C, F, start, options, balances);
+  return attempt_and_examine({C, F, K, balances}, start, options);
 }
 } // namespace Signorini

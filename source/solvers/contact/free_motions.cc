@@ -42,35 +42,6 @@ Vector units_of(const FreeMotions &motions, const Vector &norms, const double st
   return units;
 }
 
-/** The eigenvectors of a symmetric, positive semi-definite matrix with eigenvalues up to a
- * threshold, and the others, as columns; orthonormal. */
-struct Splitting {
-  Matrix null, rest;
-};
-
-Splitting split(const Matrix &M, const double threshold) {
-  const unsigned int k = M.m();
-  LAPACKFullMatrix<double> svd(k);
-  svd = M;
-  svd.compute_svd();
-  unsigned int n = 0;
-  while (n < k && svd.singular_value(n) > threshold)
-    ++n;
-  Splitting parts{Matrix(k, k - n), Matrix(k, n)};
-  for (unsigned int i = 0; i < k; ++i)
-    for (unsigned int j = 0; j < k; ++j)
-      (j < n ? parts.rest(i, j) : parts.null(i, j - n)) = svd.get_svd_vt()(j, i);
-  return parts;
-}
-
-/** Returns the projector M Mᵀ, k x k, also without columns. */
-Matrix projector_on(const Matrix &M, const unsigned int k) {
-  Matrix square(k, k);
-  if (M.n() > 0)
-    M.mTmult(square, M);
-  return square;
-}
-
 /** Returns units_i v_i, where v is scaled so that the largest |v_i| is one. */
 Vector with_units(Vector v, const Vector &units) {
   const double largest = v.linfty_norm();
@@ -232,11 +203,11 @@ ReducedMotions::ReducedMotions(const FreeMotions &motions, const AdmissibleSet &
       K(i, j) = 0.5 * (motions.K(i, j) + motions.K(j, i)) * units[i] * units[j];
   }
   const double noise = 1e-9 * std::max(b.l2_norm(), size_of_b.l2_norm());
-  const Splitting by_K = split(K, 1e-14 * k * K.linfty_norm() + 1e-12 * stiffness);
+  const Splitting by_K(K, 1e-14 * k * K.linfty_norm() + 1e-12 * stiffness);
   Matrix resistance = projector_on(by_K.rest, k);
   if (m > 0)
     B.Tmmult(resistance, B, true);
-  const Splitting by_resistance = split(resistance, 1e-14);
+  const Splitting by_resistance(resistance, 1e-14);
   const Matrix &hidden = by_resistance.null, &seen = by_resistance.rest;
   T = seen;
   for (unsigned int i = 0; i < k; ++i)
@@ -329,7 +300,7 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
     for (unsigned int j = 0; j < k; ++j)
       for (unsigned int l = 0; l < k && presses[i] < 0.; ++l)
         closing(j, l) += motions.B(i, j) * motions.B(i, l);
-  const Splitting split_motions = split(closing, 1e-14 * closing.trace());
+  const Splitting split_motions(closing, 1e-14 * closing.trace());
   const Matrix &others = split_motions.rest;
   if (split_motions.null.n() != 1)
     return {};

@@ -54,28 +54,21 @@ NodalVector measure_forces(const ContactSystem &system, ContactIterationResult &
   return r;
 }
 
-/** Sets |P - min(0, P - W/diag C)| relative to max(|P|, |F/diag C|), with F = C P - W, and |P.W|.
- */
+/** Sets the KKT residual with C = t Ĉ_1 and F = C P - W, and |P.W|. */
 void measure_contact(const ContactSystem &system, ContactIterationResult &result) {
   const dealii::Vector<double> W = system.opening(result.U);
-  const dealii::Vector<double> diagonal = system.model.diagonal();
-  const dealii::Vector<double> C_P = system.model.apply(result.P);
-  double size_of_P = 0., size_of_F = 0., work = 0., terms = 0., energy = 0.;
-  dealii::Vector<double> step(W);
-  for (unsigned int k = 0; k < W.size(); ++k) {
-    const double P = result.P[k], C_kk = result.scale * diagonal[k];
-    step[k] /= C_kk;
-    size_of_P += P * P;
-    size_of_F += std::pow((result.scale * C_P[k] - W[k]) / C_kk, 2);
-    work += P * W[k];
-    terms += std::abs(P) * (std::abs(system.gap[k]) + std::abs(W[k] + system.gap[k]));
-    energy += result.scale * P * C_P[k];
-  }
-  const double scale = std::max(size_of_P, size_of_F);
-  const AdmissibleSet K = AdmissibleSet::nonpositive(W.size());
-  const dealii::Vector<double> rest = K.residual(result.P, step);
-  result.kkt_residual = std::sqrt(relative_or_absolute(rest.norm_sqr(), scale));
-  result.complementarity = relative_or_absolute(std::abs(work), energy);
+  dealii::Vector<double> diagonal = system.model.diagonal(), C_P = system.model.apply(result.P);
+  diagonal *= result.scale;
+  C_P *= result.scale;
+  dealii::Vector<double> F(C_P);
+  F -= W;
+  double terms = 0.;
+  for (unsigned int k = 0; k < W.size(); ++k)
+    terms += std::abs(result.P[k]) * (std::abs(system.gap[k]) + std::abs(W[k] + system.gap[k]));
+  const double energy = result.P * C_P;
+  result.kkt_residual =
+    kkt_residual(AdmissibleSet::nonpositive(W.size()), result.P, W, F, diagonal);
+  result.complementarity = relative_or_absolute(std::abs(result.P * W), energy);
   result.rounding_of_complementarity =
     relative_or_absolute(std::numeric_limits<double>::epsilon() * terms, energy);
 }
@@ -103,14 +96,6 @@ NodalVector measure(const ContactSystem &system, const ContactIterationOptions &
 namespace {
 using Vector = dealii::Vector<double>;
 using Indices = ComplianceOperator::Indices;
-
-Indices indices_of(const std::vector<bool> &active) {
-  Indices set;
-  for (unsigned int i = 0; i < active.size(); ++i)
-    if (active[i])
-      set.push_back(i);
-  return set;
-}
 
 /** Returns d with (W + Ĉ d)_S = 0 and d = -P elsewhere. */
 Vector change_on_set(const BoundaryModel &model, const Vector &W, const Vector &P,

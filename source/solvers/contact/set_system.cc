@@ -141,21 +141,13 @@ struct InvertedResistance {
     const unsigned int n = S.m();
     if (n == 0)
       return;
-    LAPACKFullMatrix<double> svd(n);
-    svd = S;
-    svd.compute_svd();
-    FullMatrix<double> null(n, n), held(n, n);
-    for (unsigned int k = 0; k < n; ++k)
-      for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int j = 0; j < n; ++j)
-          (svd.singular_value(k) > rounding * svd.singular_value(0) ? held : null)(i, j) +=
-            svd.get_svd_vt()(k, i) * svd.get_svd_vt()(k, j);
-    if (svd.singular_value(n - 1) <= rounding * svd.singular_value(0)) {
+    const Splitting by_S(S, rounding * S.frobenius_norm());
+    if (by_S.null.n() > 0) {
       // No pressure of the set balances a free motion: that equation is left out.
       FullMatrix<double> rest(n, n);
-      held.mmult(rest, S);
+      projector_on(by_S.rest, n).mmult(rest, S);
       S = rest;
-      free = null;
+      free = projector_on(by_S.null, n);
     }
     inverse = S;
     inverse.compute_inverse_svd(rounding);

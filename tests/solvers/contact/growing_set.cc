@@ -113,12 +113,13 @@ int main() {
               k % 2 == 0 ? Vector() : random.vector(m));
     }
 
-    const ColumnsOnDemand columns(C);
+    const auto columns = std::make_shared<const ColumnsOnDemand>(C);
     Vector open(m);
     open = 1.;
-    const QPResult nothing = solve_on_growing_set(columns, open, Vector(), by_active_set);
+    const QPResult nothing =
+      solve_dual_problem(columns, open, AdmissibleSet::nonpositive(m), Vector(), {});
     checks.that("nothing touches: no column",
-                columns.asked().empty() && nothing.P.linfty_norm() == 0.);
+                columns->asked().empty() && nothing.P.linfty_norm() == 0.);
     choice(checks, C, F);
   }});
 }

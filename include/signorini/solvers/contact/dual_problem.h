@@ -72,6 +72,9 @@ protected:
 /** Returns the numbers 0, ..., n - 1. */
 ComplianceOperator::Indices all_indices(unsigned int n);
 
+/** Returns the numbers of the members of a set. */
+ComplianceOperator::Indices indices_of(const std::vector<bool> &set);
+
 /** Returns the block of C that belongs to the given rows and columns. */
 FullMatrix<double> submatrix(const ComplianceOperator &C,
                              const ComplianceOperator::Indices &numbers);
@@ -82,6 +85,17 @@ FullMatrix<double> submatrix(const ComplianceOperator &C,
  * entry.
  */
 LAPACKFullMatrix<double> cholesky(const FullMatrix<double> &C, double rounding = 0.);
+
+/** The right singular vectors of a square matrix with singular values up to a threshold, and the
+ * others, as columns; orthonormal. */
+struct Splitting {
+  Splitting(const FullMatrix<double> &M, double threshold);
+
+  FullMatrix<double> null, rest;
+};
+
+/** Returns the projector M Mᵀ, k x k, also without columns. */
+FullMatrix<double> projector_on(const FullMatrix<double> &M, unsigned int k);
 
 /**
  * The linear balances of a body that n motions z move freely beside the pressures:
@@ -103,6 +117,20 @@ struct Balances {
     return b.size();
   }
 };
+
+/**
+ * Returns |P - projection of P - W/c onto K|₂ / max(|P|₂, |F/c|₂), or the numerator if the
+ * denominator vanishes, for positive c (diag C). It is zero at the solution of the dual problem and
+ * nowhere else. F counts on patches that press or penetrate only: on tiny faces far away F/c is so
+ * large that a wrong set would pass for rounding, and for a body that moves gaps far away are
+ * irrelevant.
+ * @param K a set that does not move.
+ * @param imbalance, b further vectors of the numerator and of the denominator; may be empty.
+ */
+double kkt_residual(const AdmissibleSet &K, const dealii::Vector<double> &P,
+                    const dealii::Vector<double> &W, const dealii::Vector<double> &F,
+                    const dealii::Vector<double> &c, const dealii::Vector<double> &imbalance = {},
+                    const dealii::Vector<double> &b = {});
 
 /**
  * The dual problem: min ½ Pᵀ C P - Pᵀ F over P in K, C symmetric positive definite, m x m. With
@@ -141,18 +169,12 @@ struct BoundConstrainedQP {
   Vector imbalance(const Vector &P, const Vector &z) const;
   /** Returns ½ Pᵀ C P - Pᵀ F. */
   double energy(const Vector &P) const;
-  /**
-   * Returns |P - projection of P - W/diag C onto K|₂ / max(|P|₂, |F/diag C|₂), or the numerator if
-   * the denominator vanishes. It is zero at the solution and nowhere else. With balances the
-   * imbalance belongs to the numerator and |b|₂ to the denominator, and F counts on patches that
-   * press or penetrate only: for a body that moves, gaps far away are irrelevant.
-   */
+  /** Returns the KKT residual. With balances the imbalance belongs to the numerator, and |b|₂ to
+   * the denominator. */
   double kkt_residual(const Vector &P, const Vector &z = {}) const {
-    return kkt_residual(P, z, gradient(P, z), balances.size() == 0);
+    return Signorini::kkt_residual(K.at(P), P, gradient(P, z), F, diagonal, imbalance(P, z),
+                                   balances.b);
   }
-  /** Returns the same for a known W. @param all_gaps whether F counts on all patches. On tiny faces
-   * far away F/diag C is so large that a wrong set passes for rounding. */
-  double kkt_residual(const Vector &P, const Vector &z, const Vector &W, bool all_gaps) const;
   /**
    * Returns whether the pressure P of a solution is the only one: whether no Q ≠ 0 that vanishes
    * where W_i ≠ 0 has C Q = 0 and Bᵀ Q = 0. (Two solutions have the same W; their difference is

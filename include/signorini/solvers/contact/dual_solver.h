@@ -5,9 +5,7 @@
 #include <signorini/solvers/contact/dual_problem.h>
 #include <signorini/solvers/contact/projected_methods.h>
 
-#include <functional>
 #include <memory>
-#include <vector>
 
 namespace Signorini {
 /** The options of the solution of the dual problem. */
@@ -19,33 +17,19 @@ struct DualSolverOptions : public IterationOptions {
 
 /**
  * Solves the dual problem over P in K by the chosen method. Where columns of C cost linear solves,
- * the active set method works on a growing set of patches. Where it fails, because C is singular
- * (patches finer than the mesh: many pressures give the same displacement) or because it does not
- * end, projected SOR finds one of the solutions, and QPResult::active_set_failure is set. Its
- * sweeps are limited to seconds there.
+ * the active set method works on a growing set of patches: with P = 0 elsewhere; then those with
+ * W > 0 join, until there are none. Only their columns are computed. Where it fails, because C is
+ * singular (patches finer than the mesh: many pressures give the same displacement) or because it
+ * does not end, projected SOR finds one of the solutions, and QPResult::active_set_failure is set.
+ * Its sweeps are limited to seconds there.
  *
- * @param start a pressure to start from; empty: none.
+ * @param start a pressure to start from; empty: none. A growing set begins with the patches that
+ * press in it or in Balances::P, and their neighbours; if nothing presses, with those with F < 0.
  */
 QPResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> &C,
                             const dealii::Vector<double> &F, const AdmissibleSet &K,
                             const dealii::Vector<double> &start, const DualSolverOptions &options,
                             const Balances &balances = {});
-
-/** A solver of the dual problem that gets a start, which may be empty. */
-using QPSolver =
-  std::function<QPResult(const BoundConstrainedQP &qp, const dealii::Vector<double> &start)>;
-
-/**
- * Solves the dual problem over P ≤ 0 where columns of C are expensive. It is solved on a set S of
- * patches, with P = 0 elsewhere; then the patches with W > 0 join S, until there are none. The
- * result solves the whole problem, and only the columns of S are computed.
- *
- * @param start a pressure; S begins with the patches that press in it, and their neighbours; if
- * nothing presses, with the patches where F < 0. Patches that press in Balances::P belong to S.
- */
-QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<double> &F,
-                              const dealii::Vector<double> &start, const QPSolver &solve,
-                              const Balances &balances = {});
 
 /**
  * Solves the dual problem by the primal-dual active set method, i.e. the semi-smooth Newton method
@@ -76,9 +60,9 @@ QPResult solve_on_growing_set(const ComplianceOperator &C, const dealii::Vector<
  * With discs (friction in space, without balances) slip turns, which Newton's method finds
  * quadratically. There it begins with ten sweeps of projected SOR. Steps are shortened where that
  * decreases the residual and the whole step does not. Where four steps in a row do not decrease it,
- * the method begins anew at the best P so far, with more sweeps each time: for Tresca's law they
- * converge in any case. With Coulomb's law it may also begin anew at a random P (a fixed sequence
- * of numbers).
+ * more sweeps of the best P so far follow, ten more each time, and Newton's method goes on from
+ * there: for Tresca's law sweeps converge in any case. With Coulomb's law it may also go on from a
+ * random P (a fixed sequence of numbers).
  *
  * @param start a pressure that gives the first states, or with discs begins the sweeps; empty:
  * every unknown is active, or P = 0.
