@@ -321,8 +321,9 @@ private:
     ContactSolution contact;
     {
       const StageTimer timer(times.qp);
-      const MotionResult found = solve_dual_problem(operators.C, F, discretization.K, motions,
-                                                    start, options_for(discretization));
+      const MotionResult found =
+        solve_dual_problem(operators.C, F, discretization.K, motions, start,
+                           dual_options(parameters_.solver, discretization));
       if constexpr (dim == 2)
         if (found.escape)
           refuse_escape(parameters_, discretization, operators.modes, motions, *found.escape,
@@ -383,13 +384,6 @@ private:
     return contact;
   }
 
-  DualSolverOptions options_for(const Discretization<dim> &discretization) const {
-    const SolverParameters &solver = parameters_.solver;
-    return {{solver.tolerance, solver.maximum_iterations, solver.relaxation},
-            choice_.contact,
-            is_unstable(discretization)};
-  }
-
   const Parameters &parameters_;
   const Scene<dim> &scene_;
   SolverChoice choice_;
@@ -401,6 +395,14 @@ std::unique_ptr<ContactMethod<dim>> make_dual_method(const Parameters &parameter
                                                      const Scene<dim> &scene,
                                                      const SolverChoice &choice) {
   return std::make_unique<DualMethod<dim>>(parameters, scene, choice);
+}
+
+template <int dim>
+DualSolverOptions dual_options(const SolverParameters &solver,
+                               const Discretization<dim> &discretization) {
+  return {{solver.tolerance, solver.maximum_iterations, solver.relaxation},
+          solver.contact_solver,
+          is_unstable(discretization)};
 }
 
 template <int dim>
@@ -420,6 +422,7 @@ std::optional<Vector> solve_on_other_patches(const LevelOperators<dim> &operator
   return result.converged ? std::optional<Vector>(result.P) : std::nullopt;
 }
 
+INSTANTIATE_FUNCTION(dual_options);
 INSTANTIATE_FUNCTION(solve_on_other_patches);
 INSTANTIATE_FUNCTION(make_dual_method);
 } // namespace Signorini
