@@ -154,8 +154,7 @@ ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const Li
       Utilities::MPI::sum(bound.cell_energies[cell->active_cell_index()], communicator);
     if (i == 0 || part > largest) {
       largest = part;
-      bound.dominant_part = {face.side,
-                             data.scene.geometry.sides[face.side].arc_length(face.point(0.5))};
+      bound.dominant_part = trace.side_point(face, 0.5);
     }
   }
   return bound;
@@ -184,10 +183,8 @@ ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fi
     remainders.push_back(on_faces.back().r);
     // r_F m would jump.
     if (face.mixes() && !(remainders.back()[0].is_zero() && remainders.back()[1].is_zero())) {
-      no_bound =
-        "the body presses where another plane becomes the nearest one, on " +
-        name_of({face.side, data.scene.geometry.sides[face.side].arc_length(face.point(0.5))},
-                data.scene);
+      no_bound = "the body presses where another plane becomes the nearest one, on " +
+                 name_of(trace.side_point(face, 0.5), data.scene);
       return;
     }
   }

@@ -245,16 +245,12 @@ unsigned int ContactTrace::condition_at(const PenetrationFace &face, const std::
         (conditions_[k].direction - direction).norm() < 1e-10)
       return k;
   known.push_back(conditions_.size());
-  const Point<2> x = face.point(face.nodes[node]);
-  const double s = data_.scene.geometry.sides[face.side].arc_length(x),
-               least =
-                 component == Component::normal ? -std::numeric_limits<double>::infinity() : 0.;
-  NodeCondition &condition = conditions_.emplace_back();
-  condition.direction = direction;
-  condition.component = component;
-  condition.point = x;
-  condition.at = {face.side, s};
-  condition.required = least;
+  const double t = face.nodes[node], least = component == Component::normal
+                                               ? -std::numeric_limits<double>::infinity()
+                                               : 0.;
+  conditions_.push_back(
+    {direction, component, face.point(t), side_point(face, t), least, false, {}, {}});
+  NodeCondition &condition = conditions_.back();
   const auto add = [&](Coupling::Column &column, const PenetrationFace::Dofs &dofs,
                        const double weight) {
     for (unsigned int d = 0; d < 2; ++d)
@@ -434,8 +430,7 @@ void ContactTrace::sample() {
     face.d = upper.function;
     if (upper.largest > max_) {
       max_ = upper.largest;
-      point_of_largest_ = {face.side,
-                           data_.scene.geometry.sides[face.side].arc_length(face.point(upper.at))};
+      point_of_largest_ = side_point(face, upper.at);
     }
   }
 }

@@ -97,6 +97,14 @@ bool ArcLift::is_seen(const Curve &arc) {
          (arc.is_flat() || arc.length() < largest_turn * arc.radius());
 }
 
+bool ArcLift::sees_arcs(const CellShape &cell) {
+  const CellShape shape = cell.seen_from_crossing();
+  for (unsigned int k = 0; k < 4; ++k)
+    if (shape.centres[k] && !is_seen(shape.edge(k)))
+      return false;
+  return true;
+}
+
 ArcLift::ArcLift(const Curve &arc, const unsigned int degree) {
   const double turn = arc.is_flat() ? 0. : arc.length() / arc.radius();
   const Point<2> centre = arc.is_flat() ? Point<2>() : arc.centre_of_circle();

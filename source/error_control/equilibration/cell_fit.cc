@@ -249,7 +249,7 @@ PlaneRule CellFitter::load_rule(const Cell &cell, const CellShape &shape,
   PlaneRule rule;
   for (unsigned int q = 0; q < plain.size(); ++q) {
     const CellFunctions functions(plain.point(q));
-    rule.points.push_back(shape.corners[0] + shape.offset(functions));
+    rule.points.push_back(shape.point(functions));
     rule.weights.push_back(plain.weight(q) * determinant(shape.jacobian(functions)));
   }
   return rule;

@@ -283,7 +283,6 @@ void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
   // Arcs take more points than segments, on which the integrands are polynomials. Points are those
   // of the edge itself: rounding of maps would leave a force on small cells, which does work on c.
   const unsigned int more = data_.space.mesh().is_curved() ? 15 : 7;
-  constexpr std::array<unsigned int, 4> face_in_circle = {{2, 1, 3, 0}};
   dealii::Vector<double> given(2);
   for (const auto &cell : data_.space.dofs().active_cell_iterators())
     for (unsigned int side = 0; side < 4; ++side) {
@@ -294,8 +293,7 @@ void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
       const Side<2> face("", shape_of(cell, data_.scene.geometry.sides).edge(side));
       const Quadrature<1> rule = split_quadrature(QGauss<1>(u.degree() + more),
                                                   data_.scene.kinks.cut(face, 0., face.length()));
-      const auto line = cell->face(f);
-      const BoundaryCondition<2> &condition = data_.scene.boundary[line->boundary_id()];
+      const BoundaryCondition<2> &condition = data_.scene.boundary[cell->face(f)->boundary_id()];
       const TractionEdge &edge = space.edges()[space.edge_at(cell, f)];
       for (unsigned int q = 0; q < rule.size(); ++q) {
         const double length = rule.point(q)[0], share = length / face.length(),
@@ -304,9 +302,7 @@ void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
         const Tensor<1, 2> t = face.tangent(length, 0.), n({t[1], -t[0]});
         const auto L = legendre_values(edge.degree, edge.position_of(x));
         for (std::size_t k = 0; k < works.size(); ++k) {
-          Tensor<1, 2> v = u.on_face(f, s) - translation_of(cell);
-          if (k == 1)
-            v += 4. * s * (1. - s) * bubbles_.at(line->index());
+          Tensor<1, 2> v = on_face(k, u, cell, f, s);
           if (condition.role == Role::displacement || condition.role == Role::traction)
             condition.data->vector_value(x, given);
           if (condition.role == Role::displacement)
@@ -334,21 +330,17 @@ void EnergyMisfit::add_pair_moments(const TractionSpace &space, Works &works) co
     const SurfaceRule<2> rule = surface.rule(piece, n_points);
     for (const auto &[face, points, sign] : surface.faces_at(piece, rule)) {
       const CellField u(data_.space.dof_cell(face.cell), data_.U);
-      const unsigned int line = face.cell->face(face.face_no)->index();
       for (std::size_t q = 0; q < rule.size(); ++q) {
         const auto L = legendre_values(edge.degree, edge.position_of(rule.points[q]));
         const double s = points[q][0];
         for (std::size_t k = 0; k < works.size(); ++k) {
-          const Tensor<1, 2> &translation = translation_of(face.cell);
-          Tensor<1, 2> v = u.on_face(face.face_no, s) - translation;
-          if (k == 1)
-            v += 4. * s * (1. - s) * bubbles_.at(line);
+          const Tensor<1, 2> v = on_face(k, u, face.cell, face.face_no, s);
           for (unsigned int c = 0; c < 2; ++c)
             for (unsigned int i = 0; i <= edge.degree; ++i) {
               const Tensor<1, 2> traction = sign * rule.weights[q] * L[i] *
                                             direction_of(contact_components[c], rule.directions[q]);
               works[k].moments[edge.position(c, i)] += traction * v;
-              works[k].translated[edge.position(c, i)] += traction * translation;
+              works[k].translated[edge.position(c, i)] += traction * translation_of(face.cell);
             }
         }
       }

@@ -115,10 +115,8 @@ bool EquilibrationMesh::is_rough(const Cell &cell, const std::vector<Point<2>> &
   if (std::any_of(singular.begin(), singular.end(),
                   [&](const Point<2> &x) { return box.point_inside(x, 1e-10); }))
     return true;
-  const CellShape shape = shape_of(cell, data_.scene.geometry.sides).seen_from_crossing();
-  for (unsigned int k = 0; k < 4; ++k)
-    if (shape.centres[k] && !ArcLift::is_seen(shape.edge(k)))
-      return true;
+  if (!ArcLift::sees_arcs(shape_of(cell, data_.scene.geometry.sides)))
+    return true;
   if (data_.scene.material->is_constant_on_cells())
     return false;
   return needs_cuts<2>(data_.scene.law_kinks, cell) ||

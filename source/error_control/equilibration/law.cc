@@ -13,6 +13,16 @@
 
 namespace Signorini {
 namespace {
+/** Returns Hooke's law in components. */
+Tensor<2, 3> matrix_of(const SymmetricTensor<4, 2> &hooke) {
+  constexpr std::array<std::array<unsigned int, 2>, 3> pairs = {{{{0, 0}}, {{1, 1}}, {{0, 1}}}};
+  Tensor<2, 3> matrix;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      matrix[i][j] = hooke[pairs[i][0]][pairs[i][1]][pairs[j][0]][pairs[j][1]];
+  return matrix;
+}
+
 /** Returns the smallest eigenvalue of Hooke's law, in the orthonormal components (s11, s22, sqrt(2)
  * s12). */
 double min_eigenvalue_of(const Tensor<2, 3> &C) {
@@ -26,14 +36,10 @@ double min_eigenvalue_of(const Tensor<2, 3> &C) {
 }
 } // namespace
 
-Law::Law(const SymmetricTensor<4, 2> &hooke) {
-  constexpr std::array<std::array<unsigned int, 2>, 3> pairs = {{{{0, 0}}, {{1, 1}}, {{0, 1}}}};
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = 0; j < 3; ++j)
-      stiffness[i][j] = hooke[pairs[i][0]][pairs[i][1]][pairs[j][0]][pairs[j][1]];
-  compliance = invert(stiffness);
-  min_eigenvalue = min_eigenvalue_of(stiffness);
-}
+Law::Law(const SymmetricTensor<4, 2> &hooke)
+  : stiffness(matrix_of(hooke))
+  , compliance(invert(stiffness))
+  , min_eigenvalue(min_eigenvalue_of(stiffness)) {}
 
 Tensor<2, 3> upper_bound(const Tensor<2, 3> &A, const Tensor<2, 3> &B) {
   // In orthonormal components (s11, s22, sqrt(2) s12).
@@ -78,10 +84,7 @@ namespace {
 /** Returns the norms of Hooke's tensor and of its inverse, and the shares of its entries in the
  * norm. */
 std::array<double, 8> features(const SymmetricTensor<4, 2> &C) {
-  const Tensor<2, 3> matrix({{C[0][0][0][0], C[0][0][1][1], C[0][0][0][1]},
-                             {C[1][1][0][0], C[1][1][1][1], C[1][1][0][1]},
-                             {C[0][1][0][0], C[0][1][1][1], C[0][1][0][1]}});
-  const Tensor<2, 3> shares = matrix / matrix.norm();
+  const Tensor<2, 3> matrix = matrix_of(C), shares = matrix / matrix.norm();
   return {{matrix.norm(), invert(matrix).norm(), shares[0][0], shares[1][1], shares[2][2],
            shares[0][1], shares[0][2], shares[1][2]}};
 }
@@ -94,13 +97,13 @@ bool law_varies(const Material<2> &material, const std::array<Point<2>, 4> &corn
   std::array<double, 8> low, high;
   low.fill(HUGE_VAL);
   high.fill(-HUGE_VAL);
-  const QIterated<2> rule(QMidpoint<1>(), n);
-  for (const Point<2> &at : rule.get_points()) {
-    const std::array<double, 8> entries =
-      features(material.relative_hooke(corners[0] + shape.offset(CellFunctions(at))));
-    for (unsigned int i = 0; i < entries.size(); ++i) {
-      low[i] = std::min(low[i], entries[i]);
-      high[i] = std::max(high[i], entries[i]);
+  const QIterated<2> places(QMidpoint<1>(), n);
+  for (const Point<2> &at : places.get_points()) {
+    const std::array<double, 8> here =
+      features(material.relative_hooke(shape.point(CellFunctions(at))));
+    for (unsigned int i = 0; i < here.size(); ++i) {
+      low[i] = std::min(low[i], here[i]);
+      high[i] = std::max(high[i], here[i]);
     }
   }
   for (unsigned int i = 0; i < low.size(); ++i)

@@ -37,7 +37,6 @@ Tensor<1, 2> PrescribedLift::EdgeRest::evaluate(const double s, const bool deriv
 PrescribedLift::PrescribedLift(const BoundData &data,
                                const std::map<unsigned int, Tensor<1, 2>> &bubbles) {
   const double scale = data.U.linfty_norm();
-  constexpr std::array<unsigned int, 4> face_in_circle = {{2, 1, 3, 0}};
   std::vector<std::pair<DoFHandler<2>::active_cell_iterator, unsigned int>> edges;
   for (const auto &cell : data.space.dofs().active_cell_iterators())
     for (unsigned int k = 0; k < 4; ++k)

@@ -84,7 +84,6 @@ TractionSpace::TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scen
   : on_side_(scene.geometry.sides.size())
   , sides_(scene.geometry.sides)
   , is_paired_(sides_.size(), false) {
-  constexpr std::array<unsigned int, 4> face_in_circle = {{2, 1, 3, 0}};
   const Triangulation<2> &triangulation = mesh.triangulation();
   edge_of_line_.assign(triangulation.n_raw_lines(), none);
   for (const auto &cell : triangulation.active_cell_iterators()) {

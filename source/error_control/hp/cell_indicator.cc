@@ -2,6 +2,7 @@
 // The decay of Legendre coefficients, cell by cell.
 
 #include <signorini/discretization/space/cell_field.h>
+#include <signorini/error_control/equilibration/cell_shape.h>
 #include <signorini/error_control/estimate/contact_part.h>
 #include <signorini/error_control/hp/cell_indicator.h>
 
@@ -77,13 +78,6 @@ CellIndicator extrapolate(const std::vector<double> &parts) {
   return {next / std::sqrt(1. - rho * rho), rho};
 }
 
-/** Returns the area of the quadrilateral of the vertices. It is computed from differences only:
- * cells may be 1e-9 of their distance from the origin. */
-double area_of(const Triangulation<2>::active_cell_iterator &cell) {
-  const Tensor<1, 2> first = cell->vertex(3) - cell->vertex(0);
-  const Tensor<1, 2> second = cell->vertex(2) - cell->vertex(1);
-  return 0.5 * std::abs(first * cross_product_2d(second));
-}
 } // namespace
 
 std::vector<CellIndicator> indicate(const DisplacedBody<2> &body) {
@@ -95,7 +89,10 @@ std::vector<CellIndicator> indicate(const DisplacedBody<2> &body) {
     const double lengths[] = {0.5 * (cell->face(2)->diameter() + cell->face(3)->diameter()),
                               0.5 * (cell->face(0)->diameter() + cell->face(1)->diameter())};
     const double modulus = softer_modulus(body.scene, cell->center());
-    const double area = area_of(cell) * body.scene.geometry.circumference(cell->center());
+    // From differences only: cells may be 1e-9 of their distance from the origin.
+    const double area =
+      0.5 * cross(cell->vertex(3) - cell->vertex(0), cell->vertex(2) - cell->vertex(1)) *
+      body.scene.geometry.circumference(cell->center());
     CellIndicator indicator;
     double square = 0.;
     for (unsigned int d = 0; d < 2; ++d) {

@@ -68,7 +68,6 @@ void add_samples(const BodyInContact<2> &body, const Piece<2> &piece, TraceValue
 
 std::vector<PatchState> patch_states(const BodyInContact<2> &body) {
   const ContactSurface<2> &surface = body.surface();
-  const Pressure &P = body.P.normal();
   std::vector<PatchState> states(surface.patches().size());
   TraceValues<2> traces(body.space);
   for (const Piece<2> &piece : surface.pieces()) {
@@ -76,9 +75,8 @@ std::vector<PatchState> patch_states(const BodyInContact<2> &body) {
     state.cell = surface.faces()[piece.face].cell->active_cell_index();
     add_samples(body, piece, traces, state);
   }
-  const double threshold = pressing_threshold(P);
-  for (unsigned int k = 0; k < P.size(); ++k)
-    if (P[k] < threshold)
+  for (unsigned int k = 0; k < body.multipliers.n_multipliers(); ++k)
+    if (body.P.presses(k))
       states[body.multipliers.patch_of(k)].presses = true;
   return states;
 }

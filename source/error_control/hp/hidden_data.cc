@@ -13,13 +13,6 @@ namespace Signorini {
 namespace {
 using Values = std::vector<double>;
 
-/** Returns a point of a cell, bilinear in its reference coordinates. */
-Point<2> point_of(const Triangulation<2>::active_cell_iterator &cell, const double s,
-                  const double t) {
-  return Point<2>((1. - s) * (1. - t) * cell->vertex(0) + s * (1. - t) * cell->vertex(1) +
-                  (1. - s) * t * cell->vertex(2) + s * t * cell->vertex(3));
-}
-
 /** Returns the logarithms of the moduli. */
 Values log_moduli(const Material<2> &material, const Point<2> &x) {
   const SymmetricTensor<4, 2> E = material.relative_hooke(x);
@@ -31,12 +24,14 @@ Values log_moduli(const Material<2> &material, const Point<2> &x) {
 double jump_share(const Material<2> &material, const Triangulation<2>::active_cell_iterator &cell) {
   constexpr unsigned int n = 16;
   const double min_jump = std::log(1.5);
+  const CellShape shape(corners_of(cell));
   std::array<std::array<Values, n>, n> at;
   std::array<double, 3> sum = {}, sum_of_inverses = {};
   bool jumps = false;
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j) {
-      at[i][j] = log_moduli(material, point_of(cell, (i + 0.5) / n, (j + 0.5) / n));
+      const CellFunctions functions({(i + 0.5) / n, (j + 0.5) / n});
+      at[i][j] = log_moduli(material, shape.point(functions));
       for (unsigned int c = 0; c < sum.size(); ++c) {
         const double value = at[i][j][c];
         sum[c] += std::exp(value);
@@ -55,10 +50,9 @@ double jump_share(const Material<2> &material, const Triangulation<2>::active_ce
  * of a curved body bends so much that nodes that hang on its chord leave its thin cells. */
 bool is_too_bent(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell) {
   constexpr double largest_bend = 0.35;
-  const CellShape shape = shape_of(cell, scene.geometry.sides).seen_from_crossing();
-  for (unsigned int k = 0; k < 4; ++k)
-    if (shape.centres[k] && !ArcLift::is_seen(shape.edge(k)))
-      return true;
+  const CellShape shape = shape_of(cell, scene.geometry.sides);
+  if (!ArcLift::sees_arcs(shape))
+    return true;
   for (const auto &face : cell->face_iterators())
     if (const double length = face->diameter();
         !face->at_boundary() && face->center(true).distance(face->center()) * length >

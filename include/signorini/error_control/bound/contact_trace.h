@@ -222,6 +222,10 @@ public:
   double max_penetration() const {
     return max_;
   }
+  /** Returns the place of a point of a face. */
+  SidePoint side_point(const PenetrationFace &face, const double t) const {
+    return {face.side, data_.scene.geometry.sides[face.side].arc_length(face.point(t))};
+  }
   const SidePoint &point_of_largest() const {
     return point_of_largest_;
   }

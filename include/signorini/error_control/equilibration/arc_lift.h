@@ -11,6 +11,8 @@
 #include <vector>
 
 namespace Signorini {
+struct CellShape;
+
 /**
  * A stress τ_L without loads in the curved triangle T = {z + t p(a)} between a point z and an arc
  * γ, p = γ - z, 0 ≤ a, t ≤ 1, a by the angle: it has any traction r on the arc that has neither
@@ -42,6 +44,8 @@ public:
   /** Returns whether an arc is seen from the origin, with distances of its tangents that differ by
    * less than a factor of five, and turns by less than 60 degrees. */
   static bool is_seen(const Curve &arc);
+  /** Returns whether all arcs of a cell are seen from the point in which its diagonals meet. */
+  static bool sees_arcs(const CellShape &cell);
 
   /** A point of the arc: a, γ - z, the outward normal and tangent, and ds. */
   struct Node {

@@ -36,14 +36,6 @@ inline Point<2> point_of(const Triangle &x, const Point<2> &at) {
   return x[0] + at[0] * (x[1] - x[0]) + at[1] * (x[2] - x[0]);
 }
 
-/** Returns the barycentric coordinates of a point. */
-inline std::array<double, 3> barycentric(const Triangle &x, const Point<2> &point) {
-  std::array<double, 3> lambda;
-  for (unsigned int v = 0; v < 3; ++v)
-    lambda[v] = twice_area({{point, x[(v + 1) % 3], x[(v + 2) % 3]}}) / twice_area(x);
-  return lambda;
-}
-
 /** The bilinear functions of the corners at a point of [0,1]², as values and gradients. */
 struct CellFunctions {
   explicit CellFunctions(const Point<2> &at);
@@ -51,6 +43,9 @@ struct CellFunctions {
   std::array<double, 4> values;
   std::array<Tensor<1, 2>, 4> gradients;
 };
+
+/** The numbers of the faces of a cell, counter-clockwise: face k begins at corner k. */
+constexpr std::array<unsigned int, 4> face_in_circle = {{2, 1, 3, 0}};
 
 /** Returns the corners of a cell, counter-clockwise. */
 inline std::array<Point<2>, 4> corners_of(const Triangulation<2>::cell_iterator &cell) {
@@ -123,6 +118,10 @@ struct CellShape {
   Point<2> centre() const;
   /** Returns the vector from corner 0 to the bilinear image of a point in [0,1]². */
   Tensor<1, 2> offset(const CellFunctions &functions) const;
+  /** Returns the bilinear image. */
+  Point<2> point(const CellFunctions &functions) const {
+    return corners[0] + offset(functions);
+  }
   /** Returns the Jacobian of the same map. */
   Tensor<2, 2> jacobian(const CellFunctions &functions) const;
   /** Returns the point in [0,1]² whose bilinear image has the given offset. */

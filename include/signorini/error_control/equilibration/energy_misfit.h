@@ -66,6 +66,13 @@ private:
   const Tensor<1, 2> &translation_of(const AnyCell &cell) const {
     return translations_[data_.scene.geometry.body_of(cell)];
   }
+  /** Returns v - c at a point of a face of a cell. */
+  template <typename AnyCell>
+  Tensor<1, 2> on_face(const std::size_t field, const CellField &u, const AnyCell &cell,
+                       const unsigned int face, const double s) const {
+    const Tensor<1, 2> v = u.on_face(face, s) - translation_of(cell);
+    return field == 1 ? v + 4. * s * (1. - s) * bubbles_.at(cell->face(face)->index()) : v;
+  }
   void integrate_energies();
   void find_bubbles();
   void add_lifts();
