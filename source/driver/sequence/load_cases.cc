@@ -61,7 +61,8 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
     const bool are_steps = parameters.load_cases.sequence == CaseSequence::steps;
     const LevelOperators<2> &operators = *level.solution.operators;
     CaseSolver solver(*level.discretization, scene, operators,
-                      dual_options(parameters.solver, *level.discretization), are_steps);
+                      dual_options(parameters.solver, is_unstable(*level.discretization)),
+                      are_steps);
     const auto edges =
       scene.probes.empty() ? std::vector<SingularEdge<2>>() : singular_edges(scene);
     const auto since_start = [start = std::chrono::steady_clock::now()] {

@@ -323,7 +323,7 @@ private:
       const StageTimer timer(times.qp);
       const MotionResult found =
         solve_dual_problem(operators.C, F, discretization.K, motions, start,
-                           dual_options(parameters_.solver, discretization));
+                           dual_options(parameters_.solver, is_unstable(discretization)));
       if constexpr (dim == 2)
         if (found.escape)
           refuse_escape(parameters_, discretization, operators.modes, motions, *found.escape,
@@ -397,12 +397,10 @@ std::unique_ptr<ContactMethod<dim>> make_dual_method(const Parameters &parameter
   return std::make_unique<DualMethod<dim>>(parameters, scene, choice);
 }
 
-template <int dim>
-DualSolverOptions dual_options(const SolverParameters &solver,
-                               const Discretization<dim> &discretization) {
+DualSolverOptions dual_options(const SolverParameters &solver, const bool may_be_singular) {
   return {{solver.tolerance, solver.maximum_iterations, solver.relaxation},
           solver.contact_solver,
-          is_unstable(discretization)};
+          may_be_singular};
 }
 
 template <int dim>
@@ -422,7 +420,6 @@ std::optional<Vector> solve_on_other_patches(const LevelOperators<dim> &operator
   return result.converged ? std::optional<Vector>(result.P) : std::nullopt;
 }
 
-INSTANTIATE_FUNCTION(dual_options);
 INSTANTIATE_FUNCTION(solve_on_other_patches);
 INSTANTIATE_FUNCTION(make_dual_method);
 } // namespace Signorini

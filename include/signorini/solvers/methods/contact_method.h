@@ -49,10 +49,8 @@ std::unique_ptr<ContactMethod<dim>> make_contact_method(const Parameters &parame
                                                         const Scene<dim> &scene,
                                                         const SolverChoice &choice);
 
-/** Returns the options of the dual problem of a level. */
-template <int dim>
-DualSolverOptions dual_options(const SolverParameters &solver,
-                               const Discretization<dim> &discretization);
+/** Returns the options of the dual problem of a level, see DualSolverOptions. */
+DualSolverOptions dual_options(const SolverParameters &solver, bool may_be_singular);
 
 /** The coupling D of some patches, and the same with constraints condensed. */
 struct CouplingPair {
