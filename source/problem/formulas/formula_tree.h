@@ -6,6 +6,7 @@
 #include <boost/numeric/interval.hpp>
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace Signorini {
@@ -49,6 +50,8 @@ struct Operation {
   const char *in_a, *in_b = nullptr;
   /** The precedence of an operator; 0 of functions. */
   unsigned int precedence = 0;
+  /** The number of arguments of a known function; 0 if it takes any, two after the other. */
+  unsigned int n_arguments = 1;
   double (*value)(double, double, double) = nullptr;
   void (*values)(const double *, const double *, const double *, std::size_t, double *) = nullptr;
   Interval (*bounds)(const Interval &, const Interval &, const Interval &) = nullptr;
@@ -58,7 +61,17 @@ struct Operation {
   }
 };
 
+/** Returns all operations. Their texts alone call those whose name begins with '_'. */
 const std::vector<Operation> &operations();
+
+/** Returns the operation of a name; nullptr if there is none. */
+const Operation *find_operation(const std::string &name);
+
+/** Returns whether every formula may call a function of this name. */
+bool is_known_function(const std::string &name);
+
+/** Returns the constants that every formula may name. */
+const Constants &known_constants();
 
 constexpr unsigned int last_bit = 63;
 

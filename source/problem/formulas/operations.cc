@@ -72,6 +72,7 @@ Operation rule(const char *name, const Rule &function, const char *in_a = nullpt
     in_a,
     in_b,
     precedence,
+    1,
     [](double a, double b, double c) { return f(a, b, c); },
     [](const double *a, const double *b, const double *c, std::size_t n, double *result) {
       for (std::size_t q = 0; q < n; ++q)
@@ -124,11 +125,11 @@ const std::vector<Operation> &operations() {
   static const std::vector<Operation> list = {
     {"||", Kind::definition, "a ? 1 : b ? 1 : 0", nullptr, 1},
     {"&&", Kind::definition, "a ? b ? 1 : 0 : 0", nullptr, 2},
-    {"<=", Kind::definition, "not_negative(b - a)", nullptr, 3},
+    {"<=", Kind::definition, "_not_negative(b - a)", nullptr, 3},
     {">=", Kind::definition, "b <= a", nullptr, 3},
-    {"==", Kind::definition, "zero(b - a)", nullptr, 3},
+    {"==", Kind::definition, "_zero(b - a)", nullptr, 3},
     {"!=", Kind::definition, "a == b ? 0 : 1", nullptr, 3},
-    {"<", Kind::definition, "positive(b - a)", nullptr, 3},
+    {"<", Kind::definition, "_positive(b - a)", nullptr, 3},
     {">", Kind::definition, "b < a", nullptr, 3},
     rule(
       "+", [](auto a, auto b, auto) { return a + b; }, "1", "1", Kind::smooth, 4),
@@ -137,21 +138,21 @@ const std::vector<Operation> &operations() {
     rule(
       "*", [](auto a, auto b, auto) { return a * b; }, "b", "a", Kind::product, 5),
     rule(
-      "times", [](auto a, auto b, auto) { return times(a, b); }, "b", "a", Kind::product),
+      "_times", [](auto a, auto b, auto) { return times(a, b); }, "b", "a", Kind::product),
     rule(
       "/", [](auto a, auto b, auto) { return a / b; }, "1/b", "-f/b", Kind::smooth, 5),
     rule(
       "^", [](auto a, auto b, auto) { return power(a, b); }, "b*a^(b-1)", "f*log(a)", Kind::power),
-    make_step<positive>("positive", Kind::sign_step),
-    make_step<not_negative>("not_negative", Kind::sign_step),
+    make_step<positive>("_positive", Kind::sign_step),
+    make_step<not_negative>("_not_negative", Kind::sign_step),
     rule(
-      "zero", [](auto a, auto, auto) { return equals_zero(a); }, jump, nullptr, Kind::zero_step),
+      "_zero", [](auto a, auto, auto) { return equals_zero(a); }, jump, nullptr, Kind::zero_step),
     rule(
       "?", [](auto a, auto b, auto c) { return choose(a, b, c); }, jump, nullptr, Kind::choice),
     rule(
-      "larger", [](auto, auto b, auto c) { return max(c, b); }, nullptr, nullptr, Kind::choice),
+      "_larger", [](auto, auto b, auto c) { return max(c, b); }, nullptr, nullptr, Kind::choice),
     rule(
-      "smaller", [](auto, auto b, auto c) { return min(c, b); }, nullptr, nullptr, Kind::choice),
+      "_smaller", [](auto, auto b, auto c) { return min(c, b); }, nullptr, nullptr, Kind::choice),
     rule(
       "sin", [](auto a, auto, auto) { return sin(a); }, "cos(a)"),
     rule(
@@ -177,23 +178,42 @@ const std::vector<Operation> &operations() {
     {"cosh", Kind::definition, "0.5*(exp(a) + exp(-a))"},
     {"ceil", Kind::definition, "-floor(-a)"},
     {"rint", Kind::definition, "floor(a + 0.5)"},
-    {"abs", Kind::definition, "larger(positive(a), a, 0 - a)"},
-    {"sign", Kind::definition, "positive(a) - positive(-a)"},
-    {"if", Kind::definition, "a ? b : c"},
-    {"pow", Kind::definition, "a^b"},
-    {"max", Kind::definition, "larger(a < b, b, a)"},
-    {"min", Kind::definition, "smaller(b < a, b, a)"},
-    {"sum", Kind::definition, "a + b"},
-    {"avg", Kind::definition, "a + b"},
-    rule("vanishes", [](auto a, auto, auto) { return double(is_zero(a)); }),
+    {"abs", Kind::definition, "_larger(_positive(a), a, 0 - a)"},
+    {"sign", Kind::definition, "_positive(a) - _positive(-a)"},
+    {"if", Kind::definition, "a ? b : c", nullptr, 0, 3},
+    {"pow", Kind::definition, "a^b", nullptr, 0, 2},
+    {"max", Kind::definition, "_larger(a < b, b, a)", nullptr, 0, 0},
+    {"min", Kind::definition, "_smaller(b < a, b, a)", nullptr, 0, 0},
+    {"sum", Kind::definition, "a + b", nullptr, 0, 0},
+    {"avg", Kind::definition, "a + b", nullptr, 0, 0},
+    rule("_vanishes", [](auto a, auto, auto) { return double(is_zero(a)); }),
     rule(
-      "above_cut", [](auto a, auto b, auto) { return above_cut(a, b); }, jump, nullptr,
+      "_above_cut", [](auto a, auto b, auto) { return above_cut(a, b); }, jump, nullptr,
       Kind::sign_step),
     rule(
-      "angle", [](auto a, auto b, auto) { return angle(a, b); }, "b/(a^2 + b^2)", "-a/(a^2 + b^2)"),
+      "_angle", [](auto a, auto b, auto) { return angle(a, b); }, "b/(a^2 + b^2)",
+      "-a/(a^2 + b^2)"),
     {"atan2", Kind::definition,
-     "vanishes(a) ? (b < 0 ? pi : 0) : above_cut(a, b) ? angle(a, b) : -angle(-a, b)"}};
+     "_vanishes(a) ? (b < 0 ? pi : 0) : _above_cut(a, b) ? _angle(a, b) : -_angle(-a, b)", nullptr,
+     0, 2}};
   return list;
+}
+
+const Operation *find_operation(const std::string &name) {
+  const auto found =
+    std::find_if(operations().begin(), operations().end(),
+                 [&](const Operation &operation) { return name == operation.name; });
+  return found == operations().end() ? nullptr : &*found;
+}
+
+bool is_known_function(const std::string &name) {
+  return find_operation(name) != nullptr && name[0] != '_';
+}
+
+const Constants &known_constants() {
+  static const Constants constants = {
+    {"pi", std::acos(-1.)}, {"_pi", std::acos(-1.)}, {"_e", std::exp(1.)}};
+  return constants;
 }
 } // namespace FormulaParts
 } // namespace Signorini

@@ -52,8 +52,8 @@ struct Enclosure {
 enum class LineEffect { none, some, unclear };
 
 /**
- * The tree of a formula in x, y (and z) that muParser accepts: its values, its derivatives, and
- * bounds of its values in a box.
+ * The tree of a formula in x, y (and z): its values, its derivatives, and bounds of its values in a
+ * box.
  *
  * Bounds are natural interval evaluations of the tree, intersected with f(c) + f'(box)(box - c) at
  * the centre c (R. E. Moore, Interval Analysis, 1966; W. Tucker, Validated Numerics, 2011). They
@@ -65,9 +65,9 @@ enum class LineEffect { none, some, unclear };
 template <int dim>
 class FormulaTree {
 public:
-  /** Parses a text that muParser accepts; or formulas, separated by ';', that may also name
-   * definitions, and derivatives dx(f), dy(f), dz(f). @throws std::invalid_argument if it cannot be
-   * read. */
+  /** Parses a formula; or, with definitions, formulas separated by ';' that may also name these,
+   * and derivatives dx(f), dy(f), dz(f). @throws std::invalid_argument with the reason if it cannot
+   * be read. */
   FormulaTree(const std::string &text, const Constants &constants,
               const Definitions &definitions = {});
 
