@@ -268,8 +268,8 @@ void add_friction(const char *const name, const double number, const Tensor<1, 3
                   VtuFields &fields) {
   if (dim == 2)
     fields.emplace_back(name, number);
-  for (unsigned int d = 0; d < 3 && dim == 3; ++d)
-    fields.emplace_back(name, vector[d]);
+  else
+    add_vector(name, vector, fields);
 }
 } // namespace
 
@@ -305,18 +305,15 @@ void write_contact_vtu(std::ostream &stream, const TracedContact<dim> &contact,
     for (unsigned int v = 0; v < n_corners; ++v) {
       const ContactPoint<dim> &point = piece.corners[first + v];
       points.push_back(is_second ? point.across->x : point.x);
-      const Tensor<1, dim> &u = is_second ? point.across->u : point.u;
-      VtuFields all = {{"displacement", u[0]},
-                       {"displacement", u[1]},
-                       {"displacement", dim == 3 ? u[dim - 1] : 0.},
-                       {"patch", piece.patch},
-                       {"side", is_second ? other : own}};
+      VtuFields all;
+      add_vector("displacement", is_second ? point.across->u : point.u, all);
+      all.insert(all.end(), {{"patch", piece.patch}, {"side", is_second ? other : own}});
       if (with_pairs)
         all.emplace_back("opposite", is_second ? own : other);
       if (!bound.empty())
         all.emplace_back("bound_contact", bound[piece.face]);
-      for (unsigned int d = 0; d < 3 && with_directions; ++d)
-        all.emplace_back("contact_direction", d < dim ? point.direction[d % dim] : 0.);
+      if (with_directions)
+        add_vector("contact_direction", point.direction, all);
       const VtuFields common = common_fields(point);
       all.insert(all.end(), common.begin(), common.end());
       fields.push_back(std::move(all));

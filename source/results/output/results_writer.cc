@@ -81,23 +81,30 @@ void ResultsWriter::write_fields(const LevelResult<dim> &level) {
   const LevelSolution<dim> &solution = level.solution;
   const Solved<dim> solved = level.solved();
   const unsigned int number = solution.record.sizes.level;
-  start_directory();
-  TracedContact<dim> traced;
-  agree(communicator_, [&]() { traced = trace_contact(solved); });
-  write(level_file("contact", number, ".csv"),
-        [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
   const VtuLevels vtu = parameters_.output.vtu;
   const bool wants_finest = vtu == VtuLevels::finest || parameters_.output.pictures;
-  if (vtu == VtuLevels::all || (wants_finest && level.is_last)) {
-    const BoundFields &bound = solution.bound_fields;
-    const std::string body = write_body(level_file("solution", number, ""), solved, bound, number);
-    write(level_file("contact", number, ".vtu"),
-          [&](std::ostream &stream) { write_contact_vtu<dim>(stream, traced, bound.contact); });
-    list_vtu("solution", number, body);
-    list_vtu("contact", number, level_file("contact", number, ".vtu"));
-  }
+  write_body_in_contact(level_file("", number, ""), "", solved, solution.bound_fields, number,
+                        vtu == VtuLevels::all || (wants_finest && level.is_last));
   if (parameters_.output.compliance)
     write_dual_problem(*level.discretization, solution);
+}
+
+template <int dim>
+void ResultsWriter::write_body_in_contact(const std::string &ending, const std::string &list,
+                                          const BodyInContact<dim> &body, const BoundFields &bound,
+                                          const unsigned int number, const bool with_vtu) {
+  start_directory();
+  TracedContact<dim> traced;
+  agree(communicator_, [&]() { traced = trace_contact(body); });
+  const std::string contact = "contact" + ending;
+  write(contact + ".csv", [&](std::ostream &stream) { write_contact_csv<dim>(stream, traced); });
+  if (!with_vtu)
+    return;
+  const std::string file = write_body("solution" + ending, body, bound, number);
+  write(contact + ".vtu",
+        [&](std::ostream &stream) { write_contact_vtu<dim>(stream, traced, bound.contact); });
+  list_vtu("solution" + list, number, file);
+  list_vtu("contact" + list, number, contact + ".vtu");
 }
 
 template <int dim>
@@ -128,21 +135,9 @@ std::string ResultsWriter::write_body(const std::string &name, const DisplacedBo
 }
 
 void ResultsWriter::write_case_fields(const BodyInContact<2> &solved, const unsigned int number) {
-  if (directory_.empty())
-    return;
-  start_directory();
-  const std::string ending = "-case-" + Utilities::int_to_string(number, 6);
-  TracedContact<2> traced;
-  agree(communicator_, [&]() { traced = trace_contact(solved); });
-  write("contact" + ending + ".csv",
-        [&](std::ostream &stream) { write_contact_csv<2>(stream, traced); });
-  if (parameters_.output.vtu == VtuLevels::none)
-    return;
-  write_body<2>("solution" + ending, solved, {}, number);
-  write("contact" + ending + ".vtu",
-        [&](std::ostream &stream) { write_contact_vtu<2>(stream, traced, {}); });
-  for (const char *const name : {"solution", "contact"})
-    list_vtu(name + std::string("-cases"), number, name + ending + ".vtu");
+  if (!directory_.empty())
+    write_body_in_contact("-case-" + Utilities::int_to_string(number, 6), "-cases", solved, {},
+                          number, parameters_.output.vtu != VtuLevels::none);
 }
 
 void ResultsWriter::list_vtu(const std::string &list, const unsigned int number,

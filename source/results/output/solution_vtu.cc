@@ -117,11 +117,6 @@ private:
       write_piece();
   }
 
-  static void add_vector(const char *const name, const Tensor<1, dim> &vector, VtuFields &fields) {
-    for (unsigned int d = 0; d < 3; ++d)
-      fields.emplace_back(name, d < dim ? vector[d] : 0.);
-  }
-
   /** Adds the tensor, its components and its invariants. */
   void add_stress(const Point<dim> &x, const Point<dim> &middle, const Strain<dim> &strain,
                   VtuFields &fields) {

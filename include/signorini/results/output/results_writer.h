@@ -64,6 +64,12 @@ private:
   void on_first_rank(const std::function<void()> &work) const;
   /** Writes a file in this way. */
   void write(const std::string &name, const std::function<void(std::ostream &)> &content) const;
+  /** Writes contactENDING.csv and, @p with_vtu, the body and its contact for ParaView, which it
+   * adds to the lists of these names. @param number the time in the lists. Collective. */
+  template <int dim>
+  void write_body_in_contact(const std::string &ending, const std::string &list,
+                             const BodyInContact<dim> &body, const BoundFields &bound,
+                             unsigned int number, bool with_vtu);
   /** Writes NAME.vtu, the fields in the body; where ranks share the mesh NAME.RRRR.vtu of every
    * rank, and NAME.pvtu. Collective. @return the name of the file to open. */
   template <int dim>

@@ -19,6 +19,13 @@ namespace Signorini {
  * same name are the components of a vector or of a tensor. */
 using VtuFields = std::vector<std::pair<const char *, double>>;
 
+/** Adds a vector, in the plane with the third component 0. */
+template <int dim>
+void add_vector(const char *const name, const Tensor<1, dim> &vector, VtuFields &fields) {
+  for (unsigned int d = 0; d < 3; ++d)
+    fields.emplace_back(name, d < dim ? vector[d % dim] : 0.);
+}
+
 /** The cells of a VTU file, all with the same fields. All files are three-dimensional: in 2-D, too,
  * deal.II writes tensors with all their components then. */
 template <int dim>
