@@ -41,6 +41,10 @@ bool is_rectangle(const Polygon &polygon) {
   return true;
 }
 
+double area_of(const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
+
 /** Collects physical points and weights on convex polygons. */
 class PolygonRule {
 public:
@@ -104,10 +108,10 @@ private:
   /** Adds the image of a rule under the linear map that begins at x and has columns s and t. */
   void add_image(const Quadrature<2> &rule, const Point<2> &x, const Tensor<1, 2> &s,
                  const Tensor<1, 2> &t) {
-    const double jacobian = std::abs(s[0] * t[1] - s[1] * t[0]);
-    for (unsigned int q = 0; q < rule.size(); ++q) {
-      made_.points.push_back(x + rule.point(q)[0] * s + rule.point(q)[1] * t);
-      made_.weights.push_back(rule.weight(q) * jacobian);
+    const double jacobian = std::abs(area_of(s, t));
+    for (unsigned int q = 0; q < here.size(); ++q) {
+      made_.points.push_back(x + here.point(q)[0] * s + here.point(q)[1] * t);
+      made_.weights.push_back(here.weight(q) * jacobian);
     }
   }
 
@@ -142,10 +146,6 @@ private:
   std::map<unsigned int, QGauss<2>> squares_;
   PlaneRule made_;
 };
-
-double area_of(const Tensor<1, 2> &a, const Tensor<1, 2> &b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
 
 /** The bilinear map of the unit square to a quadrilateral with corners in the order of a polygon.
  */
@@ -223,13 +223,6 @@ bool divides(const KinkLine<dim> &line, const std::vector<Point<dim>> &outline) 
   return lowest < -margin && highest > margin;
 }
 
-BoundingBox<2> box_around(const std::vector<Point<2>> &points) {
-  BoundingBox<2> box({points[0], points[0]});
-  for (const Point<2> &x : points)
-    box.merge_with(BoundingBox<2>({x, x}));
-  return box;
-}
-
 template <int dim>
 bool any_divides(const std::vector<KinkLine<dim>> &lines, const std::vector<Point<dim>> &outline) {
   return std::any_of(lines.begin(), lines.end(),
@@ -242,7 +235,7 @@ bool meets(const Kinks<dim> &kinks, const std::vector<Point<dim>> &outline) {
   if (any_divides(kinks.lines(), outline))
     return true;
   if constexpr (dim == 2)
-    return kinks.boxes().divides(box_around(outline));
+    return kinks.boxes().divides(BoundingBox<2>(outline));
   return false;
 }
 
@@ -278,14 +271,14 @@ bool needs_cuts(const Kinks<dim> &kinks, const typename Triangulation<dim>::cell
 
 bool may_jump(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell) {
   const std::vector<Point<2>> outline = outline_of<2>(cell);
-  return any_divides(kinks.lines(), outline) || kinks.boxes().hides_some(box_around(outline));
+  return any_divides(kinks.lines(), outline) || kinks.boxes().hides_some(BoundingBox<2>(outline));
 }
 
 bool varies_fast(const Kinks<2> &kinks, const Triangulation<2>::cell_iterator &cell) {
   const std::vector<Point<2>> outline = outline_of<2>(cell);
   if (any_divides(kinks.lines(), outline))
     return true;
-  if (!kinks.boxes().divides(box_around(outline)))
+  if (!kinks.boxes().divides(BoundingBox<2>(outline)))
     return false;
   // Larger boxes leave four parts at most.
   const auto parts =

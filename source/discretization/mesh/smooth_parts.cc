@@ -18,15 +18,12 @@ void add_smooth_parts(const BoxTree &boxes, const std::function<Point<2>(const P
                       const SquarePart &whole, std::vector<SquarePart> &parts) {
   // Four boxes of about its size or larger meet in a part.
   constexpr unsigned int most_boxes = 4;
-  const Point<2> first = image(whole.corner);
-  BoundingBox<2> box({first, first});
+  std::vector<Point<2>> points;
   for (const double s : {0., 0.5, 1.})
-    for (const double t : {0., 0.5, 1.}) {
-      const Point<2> x = image(whole(Point<2>(s, t)));
-      box.merge_with(BoundingBox<2>({x, x}));
-    }
+    for (const double t : {0., 0.5, 1.})
+      points.push_back(image(whole(Point<2>(s, t))));
   if (whole.halvings == BoxTree::deepest_halvings ||
-      boxes.n_met(box, most_boxes + 1) <= most_boxes) {
+      boxes.n_met(BoundingBox<2>(points), most_boxes + 1) <= most_boxes) {
     parts.push_back(whole);
     return;
   }

@@ -285,8 +285,7 @@ bool Scan::shows(const Curve &curve, const Data &data, const double from, const 
                  b = curve.point(std::min(curve.length(), to + margin)), chord = a + 0.5 * (b - a);
   // An arc is nowhere farther from its chord than in the middle.
   const double height = curve.is_flat() ? 0. : curve.point(0.5 * (from + to)).distance(chord);
-  BoundingBox<2> box({a, a});
-  box.merge_with(BoundingBox<2>({b, b}));
+  BoundingBox<2> box(std::vector<Point<2>>{a, b});
   box.extend(height);
   const auto varies = look({box.get_boundary_points().first, box.get_boundary_points().second},
                            data, (to - from) / curve.length())
