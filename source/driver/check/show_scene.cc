@@ -55,8 +55,8 @@ std::string ranges(const FunctionPointer<dim> &function, const std::vector<Point
 std::string motion_of(const Plate &plate) {
   return (plate.is_pushed ? "plate, force " + number_text(plate.force)
                           : "plate, travel " + number_text(plate.travel)) +
-         " along (" + number_text(plate.direction[0]) + ", " + number_text(plate.direction[1]) +
-         ")" + (plate.drifts ? ", force across " + number_text(plate.cross_force) : "") +
+         " along " + vector_text(plate.direction) +
+         (plate.drifts ? ", force across " + number_text(plate.cross_force) : "") +
          (plate.turns ? ", turning" : "");
 }
 

@@ -55,6 +55,14 @@ bool begins_like(const std::string &ending, const std::string &text) {
   });
 }
 
+/** Waits for the end of a process. @return its status, as of waitpid(); -1 if there is none. */
+int wait_for(const pid_t child) {
+  int status = -1;
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
 /** A folder that a process of its own removes with all that it contains, also where this process
  * is ended. */
 struct TemporaryFolder {
@@ -87,8 +95,7 @@ struct TemporaryFolder {
   TemporaryFolder &operator=(const TemporaryFolder &) = delete;
   ~TemporaryFolder() {
     close(life);
-    while (remover > 0 && waitpid(remover, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    wait_for(remover);
     remove();
   }
 
@@ -189,10 +196,7 @@ int run_gmsh(const std::string &folder, std::vector<std::string> arguments) {
   const pid_t child = fork();
   if (child == 0)
     become_gmsh(folder.c_str(), argv.data(), envp.data());
-  int status = -1;
-  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
+  return wait_for(child);
 }
 
 /** Returns the reason why Gmsh made no mesh, with its first complaint. */
