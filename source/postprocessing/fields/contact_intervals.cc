@@ -95,9 +95,9 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side) {
 } // namespace
 
 std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipliers,
-                                               const Pressure &P) {
+                                               const std::vector<NodeState> &states) {
   std::vector<PressedInterval> intervals;
-  for (const SideNodes &side : nodes_by_side(multipliers, Multiplier(P).states())) {
+  for (const SideNodes &side : nodes_by_side(multipliers, states)) {
     const std::vector<PressedInterval> side_data = intervals_of(side);
     intervals.insert(intervals.end(), side_data.begin(), side_data.end());
   }
@@ -120,7 +120,7 @@ ContactSummary summarise_contact(const MultiplierSpace<dim> &space, const Pressu
   }
   if constexpr (dim == 2)
     if (!space.is_piecewise_constant())
-      for (const PressedInterval &interval : pressed_intervals(space, P))
+      for (const PressedInterval &interval : pressed_intervals(space, Multiplier(P).states()))
         summary.length += interval.length();
   return summary;
 }

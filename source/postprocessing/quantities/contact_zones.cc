@@ -67,18 +67,18 @@ struct PatchMean {
 };
 
 /** Returns the patches of a side in their order, for three turns where they go around it. */
-std::vector<PatchMean> patches_on(const PatchGrid &grid, const MultiplierSpace<2> &multipliers,
-                                  const Pressure &P, const bool is_round) {
-  const ContactSurface<2> &surface = multipliers.surface();
+std::vector<PatchMean> patches_on(const PatchGrid &grid, const ContactSurface<2> &surface,
+                                  const std::vector<NodeState> &states, const Pressure &P,
+                                  const bool is_round) {
   const Side<2> &side = surface.scene().geometry.sides[grid.side];
   const int n_turns = is_round ? 1 : 0;
   std::vector<PatchMean> patches;
   for (int turn = -n_turns; turn <= n_turns; ++turn)
     for (const unsigned int tau : grid.patches) {
       const Patch<2> &patch = surface.patches()[tau];
-      const double mean = multipliers.value(P, tau, patch.centre()), shift = turn * side.length();
+      const double mean = P.size() > 0 ? P[tau] : 0., shift = turn * side.length();
       patches.push_back(
-        {patch.lower[0] + shift, patch.upper[0] + shift, mean, mean < pressing_threshold(P)});
+        {patch.lower[0] + shift, patch.upper[0] + shift, mean, states[tau].presses});
     }
   return patches;
 }
@@ -130,7 +130,8 @@ void add_zones(const Side<2> &side, const std::vector<PatchMean> &patches, const
 }
 } // namespace
 
-std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers, const Pressure &P) {
+std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
+                                       const std::vector<NodeState> &states, const Pressure &P) {
   const ContactSurface<2> &surface = multipliers.surface();
   const std::vector<Side<2>> &sides = surface.scene().geometry.sides;
   std::vector<ContactZone> zones;
@@ -138,10 +139,10 @@ std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers, co
     for (const PatchGrid &grid : patch_grids(surface.patches())) {
       const Side<2> &side = sides[grid.side];
       const bool is_round = goes_round(side, grid.ends[0].front(), grid.ends[0].back());
-      add_zones(side, patches_on(grid, multipliers, P, is_round), is_round, zones);
+      add_zones(side, patches_on(grid, surface, states, P, is_round), is_round, zones);
     }
   else
-    for (const PressedInterval &interval : pressed_intervals(multipliers, P)) {
+    for (const PressedInterval &interval : pressed_intervals(multipliers, states)) {
       const auto end_at = [&](const PressedInterval::End &end) {
         return ZoneEnd{point_on(sides[interval.side], end.s), end.uncertainty};
       };

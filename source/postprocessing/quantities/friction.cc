@@ -74,12 +74,12 @@ FrictionSummary summarise_friction(const MultiplierSpace<dim> &space, const Mult
   add_shares(space, multiplier, summary);
   const AdmissibleSet &K = multiplier.set();
   summary.dissipation = K.dissipation(K.slip(multiplier.values(), W));
-  // Nodes in one state press instead of P.
-  Pressure stick(m), slip(m);
+  // Nodes press in the states of one kind.
+  std::vector<NodeState> stick(m), slip(m);
   for (unsigned int k = 0; k < m; ++k) {
     const NodeState state = multiplier.state(k);
     const bool sticks = state.slip == State::inside;
-    (sticks ? stick : slip)[k] = state.presses ? -1. : 0.;
+    (sticks ? stick : slip)[k].presses = state.presses;
     (!state.presses ? summary.open_length
      : sticks       ? summary.stick_length
                     : summary.slip_length) += lengths[k];

@@ -89,7 +89,7 @@ std::vector<double> intervals(const Polynomials &where, const std::string &press
   for (unsigned int k = 0; k < P.size(); ++k)
     P[k] = pressing.at(k) == 'P' ? -1. : 0.;
   std::vector<double> found;
-  for (const PressedInterval &zone : pressed_intervals(where.multipliers, P))
+  for (const PressedInterval &zone : pressed_intervals(where.multipliers, Multiplier(P).states()))
     found.insert(found.end(),
                  {zone.start.s, zone.start.uncertainty, zone.end.s, zone.end.uncertainty});
   return found;

@@ -65,7 +65,7 @@ struct PressedInterval {
  * everywhere is an interval from 0 to its length.
  */
 std::vector<PressedInterval> pressed_intervals(const MultiplierSpace<2> &multipliers,
-                                               const Pressure &P);
+                                               const std::vector<NodeState> &states);
 
 /** A summary of the contact pressure. */
 struct ContactSummary {

@@ -45,6 +45,16 @@ struct ContactZone {
  * or where a single patch presses, the zone ends with its last patch.
  *
  * Where patches have polynomials, zones are pressed_intervals().
+ * @param states of all nodes, which differ in whether they press. @param P their pressures; without
+ * them zones end at edges of patches.
  */
-std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers, const Pressure &P);
+std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
+                                       const std::vector<NodeState> &states,
+                                       const Pressure &P = Pressure());
+
+/** Returns the contact zones of a pressure. */
+inline std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
+                                              const Pressure &P) {
+  return contact_zones(multipliers, Multiplier(P).states(), P);
+}
 } // namespace Signorini
