@@ -34,7 +34,7 @@ template <int dim>
 void add_inf_sup(const Parameters &parameters, const Discretization<dim> &discretization,
                  const Progress &progress, LevelSolution<dim> &solution) {
   LevelRecord &record = solution.record;
-  if (record.friction || !wants_inf_sup<dim>(parameters, solution))
+  if (record.tangential || !wants_inf_sup<dim>(parameters, solution))
     return;
   const StageTimer timer(record.times.postprocess);
   progress("inf-sup constant");
@@ -67,10 +67,11 @@ void add_errors(const Parameters &parameters, const Discretization<dim> &discret
       record.endpoint_error = contact_end_error(multipliers, scene, P);
   }
   if constexpr (dim == 2)
-    if (record.friction && scene.boundary[scene.contact_sides().front()].exact_friction != nullptr)
-      record.friction->l2_error =
+    if (record.tangential &&
+        scene.boundary[scene.contact_sides().front()].exact_tangential != nullptr)
+      record.tangential->l2_error =
         compute_pressure_errors(multipliers, contact.P.tangential()[0], n_points,
-                                &BoundaryCondition<2>::exact_friction)
+                                &BoundaryCondition<2>::exact_tangential)
           .l2;
   if (pressure != nullptr)
     record.dual_norm_errors = pressure->errors(multipliers, P);

@@ -48,12 +48,12 @@ void refuse_unstable_patches(const Parameters &parameters,
                              const Discretization<dim> &discretization) {
   if (!is_unstable(discretization))
     return;
-  const bool has_friction = discretization.surface.scene().friction != Friction::none;
-  if (dim == 3 || has_friction)
+  const bool has_tangential_part = discretization.surface.scene().contact_law.has_tangential_part();
+  if (dim == 3 || has_tangential_part)
     throw InputError(parameters.discretization.coarsest_level.where() + ": found '" +
                      std::to_string(parameters.discretization.coarsest_level.value) +
                      "', where a contact patch is a single face (H = h), which is not stable " +
-                     (has_friction ? "with friction" : "in space") +
+                     (has_tangential_part ? "with friction" : "in space") +
                      ", allowed: levels or Geometry/Cells with at least two faces per patch"
                      " and direction.");
   if (parameters.solver.require_stability)
@@ -135,13 +135,13 @@ void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim
   const StageTimer timer(times.setup);
   D = assemble_coupling(space, multipliers);
   K = AdmissibleSet::nonpositive(multipliers.n_multipliers());
-  if (scene.friction != Friction::none) {
+  if (scene.contact_law.has_tangential_part()) {
     for (const Component tangent : tangents<dim>())
       D = join(D, assemble_coupling(space, multipliers, tangent));
     dealii::Vector<double> s(multipliers.n_multipliers()), f(s);
-    for (const FrictionLimit<dim> &limit : friction_limits<dim>(scene.friction))
+    for (const auto &limit : scene.contact_law.limits())
       (limit.follows_pressure ? f : s) = multipliers.project(moments_of(scene, limit.data));
-    K = AdmissibleSet::with_friction(s, f, dim - 1);
+    K = AdmissibleSet::with_tangential_part(s, f, dim - 1);
   }
   condensed_D = condense(D, space.constraints());
   G = assemble_gap_of(scene);
@@ -155,7 +155,7 @@ void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim
 template <int dim>
 dealii::Vector<double> Discretization<dim>::assemble_gap_of(const Scene<dim> &scene) const {
   dealii::Vector<double> G = moments_of(scene, &BoundaryCondition<dim>::data);
-  if (scene.friction != Friction::none)
+  if (scene.contact_law.has_tangential_part())
     for (const Component tangent : tangents<dim>())
       G = join(G, moments_of(scene, &BoundaryCondition<dim>::shift, tangent));
   return G;

@@ -37,7 +37,7 @@ std::vector<Pressure> Multiplier::tangential() const {
 NodeState Multiplier::state(const unsigned int k) const {
   AssertIndexRange(k, normal_.size());
   NodeState state = {presses(k), State::inside};
-  if (const unsigned int i = normal_.size() + k; has_friction() && set_.slips(i, values_))
+  if (const unsigned int i = normal_.size() + k; has_tangential_part() && set_.slips(i, values_))
     state.slip = values_[i] >= 0. ? State::upper : State::lower;
   return state;
 }
@@ -50,7 +50,7 @@ std::vector<NodeState> Multiplier::states() const {
 }
 
 Pressure Multiplier::bounds() const {
-  Pressure bounds(has_friction() ? normal_.size() : 0);
+  Pressure bounds(has_tangential_part() ? normal_.size() : 0);
   for (unsigned int k = 0; k < bounds.size(); ++k)
     bounds[k] = set_[normal_.size() + k].upper;
   return bounds;

@@ -73,7 +73,7 @@ std::string data_of(const Scene<dim> &scene, const unsigned int side,
   std::string text = "gap " + range<dim>(condition.data, points);
   if (const ContactPair<dim> pair(scene, side); pair.other_side())
     text += ", with " + pair.other_name();
-  for (const FrictionLimit<dim> &limit : friction_limits<dim>(scene.friction))
+  for (const auto &limit : scene.contact_law.limits())
     text += std::string(", ") + limit.name + " " + range<dim>(condition.*limit.data, points);
   if (condition.shift != nullptr)
     text += ", foundation moves " + (condition.shift->n_components == 1
@@ -125,11 +125,11 @@ std::string describe_cases(const std::vector<LoadCase> &cases) {
 template <int dim>
 SceneNotes notes_on(const Parameters &parameters, const Scene<dim> &scene, const Mesh<dim> &mesh) {
   SceneNotes notes;
-  if (scene.friction != Friction::none) {
-    std::string line = "Friction: " + to_text(scene.friction);
+  if (scene.contact_law.has_tangential_part()) {
+    std::string line = "Friction: " + scene.contact_law.name();
     for (const unsigned int i : scene.contact_sides()) {
       line += ", " + scene.geometry.sides[i].name();
-      for (const FrictionLimit<dim> &limit : friction_limits<dim>(scene.friction))
+      for (const auto &limit : scene.contact_law.limits())
         line += " " + range<dim>(scene.boundary[i].*limit.data, sample_side(scene, i).points);
     }
     notes.lines.push_back(line);

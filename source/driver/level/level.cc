@@ -103,12 +103,12 @@ LocatedBound located_bound(const Given<WantedBound> &wanted, const Solved<2> &so
 /** Adds the known facts about other solutions with Coulomb's friction. */
 void add_regularity(const Discretization<2> &discretization,
                     const std::shared_ptr<const ComplianceOperator> &C,
-                    const ContactSolution &contact, FrictionSummary &friction) {
+                    const ContactSolution &contact, TangentialSummary &summary) {
   if (const auto found =
         examine_regularity(C, contact.dual()->motions, discretization.K, contact.P.values())) {
-    friction.critical_factor = found->critical_factor;
-    friction.fixed_point_rate = found->fixed_point_rate;
-    friction.is_regular = found->has_sign_of_no_friction;
+    summary.critical_factor = found->critical_factor;
+    summary.fixed_point_rate = found->fixed_point_rate;
+    summary.is_regular = found->keeps_sign;
   }
 }
 
@@ -143,8 +143,8 @@ void examine(const Parameters &parameters, const Solved<dim> &solved, const Prog
   record.motions.undetermined = contact.undetermined;
   record.contact = summarise_contact(solved.multipliers, contact.P.normal());
   const StageTimer timer(record.times.postprocess);
-  if (contact.P.has_friction())
-    record.friction = summarise_friction(solved.multipliers, contact.P, contact.W);
+  if (contact.P.has_tangential_part())
+    record.tangential = summarise_tangential_part(solved.multipliers, contact.P, contact.W);
   progress("certificate");
   add_certificate_and_answer(solved, solution);
   if (discretization.mesh.has_parents())
@@ -174,8 +174,8 @@ void add_bound(const Parameters &parameters, const Discretization<dim> &discreti
   if constexpr (dim == 2) {
     LevelRecord &record = solution.record;
     const StageTimer timer(record.times.postprocess);
-    if (record.friction && solution.contact.touches())
-      add_regularity(discretization, solution.operators->C, solution.contact, *record.friction);
+    if (record.tangential && solution.contact.touches())
+      add_regularity(discretization, solution.operators->C, solution.contact, *record.tangential);
     progress("bound of the error");
     const StageTimer bound_timer(record.times.bound);
     LocatedBound located =

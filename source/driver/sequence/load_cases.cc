@@ -85,7 +85,7 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
           use_fields(result.number, solved);
         // Sticking points follow the foundation from the slip of the steps before.
         if (are_steps)
-          moved.friction = Friction::none;
+          moved.contact_law = {};
         result.estimate = error_of_case(parameters, solved, operators);
       }
       if (const std::size_t done = results.size(); done % every == 0)

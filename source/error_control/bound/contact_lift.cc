@@ -83,9 +83,9 @@ EdgeFunction difference(const EdgeFunction &deficit, const EdgeFunction &r) {
 struct FaceLift {
   FaceLift(const BoundData &data, const ContactTrace &trace, const PenetrationFace &face,
            const std::vector<FaceVector> &w)
-    : n_components(!face.is_contact()    ? 0
-                   : data.has_friction() ? 2
-                                         : 1)
+    : n_components(!face.is_contact()           ? 0
+                   : data.has_tangential_part() ? 2
+                                                : 1)
     , w(w) {
     if (n_components == 0)
       return;
@@ -113,7 +113,7 @@ struct FaceLift {
                                                trace.closing(face, contact_components[c], t, w),
                                        v = missing - r[c].value(t);
                           if (std::abs(v) > rounding)
-                            term += ((c == 1 ? trace.friction_bound(face, t) * std::abs(v) : 0.) +
+                            term += ((c == 1 ? trace.tangential_bound(face, t) * std::abs(v) : 0.) +
                                      face.traction_at(c, t) * v) *
                                     weight;
                         });

@@ -166,7 +166,7 @@ void ContactTrace::set_fields(const std::vector<FaceField> &fields) {
     faces_[i].traction = fields[i].traction;
   }
   for (PenetrationFace &face : faces_)
-    face.lifts_slip = data_.has_friction() && face.is_contact() && wants_lift_of_slip(face);
+    face.lifts_slip = data_.has_tangential_part() && face.is_contact() && wants_lift_of_slip(face);
 }
 
 void ContactTrace::find_faces() {
@@ -228,7 +228,7 @@ bool ContactTrace::wants_lift_of_slip(const PenetrationFace &face) const {
   for (unsigned int i = 0; i <= n_samples; ++i) {
     const double t = static_cast<double>(i) / n_samples;
     largest = std::max(largest, std::abs(misfit(face, Component::tangential, t)));
-    bound = std::max(bound, friction_bound(face, t));
+    bound = std::max(bound, tangential_bound(face, t));
   }
   const auto shear =
     symmetrize(outer_product(face.normal, face.direction(Component::tangential, 0.5)));
@@ -291,8 +291,8 @@ void ContactTrace::find_conditions() {
       conditions_[k].presses = conditions_[k].presses || face.presses();
     }
   for (const PenetrationFace &face : faces_)
-    for (std::size_t i = 0; i < face.dofs.size() && data_.has_friction() && face.is_contact();
-         ++i) {
+    for (std::size_t i = 0;
+         i < face.dofs.size() && data_.has_tangential_part() && face.is_contact(); ++i) {
       // Two normals say all about w.
       if (normals[face.dofs[i][0]].size() > 1) {
         prescribes_all_ = false;
@@ -365,10 +365,10 @@ double ContactTrace::misfit_at(const PenetrationFace &face, const Component comp
   return u - pair.shift(at(t));
 }
 
-double ContactTrace::friction_bound(const PenetrationFace &face, const double t) const {
+double ContactTrace::tangential_bound(const PenetrationFace &face, const double t) const {
   if (!face.may_touch(t))
     return 0.;
-  return friction_bound_at(data_.scene, face.side, face.point(t), face.traction[0].value(t));
+  return tangential_bound_at(data_.scene, face.side, face.point(t), face.traction[0].value(t));
 }
 
 double ContactTrace::rounding(const PenetrationFace &face) const {

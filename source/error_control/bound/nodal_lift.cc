@@ -165,7 +165,7 @@ Displacement pressed_displacement(const BoundData &data, const ContactTrace &tra
   // Where friction slips, its force does the work that s |ũ_t - g_t - w_t| loses.
   const Pressure &P_n = data.P.normal();
   Vector P(P_n);
-  if (data.has_friction())
+  if (data.has_tangential_part())
     P = join(P_n, Vector(P_n.size()));
   data.condensed_D.add_product(P, forces);
   for (const types::global_dof_index dof : trace.dofs_across())

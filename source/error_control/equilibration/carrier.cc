@@ -32,9 +32,9 @@ Point<2> point_of_data(const Scene<2> &scene, const unsigned int side, const Poi
   return pair.side() == side ? x : given.point(given.arc_length(x));
 }
 
-double friction_bound_at(const Scene<2> &scene, const unsigned int side, const Point<2> &x,
-                         const double tau_n) {
-  return pair_with(scene, side).friction_bound(point_of_data(scene, side, x), tau_n);
+double tangential_bound_at(const Scene<2> &scene, const unsigned int side, const Point<2> &x,
+                           const double tau_n) {
+  return pair_with(scene, side).bound(point_of_data(scene, side, x), tau_n);
 }
 
 CarriedPiece seen_from_carrier(const ContactSurface<2> &surface, const Piece<2> &piece) {

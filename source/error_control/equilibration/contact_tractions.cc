@@ -28,8 +28,8 @@ ContactTractions::ContactTractions(const BoundData &data, Tractions &tractions)
     // With Coulomb's law the bound of friction needs a τ_n that is known.
     tractions_.space.set_free(edge, 0, presses && !data_.P.is_coupled());
   }
-  if (data_.has_friction())
-    give_friction(states);
+  if (data_.has_tangential_part())
+    give_tangential_part(states);
   tractions_.project_shared();
 }
 
@@ -93,14 +93,14 @@ void ContactTractions::press_by_multipliers(const unsigned int number) {
   tractions_.fix(number, 0, p);
 }
 
-double ContactTractions::friction_bound(const unsigned int number, const double s) const {
+double ContactTractions::tangential_bound(const unsigned int number, const double s) const {
   const TractionEdge &edge = tractions_.space.edges()[number];
-  return friction_bound_at(
+  return tangential_bound_at(
     data_.scene, edge.side, edge.point(s),
     bernstein_value(bernstein_coefficients(tractions_.on_edge(number, 0)), s));
 }
 
-std::vector<double> ContactTractions::lower_friction_bound(const unsigned int number) {
+std::vector<double> ContactTractions::lower_tangential_bound(const unsigned int number) {
   const TractionEdge &edge = tractions_.space.edges()[number];
   const std::vector<double> cuts =
     data_.scene.kinks.cut(point_of_data(data_.scene, edge.side, edge.line.start()),
@@ -115,10 +115,10 @@ std::vector<double> ContactTractions::lower_friction_bound(const unsigned int nu
       positions.push_back(cuts[k] + (cuts[k + 1] - cuts[k]) *
                                       std::clamp(static_cast<double>(i) / n, inside, 1. - inside));
   for (const double s : positions)
-    samples.push_back(friction_bound(number, s));
+    samples.push_back(tangential_bound(number, s));
   std::vector<double> b = bernstein_coefficients(
     legendre_projection(degree, split_quadrature(QGauss<1>(2 * degree + 1), cuts),
-                        [&](const double s) { return friction_bound(number, s); }));
+                        [&](const double s) { return tangential_bound(number, s); }));
   constexpr double rounding = 1e-13;
   const auto [least, largest] = std::minmax_element(samples.begin(), samples.end());
   double share = 1.;
@@ -141,14 +141,14 @@ std::vector<double> ContactTractions::lower_friction_bound(const unsigned int nu
   return b;
 }
 
-void ContactTractions::give_friction(const std::vector<NodeState> &of_patches) {
+void ContactTractions::give_tangential_part(const std::vector<NodeState> &of_patches) {
   for (const auto &[piece, edge] : pieces_) {
     const State state = of_patches[piece.patch].slip;
     State &on_edge = slips_.emplace(edge, state).first->second;
     on_edge = on_edge == state ? state : State::mixed;
   }
   for (const auto &[edge, is_free] : edges_inside(of_patches, Component::tangential)) {
-    bounds_[edge] = lower_friction_bound(edge);
+    bounds_[edge] = lower_tangential_bound(edge);
     rub_by_multipliers(edge);
     tractions_.space.set_free(edge, 1, is_free);
   }

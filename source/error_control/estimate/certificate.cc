@@ -250,7 +250,7 @@ Certificate certify(const Solved<dim> &solved, const std::vector<Resultant<dim>>
                             min_share_of_free_state * std::abs(solution.P.values() * dual->free.F));
   check_contact(solved, energy_scale, certificate);
   certificate.energy = energies.J();
-  if (solution.P.has_friction()) {
+  if (solution.P.has_tangential_part()) {
     double work =
       solution.U * forces.internal - energies.loads - energies.gap + energies.dissipation;
     double work_of_supports = 0.;

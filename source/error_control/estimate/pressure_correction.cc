@@ -92,9 +92,9 @@ private:
 /** The recovered q by components. It is cut off at the bound of friction that belongs to the
  * recovered p; where a patch slips, it is as long as that. */
 template <int dim>
-class RecoveredFriction {
+class RecoveredTangential {
 public:
-  explicit RecoveredFriction(const BodyInContact<dim> &body)
+  explicit RecoveredTangential(const BodyInContact<dim> &body)
     : body_(body)
     , pressure_(body.multipliers, body.P.normal()) {
     for (const Pressure &part : body.P.tangential()) {
@@ -112,7 +112,7 @@ public:
     for (const ShiftedPressure<dim> &component : components_)
       q.push_back(component(piece, rule));
     for (std::size_t i = 0; i < p.size(); ++i) {
-      const double given = pair.friction_bound(rule.points[i], p[i]),
+      const double given = pair.bound(rule.points[i], p[i]),
                    bound = body_.P.is_coupled() ? std::min(largest_, given) : given;
       double square = 0.;
       for (const std::vector<double> &component : q)
@@ -138,11 +138,11 @@ const auto rule_on_mesh = [](const auto &piece) -> const auto & {
 
 /** Adds the load of the recovered q. */
 template <int dim>
-void add_friction_load(const BodyInContact<dim> &body, Coupling::Column &load) {
-  const RecoveredFriction<dim> friction(body);
+void add_tangential_load(const BodyInContact<dim> &body, Coupling::Column &load) {
+  const RecoveredTangential<dim> q(body);
   for (unsigned int c = 0; c < tangents<dim>().size(); ++c) {
     const auto values_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
-      return friction(c, piece, rule);
+      return q(c, piece, rule);
     };
     for (const auto &[row, value] :
          contact_load(body.space, body.surface(), rule_on_mesh, values_on, tangents<dim>()[c]))
@@ -188,12 +188,12 @@ PressureCorrection correct_pressure(const Solved<dim> &solved,
                                     const LevelOperators<dim> &operators) {
   const auto &[space, multipliers] = std::tie(solved.space, solved.multipliers);
   const Pressure &given = solved.P.normal();
-  const bool has_friction = solved.P.has_friction();
-  if (solved.surface().has_unstable_patch() || (!has_friction && presses_nowhere(given)))
+  const bool has_tangential_part = solved.P.has_tangential_part();
+  if (solved.surface().has_unstable_patch() || (!has_tangential_part && presses_nowhere(given)))
     return {};
   Coupling::Column load = pressure_load(space, multipliers, given);
-  if (has_friction)
-    add_friction_load(solved, load);
+  if (has_tangential_part)
+    add_tangential_load(solved, load);
   return correct_by(condense(sum_columns(space, {load}), space.constraints()), solved,
                     *operators.inverse);
 }
@@ -203,7 +203,7 @@ PressureCorrection correct_by_finer_patches(const Solved<dim> &solved,
                                             const LevelOperators<dim> &operators) {
   const ContactSurface<dim> &surface = solved.surface();
   const DualData *const dual = solved.contact.dual();
-  if (dual != nullptr && !solved.P.has_friction() && !surface.has_unstable_patch()) {
+  if (dual != nullptr && !solved.P.has_tangential_part() && !surface.has_unstable_patch()) {
     const ContactSurface<dim> finer(solved.space.mesh(), solved.scene, Partition{recovery_ratio});
     const MultiplierSpace<dim> finer_multipliers(finer);
     if (finer.patches().size() > surface.patches().size())

@@ -133,7 +133,7 @@ StepFindings StepExamination::examine(const Solved<2> &solved, const EnergyScale
   findings.indicators = indicate(solved);
   add_contact_misfit(solved, Component::normal, findings.indicators);
   // In a step of a history the scene has none: P sticks to where the foundation has carried it.
-  if (solved.scene.friction != Friction::none)
+  if (solved.scene.contact_law.has_tangential_part())
     add_contact_misfit(solved, Component::tangential, findings.indicators);
   findings.jumps = add_jump_misfit(solved, findings.indicators);
   findings.brackets = zone_brackets(solved.multipliers, solved.P.states());

@@ -53,12 +53,12 @@ dealii::Vector<double> CaseSolver::gap_of(const LoadCase &load_case) const {
   return G;
 }
 
-FrictionSummary CaseSolver::finish_step(const dealii::Vector<double> &F) {
+TangentialSummary CaseSolver::finish_step(const dealii::Vector<double> &F) {
   dealii::Vector<double> W = operators_.C->apply(P_.values());
   W -= F;
   if (q_.size() > 0)
     B_.vmult_add(W, q_);
-  FrictionSummary summary = summarise_friction(discretization_.multipliers, P_, W);
+  TangentialSummary summary = summarise_tangential_part(discretization_.multipliers, P_, W);
   if (!are_steps_)
     return summary;
   for (unsigned int k = 0, m = slip_.size(); k < m; ++k)
@@ -104,11 +104,11 @@ CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {
   const QPResult &qp = solved.qp;
   q_ = solved.q;
   P_ = Multiplier(qp.P, discretization_.K);
-  if (P_.has_friction() && solved.escape)
+  if (P_.has_tangential_part() && solved.escape)
     // The next case begins with stick.
     P_ = Multiplier();
-  else if (P_.has_friction())
-    result.friction = finish_step(F);
+  else if (P_.has_tangential_part())
+    result.tangential = finish_step(F);
   result.iterations = qp.iterations;
   result.kkt = qp.kkt_residual;
   result.converged = qp.converged;

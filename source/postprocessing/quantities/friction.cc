@@ -8,16 +8,16 @@
 #include <cmath>
 
 namespace Signorini {
-Columns<FrictionSummary> FrictionSummary::columns() {
-  return {{"tangential_force", &FrictionSummary::tangential_force},
-          {"dissipation", &FrictionSummary::dissipation},
-          {"stick_length", &FrictionSummary::stick_length},
-          {"slip_length", &FrictionSummary::slip_length},
-          {"open_length", &FrictionSummary::open_length},
-          {"friction_carried_share", &FrictionSummary::carried_share},
-          {"friction_largest_share", &FrictionSummary::largest_share},
-          {"critical_friction_factor", &FrictionSummary::critical_factor},
-          {"q_l2", &FrictionSummary::l2_error}};
+Columns<TangentialSummary> TangentialSummary::columns() {
+  return {{"tangential_force", &TangentialSummary::tangential_force},
+          {"dissipation", &TangentialSummary::dissipation},
+          {"stick_length", &TangentialSummary::stick_length},
+          {"slip_length", &TangentialSummary::slip_length},
+          {"open_length", &TangentialSummary::open_length},
+          {"friction_carried_share", &TangentialSummary::carried_share},
+          {"friction_largest_share", &TangentialSummary::largest_share},
+          {"critical_friction_factor", &TangentialSummary::critical_factor},
+          {"q_l2", &TangentialSummary::l2_error}};
 }
 
 namespace {
@@ -49,7 +49,7 @@ double tangential_force(const MultiplierSpace<dim> &space, const Multiplier &mul
 /** Sets the shares of its limits that friction takes. */
 template <int dim>
 void add_shares(const MultiplierSpace<dim> &space, const Multiplier &multiplier,
-                FrictionSummary &summary) {
+                TangentialSummary &summary) {
   const Pressure bounds = multiplier.bounds();
   const std::vector<Pressure> q = multiplier.tangential();
   const double limit = bounds * space.integrals();
@@ -65,11 +65,12 @@ void add_shares(const MultiplierSpace<dim> &space, const Multiplier &multiplier,
 } // namespace
 
 template <int dim>
-FrictionSummary summarise_friction(const MultiplierSpace<dim> &space, const Multiplier &multiplier,
-                                   const dealii::Vector<double> &W) {
+TangentialSummary summarise_tangential_part(const MultiplierSpace<dim> &space,
+                                            const Multiplier &multiplier,
+                                            const dealii::Vector<double> &W) {
   const unsigned int m = space.n_multipliers();
   const dealii::Vector<double> lengths = space.lengths();
-  FrictionSummary summary;
+  TangentialSummary summary;
   summary.tangential_force = tangential_force(space, multiplier);
   add_shares(space, multiplier, summary);
   const AdmissibleSet &K = multiplier.set();
@@ -97,5 +98,5 @@ FrictionSummary summarise_friction(const MultiplierSpace<dim> &space, const Mult
   return summary;
 }
 
-INSTANTIATE_FUNCTION(summarise_friction);
+INSTANTIATE_FUNCTION(summarise_tangential_part);
 } // namespace Signorini

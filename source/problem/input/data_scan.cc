@@ -311,7 +311,7 @@ void Scan::scan_side(const unsigned int number, std::vector<Point<2>> &breaks) {
   const BoundaryCondition<2> &condition = scene_.boundary[number];
   std::vector<Expression<2>> formulas;
   append(condition.data, formulas);
-  for (const FrictionLimit<2> &limit : friction_limits<2>(scene_.friction))
+  for (const auto &limit : scene_.contact_law.limits())
     append(condition.*limit.data, formulas);
   append(condition.shift, formulas);
   const Data data = data_of(formulas, &side);

@@ -189,21 +189,18 @@ void read_gaps(const Parameters &parameters, Scene<dim> &scene) {
 template <int dim>
 void read_friction(const Parameters &parameters, Scene<dim> &scene) {
   const ContactParameters &given = parameters.contact;
-  const std::string found = "Friction = " + to_text(given.friction.value);
-  scene.friction = given.friction;
+  const std::string found = "Friction = " + to_text(given.law.value);
+  scene.contact_law = given.law.value;
+  const std::vector<FrictionLimit<dim>> &limits = scene.contact_law.limits();
   // "Friction = none" overrides coefficients given elsewhere in the file.
-  if (given.friction.is_given && scene.friction == Friction::none)
+  if (given.law.is_given && limits.empty())
     return;
-  const std::vector<FrictionLimit<dim>> limits = friction_limits<dim>(scene.friction);
-  const auto has_limit = [&](const bool follows_pressure) {
-    return std::any_of(limits.begin(), limits.end(), [&](const auto &limit) {
-      return limit.follows_pressure == follows_pressure;
-    });
-  };
-  refuse_foreign_entries(has_limit(true), {&given.friction_coefficient}, "Friction = coulomb",
-                         found);
-  refuse_foreign_entries(has_limit(false), {&given.friction_bound}, "Friction = tresca", found);
-  refuse_foreign_entries(!limits.empty(), {&given.foundation_shift}, "Friction = tresca or coulomb",
+  using Law = FrictionLaw<dim>;
+  for (const auto entry :
+       {&ContactParameters::friction_coefficient, &ContactParameters::friction_bound})
+    refuse_foreign_entries(scene.contact_law.reads(entry), {&(given.*entry)},
+                           "Friction = " + Law::names(entry), found);
+  refuse_foreign_entries(!limits.empty(), {&given.foundation_shift}, "Friction = " + Law::names(),
                          found);
   if (limits.empty())
     return;
@@ -217,7 +214,7 @@ void read_friction(const Parameters &parameters, Scene<dim> &scene) {
       scene.boundary[side].*data = read_function<dim>(text, n_components, entry);
   };
   for (const FrictionLimit<dim> &limit : limits)
-    read(limit.follows_pressure ? given.friction_coefficient : given.friction_bound, limit.data, 1);
+    read(given.*limit.entry, limit.data, 1);
   if (!given.foundation_shift.value.empty())
     read(given.foundation_shift, &BoundaryCondition<dim>::shift, dim == 2 ? 1 : dim);
 }

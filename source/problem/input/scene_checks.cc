@@ -220,7 +220,6 @@ void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim
 template <int dim>
 void check_described_scene(const Parameters &parameters, const Scene<dim> &scene) {
   const ExactSolutionParameters &exact = parameters.exact;
-  const ContactParameters &contact = parameters.contact;
   const Points<dim> body = sample_body(scene.geometry);
   for (const Point<dim> &x : body)
     scene.material->hooke(x);
@@ -234,11 +233,9 @@ void check_described_scene(const Parameters &parameters, const Scene<dim> &scene
     check_finite(condition.data, sample_side(side, condition.role != Role::traction), "");
     const Points<dim> inside = sample_side(side, false);
     check_exact_on_side(exact, scene, i, inside);
-    for (const FrictionLimit<dim> &limit : friction_limits<dim>(scene.friction))
-      check_sign(
-        condition.*limit.data, inside,
-        (limit.follows_pressure ? contact.friction_coefficient : contact.friction_bound).where(),
-        -1., 0., "the negative value ", "0 or more on the whole side");
+    for (const auto &limit : scene.contact_law.limits())
+      check_sign(condition.*limit.data, inside, (parameters.contact.*limit.entry).where(), -1., 0.,
+                 "the negative value ", "0 or more on the whole side");
     check_finite(condition.shift, inside, "");
     // Contact cannot pull.
     check_sign(condition.exact_pressure, inside, exact.pressure.where(), 1., 1e-6, "the tension ",

@@ -193,10 +193,9 @@ std::vector<EdgeCondition> possible_conditions(const Scene<dim> &scene, const un
   if (!may_touch(role))
     return {{EdgeSupport::free}};
   std::vector<EdgeCondition> conditions = {{EdgeSupport::free}, {EdgeSupport::sliding}};
-  const auto limits = friction_limits<dim>(scene.friction);
-  if (role == Role::contact && !limits.empty())
+  if (role == Role::contact && scene.contact_law.has_tangential_part())
     conditions.push_back({EdgeSupport::held});
-  for (const FrictionLimit<dim> &limit : limits)
+  for (const auto &limit : scene.contact_law.limits())
     if (role == Role::contact && limit.follows_pressure && dim == 2)
       for (const int sign : {1, -1})
         conditions.push_back({EdgeSupport::sliding, sign * (condition.*limit.data)->value(x)});

@@ -125,7 +125,7 @@ std::array<EdgeState, 2> admitted(const EdgeCondition &edge) {
     return {{{{1., 0., 0., 0.}}, {{0., 1., 0., 0.}}}};
   if (edge.support == EdgeSupport::held)
     return {{{{0., 0., 1., 0.}}, {{0., 0., 0., 1.}}}};
-  return {{{{1., 0., 0., 0.}}, {{0., 0., 1., -edge.friction}}}};
+  return {{{{1., 0., 0., 0.}}, {{0., 0., 1., -edge.ratio}}}};
 }
 
 /** Returns the two numbers that vanish where an edge admits a state. */
@@ -134,7 +134,7 @@ std::array<Complex, 2> violation(const EdgeCondition &edge, const EdgeState &sta
     return {{state[2], state[3]}};
   if (edge.support == EdgeSupport::held)
     return {{state[0], state[1]}};
-  return {{state[1], state[3] + edge.friction * state[2]}};
+  return {{state[1], state[3] + edge.ratio * state[2]}};
 }
 
 /** The determinant (W7) of the conditions on the second edge for the states that the first one
@@ -170,7 +170,7 @@ double opening(const std::vector<WedgeLayer> &layers) {
 double corner_exponent(const std::vector<WedgeLayer> &layers, const EdgeCondition &first,
                        const EdgeCondition &second) {
   Assert(!layers.empty(), ExcMessage("A wedge has a material."));
-  if (layers.size() == 1 && first.friction == 0. && second.friction == 0.)
+  if (layers.size() == 1 && first.ratio == 0. && second.ratio == 0.)
     return corner_exponent(layers[0].angle, first.support, second.support, layers[0].kappa);
   double kappa = 1.;
   for (const WedgeLayer &layer : layers)

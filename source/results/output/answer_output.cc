@@ -155,21 +155,22 @@ public:
     if (in_space)
       add("Contact area", digits(level_.contact.length));
     add_zones("Contact zone", level_.answer.zones);
-    if (!level_.friction)
+    if (!level_.tangential)
       return;
-    const FrictionSummary &friction = *level_.friction;
+    const TangentialSummary &part = *level_.tangential;
     add("Friction",
-        "T = " + scaled_text(friction.tangential_force, scale_) +
-          (summary_.friction_ratio ? ", T/N = " + scaled_text(*summary_.friction_ratio, 1.) : "") +
-          ", dissipation " + digits(friction.dissipation));
+        "T = " + scaled_text(part.tangential_force, scale_) +
+          (summary_.tangential_ratio ? ", T/N = " + scaled_text(*summary_.tangential_ratio, 1.)
+                                     : "") +
+          ", dissipation " + digits(part.dissipation));
     if (in_space)
-      add("  areas", "stick " + digits(friction.stick_length) + ", slip " +
-                       digits(friction.slip_length) + ", open " + digits(friction.open_length));
-    add("  limits", text_of_limits(friction));
-    if (friction.is_regular)
-      add("  uniqueness", text_of_regularity(friction));
-    add_zones("  stick zone", friction.stick_zones);
-    add_zones("  slip zone", friction.slip_zones);
+      add("  areas", "stick " + digits(part.stick_length) + ", slip " + digits(part.slip_length) +
+                       ", open " + digits(part.open_length));
+    add("  limits", text_of_limits(part));
+    if (part.is_regular)
+      add("  uniqueness", text_of_regularity(part));
+    add_zones("  stick zone", part.stick_zones);
+    add_zones("  slip zone", part.slip_zones);
   }
 
   void add_penetration() {
@@ -222,18 +223,18 @@ private:
     return answer.dimension == 3 ? answer.peak_pressure.has_value()
                                  : std::any_of(answer.zones.begin(), answer.zones.end(), contains);
   }
-  static std::string text_of_limits(const FrictionSummary &friction) {
-    const double largest = friction.largest_share;
-    return "T takes " + digits(100. * rounded(friction.carried_share, 1.)) +
+  static std::string text_of_limits(const TangentialSummary &part) {
+    const double largest = part.largest_share;
+    return "T takes " + digits(100. * rounded(part.carried_share, 1.)) +
            " % of what friction can carry" +
            (largest > 0. && largest < 1. - 1e-9
               ? "; all sticks, down to " + digits(largest) + " times this friction"
               : "");
   }
   /** A solution is never called unique: that is not proved. */
-  static std::string text_of_regularity(const FrictionSummary &friction) {
-    const std::optional<double> critical = friction.critical_factor;
-    if (!*friction.is_regular)
+  static std::string text_of_regularity(const TangentialSummary &part) {
+    const std::optional<double> critical = part.critical_factor;
+    if (!*part.is_regular)
       return "this is one of at least two solutions (sign of the determinant)";
     if (!critical)
       return "these zones are regular for every coefficient";

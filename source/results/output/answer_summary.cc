@@ -89,8 +89,8 @@ AnswerSummary::AnswerSummary(const std::vector<LevelRecord> &levels)
       reports[i].push_back(trend_over(values, report.rows.size() == 1 && !report.growth.empty()));
     }
   }
-  if (level.friction && level.contact.active > 0 && level.contact.normal_force != 0.)
-    friction_ratio = level.friction->tangential_force / level.contact.normal_force;
+  if (level.tangential && level.contact.active > 0 && level.contact.normal_force != 0.)
+    tangential_ratio = level.tangential->tangential_force / level.contact.normal_force;
   for (const LevelRecord &each : levels)
     seconds += each.times.total();
 }

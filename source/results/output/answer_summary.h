@@ -24,7 +24,7 @@ struct AnswerSummary {
   /** The trends of the fields of each report. */
   std::vector<std::vector<Trend>> reports;
   /** The ratio of the friction force to the normal force; empty where nothing presses. */
-  std::optional<double> friction_ratio;
+  std::optional<double> tangential_ratio;
   /** The wall seconds of all levels. */
   double seconds = 0.;
 };

@@ -44,6 +44,12 @@ std::vector<Point<1>> positions_of_polynomial(const Piece<2> &piece,
   return positions;
 }
 
+/** Returns the number of a state in files: 0 where it is open, 1 where it sticks, 2 where it slips.
+ */
+int number_of(const NodeState &state) {
+  return !state.presses ? 0 : state.slip == State::inside ? 1 : 2;
+}
+
 /** A row of contact-LL.csv. */
 template <int dim>
 struct ContactRow {
@@ -52,26 +58,27 @@ struct ContactRow {
 };
 
 template <int dim>
-void add_friction_columns(Columns<ContactRow<dim>> &columns) {
+void add_tangential_columns(Columns<ContactRow<dim>> &columns) {
   using Row = ContactRow<dim>;
   const auto add = [&](const char *name, const auto part) {
-    columns.push_back({name, [part](const Row &row) { return (*row.point.friction).*part; }});
+    columns.push_back({name, [part](const Row &row) { return (*row.point.tangential).*part; }});
   };
-  add("q_H", &FrictionPoint::q_H);
-  add("s_H", &FrictionPoint::s_H);
-  add("slip", &FrictionPoint::slip);
-  add("q_exact", &FrictionPoint::q_exact);
+  add("q_H", &TangentialPoint::q_H);
+  add("s_H", &TangentialPoint::s_H);
+  add("slip", &TangentialPoint::slip);
+  add("q_exact", &TangentialPoint::q_exact);
   for (const auto &[name, vector] :
-       {std::pair("q_H_", &FrictionPoint::traction), {"slip_", &FrictionPoint::slip_vector}})
+       {std::pair("q_H_", &TangentialPoint::traction), {"slip_", &TangentialPoint::slip_vector}})
     for (unsigned int d = 0; d < dim && dim == 3; ++d)
       columns.push_back({name + std::string(1, "xyz"[d]), [part = vector, d](const Row &row) {
-                           return ((*row.point.friction).*part)[d];
+                           return ((*row.point.tangential).*part)[d];
                          }});
-  columns.push_back({"state", [](const Row &row) { return row.point.friction->state; }});
+  columns.push_back(
+    {"state", [](const Row &row) { return number_of(row.point.tangential->state); }});
 }
 
 template <int dim>
-Columns<ContactRow<dim>> contact_columns(const bool has_friction, const bool has_pairs,
+Columns<ContactRow<dim>> contact_columns(const bool has_tangential_part, const bool has_pairs,
                                          const bool has_directions) {
   using Row = ContactRow<dim>;
   Columns<Row> columns;
@@ -93,8 +100,8 @@ Columns<ContactRow<dim>> contact_columns(const bool has_friction, const bool has
     {dim == 2 ? "patch_length" : "patch_area",
      [](const Row &row) { return row.piece.patch_measure; }}};
   columns.insert(columns.end(), others.begin(), others.end());
-  if (has_friction)
-    add_friction_columns(columns);
+  if (has_tangential_part)
+    add_tangential_columns(columns);
   const auto add_across = [&](const std::string &name, const auto value) {
     columns.push_back({name + "_opposite", [value](const Row &row) {
                          const auto &across = row.point.across;
@@ -144,8 +151,8 @@ public:
       const Tensor<1, dim> closing = u[0][q] - u[1][q];
       point.u_n = closing * point.direction;
       point.g = pair.in(body_.scene).gap(point.x);
-      if (body_.P.has_friction())
-        point.friction = friction_at(piece, point, closing);
+      if (body_.P.has_tangential_part())
+        point.tangential = tangential_at(piece, point, closing);
       if (is_of_bodies)
         point.across = {across[q], u[1][q], u[1][q] * rule.normals[q]};
       if (condition.exact_pressure != nullptr)
@@ -156,18 +163,17 @@ public:
   }
 
 private:
-  FrictionPoint friction_at(const Piece<dim> &piece, const ContactPoint<dim> &at,
-                            Tensor<1, dim> slip) const {
+  TangentialPoint tangential_at(const Piece<dim> &piece, const ContactPoint<dim> &at,
+                                Tensor<1, dim> slip) const {
     const unsigned int patch = piece.patch;
     const ContactPair<dim> pair = PairedPiece<dim>(surface_, piece).in(body_.scene);
-    const auto &exact = body_.scene.boundary[pair.side()].exact_friction;
+    const auto &exact = body_.scene.boundary[pair.side()].exact_tangential;
     const Tensor<1, dim> &m = at.direction;
     const auto &[multipliers, P] = std::tie(body_.multipliers, body_.P);
-    const NodeState state = P.state(multipliers.nearest_node(patch, at.s));
-    FrictionPoint point;
+    TangentialPoint point;
     point.q_H = multipliers.value(P.values(), patch, at.s, 1);
     point.s_H = multipliers.value(bounds_, patch, at.s);
-    point.state = !state.presses ? 0 : state.slip == State::inside ? 1 : 2;
+    point.state = P.state(multipliers.nearest_node(patch, at.s));
     if (exact != nullptr)
       point.q_exact = exact->value(at.x);
     if constexpr (dim == 2)
@@ -252,9 +258,9 @@ static bool has_directions(const TracedContact<dim> &contact) {
 
 template <int dim>
 void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact) {
-  const bool has_friction = !contact.empty() && contact.front().rows.front().friction;
+  const bool has_tangential_part = !contact.empty() && contact.front().rows.front().tangential;
   const Columns<ContactRow<dim>> columns =
-    contact_columns<dim>(has_friction, has_pairs(contact), has_directions(contact));
+    contact_columns<dim>(has_tangential_part, has_pairs(contact), has_directions(contact));
   stream << "side," << csv_header(columns) << "\n";
   for (const ContactPiece<dim> &piece : contact)
     for (const ContactPoint<dim> &point : piece.rows)
@@ -264,8 +270,8 @@ void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact) 
 namespace {
 /** Adds a number in the plane, a vector in space. */
 template <int dim>
-void add_friction(const char *const name, const double number, const Tensor<1, 3> &vector,
-                  VtuFields &fields) {
+void add_vector(const char *const name, const double number, const Tensor<1, 3> &vector,
+                VtuFields &fields) {
   if (dim == 2)
     fields.emplace_back(name, number);
   else
@@ -281,11 +287,11 @@ static VtuFields common_fields(const ContactPoint<dim> &point) {
                       {"normal_displacement", point.u_n},
                       {"gap", point.g},
                       {"opening", point.g - point.u_n}};
-  if (const auto &friction = point.friction) {
-    add_friction<dim>("friction_traction", friction->q_H, friction->traction, fields);
-    fields.emplace_back("friction_limit", friction->s_H);
-    add_friction<dim>("slip", friction->slip, friction->slip_vector, fields);
-    fields.emplace_back("friction_state", friction->state);
+  if (const auto &part = point.tangential) {
+    add_vector<dim>("friction_traction", part->q_H, part->traction, fields);
+    fields.emplace_back("friction_limit", part->s_H);
+    add_vector<dim>("slip", part->slip, part->slip_vector, fields);
+    fields.emplace_back("friction_state", number_of(part->state));
   }
   return fields;
 }

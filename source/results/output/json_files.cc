@@ -51,14 +51,13 @@ static void to_json(Json &json, const ContactZone &zone) {
   json = {{"start", zone.start}, {"end", zone.end}, {"length", zone.length}};
 }
 
-static void to_json(Json &json, const FrictionSummary &friction) {
-  json = {
-    {"tangential_force", friction.tangential_force}, {"dissipation", friction.dissipation},
-    {"stick_length", friction.stick_length},         {"slip_length", friction.slip_length},
-    {"carried_share", friction.carried_share},       {"largest_share", friction.largest_share},
-    {"open_length", friction.open_length},           {"critical_factor", friction.critical_factor},
-    {"fixed_point_rate", friction.fixed_point_rate}, {"regular", friction.is_regular},
-    {"stick_zones", friction.stick_zones},           {"slip_zones", friction.slip_zones}};
+static void to_json(Json &json, const TangentialSummary &part) {
+  json = {{"tangential_force", part.tangential_force}, {"dissipation", part.dissipation},
+          {"stick_length", part.stick_length},         {"slip_length", part.slip_length},
+          {"carried_share", part.carried_share},       {"largest_share", part.largest_share},
+          {"open_length", part.open_length},           {"critical_factor", part.critical_factor},
+          {"fixed_point_rate", part.fixed_point_rate}, {"regular", part.is_regular},
+          {"stick_zones", part.stick_zones},           {"slip_zones", part.slip_zones}};
 }
 
 static void to_json(Json &json, const PressureMaximum &peak) {
@@ -181,9 +180,9 @@ void write_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
                {"seconds", summary.seconds}};
   for (std::size_t i = 0; i < answer.reports.size(); ++i)
     json["reports"].push_back(report_of(answer.reports[i], summary.reports[i], answer.dimension));
-  if (finest.friction) {
-    json["friction"] = *finest.friction;
-    json["friction"]["ratio"] = summary.friction_ratio;
+  if (finest.tangential) {
+    json["friction"] = *finest.tangential;
+    json["friction"]["ratio"] = summary.tangential_ratio;
   }
   if (answer.dimension == 3)
     json["contact_area"] = finest.contact.length;
@@ -206,7 +205,7 @@ Json describe(const LevelRecord &level, const Judge &judge) {
                {"linear_residual", level.linear.residual},
                {"rounding_error", rounding(level)},
                {"residual_bound", judge.residual_bound(level)},
-               {"unique", level.friction ? Json(nullptr) : Json(level.dual.unique)},
+               {"unique", level.tangential ? Json(nullptr) : Json(level.dual.unique)},
                {"contact_solver_replaced", level.dual.active_set_failure.has_value() ||
                                              level.dual.stalled.has_value() ||
                                              level.dual.failure_of_cycles.has_value()},

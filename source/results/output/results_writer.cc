@@ -181,7 +181,7 @@ void ResultsWriter::write_dual_problem(const Discretization<dim> &discretization
   write_vector("G", G);
   write_vector("F", dual.F);
   write_vector("P", contact.P.values());
-  if (contact.P.has_friction()) {
+  if (contact.P.has_tangential_part()) {
     const AdmissibleSet &K = discretization.K;
     dealii::Vector<double> s(K.n_normal()), c(K.n_normal());
     for (unsigned int k = 0; k < s.size(); ++k) {

@@ -35,8 +35,8 @@ std::string describe_boundary(const Scene<dim> &scene) {
   }
   if (!plates.empty())
     parts.push_back("plates " + join(plates, " "));
-  if (scene.friction != Friction::none)
-    parts.push_back("friction " + to_text(scene.friction));
+  if (scene.contact_law.has_tangential_part())
+    parts.push_back("friction " + scene.contact_law.name());
   if (scene.is_held_by_contact)
     parts.emplace_back("held by contact");
   return join(parts, "; ");

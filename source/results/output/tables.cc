@@ -16,10 +16,10 @@
 namespace Signorini {
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels) {
   Columns<LevelRecord> columns = level_columns();
-  for (const Column<FrictionSummary> &of_friction : FrictionSummary::columns())
-    if (levels.empty() || !levels.front().friction)
+  for (const Column<TangentialSummary> &tangential : TangentialSummary::columns())
+    if (levels.empty() || !levels.front().tangential)
       columns.erase(std::find_if(columns.begin(), columns.end(), [&](const auto &column) {
-        return column.name == of_friction.name;
+        return column.name == tangential.name;
       }));
   stream << csv_header(columns) << "\n";
   for (const LevelRecord &level : levels)
@@ -244,10 +244,10 @@ Columns<CaseResult> case_columns(const std::vector<CaseResult> &cases) {
   columns.push_back({"estimate", &Case::estimate});
   for (const Column<Case> &column : named_columns(cases, reactions_of, "reaction_", ""))
     columns.push_back(column);
-  if (std::any_of(cases.begin(), cases.end(), [](const Case &c) { return c.friction; })) {
+  if (std::any_of(cases.begin(), cases.end(), [](const Case &c) { return c.tangential; })) {
     columns.push_back({"level", &Case::level});
     add_factor("slide");
-    for (const Column<Case> &column : columns_of(&Case::friction))
+    for (const Column<Case> &column : columns_of(&Case::tangential))
       if (column.name != "q_l2" && column.name != "critical_friction_factor")
         columns.push_back(column);
   }

@@ -108,7 +108,7 @@ std::string check_dual_problem(const LevelRecord &level, const Judge &judge) {
        << " iterations with the KKT residual " << level.dual.kkt << ", above the tolerance "
        << tolerance;
   constexpr double hopeless = 1e-4;
-  if (level.friction && level.dual.kkt > hopeless)
+  if (level.tangential && level.dual.kkt > hopeless)
     text
       << ": it did not find where patches stick and slip, as happens with large coefficients of "
          "friction on fine meshes; take a smaller Friction coefficient, or a larger Target error "

@@ -96,7 +96,7 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
   Assert(!levels.empty(), ExcMessage("The accuracy is that of a level."));
   const LevelRecord &finest = levels.back();
   std::ostringstream text;
-  if (finest.friction && !finest.friction->is_regular.value_or(true))
+  if (finest.tangential && !finest.tangential->is_regular.value_or(true))
     text << "this is one of at least two solutions of the discrete problem; ";
   if (finest.sizes.is_graded() && !bound_of(finest)) {
     if (!finest.estimate)

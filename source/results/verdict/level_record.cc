@@ -76,9 +76,9 @@ void multiply(const double factor, Numbers &...numbers) {
 
 void multiply_forces(const double thickness, LevelRecord &record, std::vector<CaseResult> &cases) {
   Answer &answer = record.answer;
-  const auto multiply_friction = [&](std::optional<FrictionSummary> &friction) {
-    if (friction)
-      multiply(thickness, friction->tangential_force, friction->dissipation);
+  const auto multiply_tangential = [&](std::optional<TangentialSummary> &part) {
+    if (part)
+      multiply(thickness, part->tangential_force, part->dissipation);
   };
   multiply(thickness, record.contact.normal_force, record.certificate.energy,
            answer.contact_force.resultant.force, answer.contact_force.resultant.moment);
@@ -87,7 +87,7 @@ void multiply_forces(const double thickness, LevelRecord &record, std::vector<Ca
       multiply(thickness, force.resultant.force, force.resultant.moment);
   for (PlateRecord &plate : record.motions.plates)
     multiply(thickness, plate.force, plate.cross_force, plate.moment);
-  multiply_friction(record.friction);
+  multiply_tangential(record.tangential);
   if (record.bound)
     multiply(thickness, record.bound->energy_lower, record.bound->energy_upper,
              record.bound->force_error);
@@ -97,7 +97,7 @@ void multiply_forces(const double thickness, LevelRecord &record, std::vector<Ca
     result.contact.moment *= thickness;
     for (auto &[name, force] : result.reactions)
       force *= thickness;
-    multiply_friction(result.friction);
+    multiply_tangential(result.tangential);
   }
 }
 
@@ -137,7 +137,7 @@ Columns<LevelRecord> columns_of_parts() {
         columns_of(&LevelRecord::dual_norm_errors),
         Columns<LevelRecord>{{"endpoint_error", &LevelRecord::endpoint_error}},
         columns_of(&LevelRecord::lemmas), columns_of(&LevelRecord::bound),
-        columns_of(&LevelRecord::answer), columns_of(&LevelRecord::friction),
+        columns_of(&LevelRecord::answer), columns_of(&LevelRecord::tangential),
         columns_of(&LevelRecord::motions), columns_of(&LevelRecord::times),
         columns_of(&LevelRecord::resources)})
     all.insert(all.end(), columns.begin(), columns.end());

@@ -127,7 +127,7 @@ struct Generator {
 std::vector<Generator> generators_of(const AdmissibleSet &K) {
   std::vector<Generator> generators;
   for (unsigned int i = 0, n = K.n_normal(); i < n; ++i)
-    if (const double f = K.has_friction() ? K.coefficient(n + i) : 0.; f > 0.)
+    if (const double f = K.has_tangential_part() ? K.coefficient(n + i) : 0.; f > 0.)
       generators.insert(generators.end(), {{i, n + i, f}, {i, n + i, -f}});
     else
       generators.push_back({i, 0, 0.});
@@ -235,7 +235,7 @@ ReducedMotions::ReducedMotions(const FreeMotions &motions, const AdmissibleSet &
   projector.triple_product(free, seen, seen, true);
   K_without_rounding.triple_product(K, resisted, resisted);
   balances.K.triple_product(K_without_rounding, seen, seen, true);
-  const Vector left = admissible.has_friction() && !admissible.moves()
+  const Vector left = admissible.has_tangential_part() && !admissible.moves()
                         ? balance_in_intervals(projector, admissible, balances)
                         : balance(projector, admissible, balances);
   if (left.l2_norm() > noise) {
@@ -326,10 +326,10 @@ std::optional<Sliding> steady_sliding(const std::shared_ptr<const ComplianceOper
     others.Tvmult(rest.b, motions.b);
   }
   const MotionResult found = solve_dual_problem(C, moved, K, rest, {}, options);
-  sliding.friction = -(found.qp.P * slip);
+  sliding.resistance = -(found.qp.P * slip);
   // Where a patch does not slip, the body turns about it.
   const double limit = K.at(found.qp.P).dissipation(slip);
-  const bool slides = found.qp.converged && sliding.friction > (1. - 1e-9) * limit;
+  const bool slides = found.qp.converged && sliding.resistance > (1. - 1e-9) * limit;
   sliding.P = found.qp.P;
   return slides ? std::optional(sliding) : std::nullopt;
 }
@@ -366,7 +366,7 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   }
   result.q.reinit(k);
   result.qp.P.reinit(m);
-  const bool has_friction = K.has_friction();
+  const bool has_tangential_part = K.has_tangential_part();
   const bool nothing_happens = motions.b.all_zero() && FreeState{{}, F}.nothing_touches(K);
   const double stiffness = nothing_happens ? 1. : contact_stiffness(*C, motions.B);
   const ReducedMotions reduced(motions, K, stiffness);
@@ -378,7 +378,7 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
     all = -1.;
     return steady_sliding(C, F, K, motions, stiffness, options, all);
   };
-  if (reduced.escape && has_friction)
+  if (reduced.escape && has_tangential_part)
     result.sliding = slides_along_all();
   if (result.sliding && !result.sliding->lasts())
     result.sliding.reset();
@@ -393,7 +393,7 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
   result.qp =
     solve_dual_problem(C, F, K, needs_start ? on_springs(F, reduced.balances, stiffness) : start,
                        first, reduced.balances);
-  if (!result.qp.converged && has_friction) {
+  if (!result.qp.converged && has_tangential_part) {
     std::optional<Sliding> sliding = slides_along_all();
     if (!sliding) {
       // Sweeps follow the body while it slides along some of its contact sides.

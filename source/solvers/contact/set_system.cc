@@ -164,11 +164,11 @@ struct InvertedResistance {
  */
 void move_until_one_stops(const BoundConstrainedQP &qp, const States &states,
                           const FullMatrix<double> &free, Iterate &x) {
-  Vector friction(x.z.size()), motion(x.z.size()), slip(qp.size());
+  Vector pull(x.z.size()), motion(x.z.size()), slip(qp.size());
   for (unsigned int i = 0; i < qp.size(); ++i)
-    for (unsigned int j = 0; j < friction.size() && states[i] != State::inside; ++j)
-      friction[j] += qp.balances.B(i, j) * x.P[i];
-  free.vmult(motion, friction);
+    for (unsigned int j = 0; j < pull.size() && states[i] != State::inside; ++j)
+      pull[j] += qp.balances.B(i, j) * x.P[i];
+  free.vmult(motion, pull);
   qp.balances.B.vmult(slip, motion);
   const Vector W = qp.gradient(x.P, x.z);
   constexpr double rounding = 1e-10;
@@ -285,7 +285,7 @@ std::optional<Regularity> examine_regularity(const BoundConstrainedQP &qp, const
     regularity.fixed_point_rate = std::max(regularity.fixed_point_rate, std::abs(eigenvalue));
     if (eigenvalue.real() > 0. && std::abs(eigenvalue.imag()) <= rounding * eigenvalue.real()) {
       largest = std::max(largest, eigenvalue.real());
-      regularity.has_sign_of_no_friction ^= eigenvalue.real() > 1.;
+      regularity.keeps_sign ^= eigenvalue.real() > 1.;
     }
   }
   if (largest > 0.)

@@ -35,9 +35,9 @@ PointMotions with_forces_at_points(FreeMotions motions, const Discretization<2> 
   const unsigned int m = discretization.multipliers.n_multipliers(),
                      n = ends.size() * surface.pieces().size();
   const AdmissibleSet &K = discretization.K;
-  const bool has_friction = K.has_friction();
+  const bool has_tangential_part = K.has_tangential_part();
   TraceValues<2> traces(discretization.space);
-  motions.B.reinit(has_friction ? 2 * n : n, modes.size());
+  motions.B.reinit(has_tangential_part ? 2 * n : n, modes.size());
   Vector s(n), f(n);
   for (std::size_t i = 0; i < surface.pieces().size(); ++i) {
     const Piece<2> &piece = surface.pieces()[i];
@@ -46,18 +46,18 @@ PointMotions with_forces_at_points(FreeMotions motions, const Discretization<2> 
       const auto z = traces.displacement(surface, piece, rule, modes.Z[j]);
       for (std::size_t e = 0; e < ends.size(); ++e) {
         motions.B(ends.size() * i + e, j) = z[e] * rule.directions[e];
-        if (has_friction)
+        if (has_tangential_part)
           motions.B(n + ends.size() * i + e, j) =
             z[e] * direction_of(Component::tangential, rule.directions[e]);
       }
     }
-    for (std::size_t e = 0; has_friction && e < ends.size(); ++e) {
+    for (std::size_t e = 0; has_tangential_part && e < ends.size(); ++e) {
       s[ends.size() * i + e] = 0.5 * (piece.upper[0] - piece.lower[0]) * K[m + piece.patch].upper;
       f[ends.size() * i + e] = K.coefficient(m + piece.patch);
     }
   }
-  return {std::move(motions),
-          has_friction ? AdmissibleSet::with_friction(s, f) : AdmissibleSet::nonpositive(n)};
+  return {std::move(motions), has_tangential_part ? AdmissibleSet::with_tangential_part(s, f)
+                                                  : AdmissibleSet::nonpositive(n)};
 }
 
 /** Returns the largest diagonal entry of K; one if K has no positive entry. */
@@ -124,13 +124,14 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
 }
 
 /** Returns whether there is friction, and a larger coefficient would balance the loads. */
-bool friction_could_hold(const AdmissibleSet &K, const FreeMotions &motions) {
+bool larger_bound_could_hold(const AdmissibleSet &K, const FreeMotions &motions) {
   constexpr double large = 1e3;
-  if (!K.has_friction())
+  if (!K.has_tangential_part())
     return false;
   Vector s(K.n_normal()), f(K.n_normal());
   f = large;
-  return !ReducedMotions(motions, AdmissibleSet::with_friction(s, f), typical_stiffness(motions))
+  return !ReducedMotions(motions, AdmissibleSet::with_tangential_part(s, f),
+                         typical_stiffness(motions))
             .escape;
 }
 
@@ -154,10 +155,10 @@ bool friction_could_hold(const AdmissibleSet &K, const FreeMotions &motions) {
     unit /= discretization.surface.scene().geometry.thickness;
     throw InputError(
       parameters.boundary.where + ": the body slides " + along.direction() +
-      ": friction carries at most " + number_text(sliding->friction / unit) +
+      ": friction carries at most " + number_text(sliding->resistance / unit) +
       ", the loads pull with " + number_text(sliding->load / unit) + "; allowed: more friction" +
-      (sliding->friction > 0.
-         ? " (at least " + number_text(sliding->load / sliding->friction) + " times as much)"
+      (sliding->resistance > 0.
+         ? " (at least " + number_text(sliding->load / sliding->resistance) + " times as much)"
          : "") +
       ", loads that press the body onto the foundation, or "
       "more sides that hold it.");
@@ -169,7 +170,7 @@ bool friction_could_hold(const AdmissibleSet &K, const FreeMotions &motions) {
                      "act closer to the end of contact (the body would move " +
                      motion.direction() + "), allowed: a finer coarsest level.");
   }
-  const bool is_slippery = friction_could_hold(discretization.K, motions);
+  const bool is_slippery = larger_bound_could_hold(discretization.K, motions);
   throw InputError(
     parameters.boundary.where + ": the loads move the body " + motion.direction() + ", and no " +
     (is_slippery ? "pressure with so little friction" : "pressure of the foundation") +

@@ -96,7 +96,7 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters, const Scene<dim> &sc
                               MPI_Comm communicator)
   : n_coarse_cells_(scene.geometry.n_coarse_cells)
   , n_given_patches_(n_given_patches(scene))
-  , n_components_(scene.friction == Friction::none ? 1. : dim)
+  , n_components_(scene.contact_law.has_tangential_part() ? dim : 1.)
   , parameters_(parameters)
   , scene_(scene)
   , n_ranks_(Utilities::MPI::n_mpi_processes(communicator))

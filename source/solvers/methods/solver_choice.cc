@@ -50,8 +50,8 @@ bool may_iterate(const Parameters &parameters, const Scene<dim> &scene) {
   return solver_fits && discretization.strategy != Strategy::hp &&
          discretization.element == Element::q1 && discretization.patch_ratio > 1 &&
          n_given_patches(scene) == 0 && !parameters.output.compliance && scene.load_cases.empty() &&
-         scene.plates.empty() && !scene.is_held_by_contact && scene.friction == Friction::none &&
-         !scene.geometry.axisymmetric;
+         scene.plates.empty() && !scene.is_held_by_contact &&
+         !scene.contact_law.has_tangential_part() && !scene.geometry.axisymmetric;
 }
 } // namespace
 
@@ -82,7 +82,7 @@ template <int dim>
 bool is_shared(const Parameters &parameters, const Scene<dim> &scene, const SolverChoice &solvers,
                const unsigned int level, const unsigned int n_ranks) {
   const bool scene_fits =
-    scene.friction == Friction::none && scene.load_cases.empty() && scene.plates.empty() &&
+    !scene.contact_law.has_tangential_part() && scene.load_cases.empty() && scene.plates.empty() &&
     !scene.is_held_by_contact && scene.geometry.n_bodies() == 1 && !scene.has_pairs() &&
     scene.geometry.distortion == 0. && !parameters.output.compliance && !parameters.output.lemmas;
   // The bound needs the whole body.

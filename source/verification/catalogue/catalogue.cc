@@ -181,11 +181,11 @@ void set_condition(const Description<dim> &description, const Scene<dim> &scene,
     return;
   condition.data = description.function(description.text(side.name() + " gap", "Gap"));
   condition.exact_pressure = description.function(description.text(side.name() + " p", "Exact p"));
-  for (const auto &[law, bound] : description.pairs("Friction", ':')) {
-    condition.friction = description.function(bound);
+  for (const auto &limit : scene.contact_law.limits()) {
+    condition.*limit.data = description.function(description.pairs("Friction", ':')[0].second);
     const std::string moves = description.text("Moves");
     condition.shift = description.function(moves.empty() ? "0" : moves);
-    condition.exact_friction = description.function(description.text("Exact q"));
+    condition.exact_tangential = description.function(description.text("Exact q"));
   }
 }
 
@@ -214,7 +214,7 @@ Scene<dim> CatalogueEntry<dim>::make() const {
   scene.exact_displacement = parts.function(parts.text("Exact u"));
   scene.body_force = parts.function(parts.text("Load"));
   for (const auto &[law, bound] : parts.pairs("Friction", ':'))
-    scene.friction = law == "tresca" ? Friction::tresca : Friction::coulomb;
+    scene.contact_law = law == "tresca" ? Friction::tresca : Friction::coulomb;
   scene.boundary.resize(scene.geometry.sides.size());
   for (const auto &[role, sides] : parts.pairs("Boundary", ':'))
     for (const std::string &side : split_words(sides)) {

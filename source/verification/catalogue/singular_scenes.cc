@@ -63,14 +63,14 @@ const std::string hertz =
 const std::string stick_and_slip = power +
                                    "Gap       0\n"
                                    "With      w1 = 2*fr - Y*gi + s12*y; w2 = s22*y/3 - Y*gr\n";
-const std::string stick_by_tresca =
+const std::string stick_by_bound =
   stick_and_slip + "Friction  tresca: 1\n"
                    "Exact p   -1 - 3/4*sqrt(max(x-xi,0))\n"
                    "Exact q   -1 + 9/4*sqrt(max(xi-x,0))\n"
                    "With      gr = 3/4*re; gi = 3/4*im; e = 1/2; alpha = 0; s22 = -1; s12 = 1\n";
 /** With e = 1/2 - alpha/pi, Re F = 0 on the side of stick. The sign is 1 for slip away from the
  * zone of stick, -1 for slip towards it. */
-const std::string stick_by_coulomb =
+const std::string stick_by_pressure =
   stick_and_slip + at_root +
   "Friction  coulomb: 0.5\n"
   "Exact p   -2 - A*cos(alpha)*max(x-xi,0)^e\n"
@@ -155,10 +155,10 @@ std::vector<CatalogueEntry<2>> singular_scenes() {
        "Exact p   -sqrt(2)*max(xi-x,0)^0.25\n"
        "With      gr = -im; gi = re; e = 1/4; alpha = 0\n"},
     {"TS", "Tresca's friction: the true singularity between stick and slip",
-     stick_by_tresca + at_root},
-    {"TSq", "as TS, stick ends at x = 1/2", stick_by_tresca + at_half},
-    {"KS", "Coulomb's friction: slip away from the zone of stick", stick_by_coulomb + forwards},
-    {"KSr", "Coulomb's friction: slip towards the zone of stick", stick_by_coulomb + backwards},
+     stick_by_bound + at_root},
+    {"TSq", "as TS, stick ends at x = 1/2", stick_by_bound + at_half},
+    {"KS", "Coulomb's friction: slip away from the zone of stick", stick_by_pressure + forwards},
+    {"KSr", "Coulomb's friction: slip towards the zone of stick", stick_by_pressure + backwards},
     {"KO", "Coulomb's friction: sliding contact ends", sliding + forwards},
     {"KOr", "Coulomb's friction: sliding contact ends, the other direction", sliding + backwards},
     cattaneo_mindlin(false)};

@@ -26,12 +26,12 @@ const std::string of_a1 = "Gap       max(x-xi,0)^2 - 0.1*x*(1-x)\n"
                           "With      xi = 1/sqrt(2)\n";
 const std::string p_of_a1 = "Exact p   -10*max(xi-x,0)^3\n";
 
-const std::string with_friction = unit_square + lame_material + exact_load +
-                                  "Exact u   (V - y*(q + dx(U)))*(1-y^2);\n"
-                                  "          (U + y*(p - dx(V))/3)*(1-y^2)\n"
-                                  "With      U = 0.1*x*(1-x)\n";
-const std::string tresca = "Friction  tresca: s\n"
-                           "With      s = 0.5 + 0.3*x\n";
+const std::string tangential_part = unit_square + lame_material + exact_load +
+                                    "Exact u   (V - y*(q + dx(U)))*(1-y^2);\n"
+                                    "          (U + y*(p - dx(V))/3)*(1-y^2)\n"
+                                    "With      U = 0.1*x*(1-x)\n";
+const std::string given_bound = "Friction  tresca: s\n"
+                                "With      s = 0.5 + 0.3*x\n";
 const std::string full_contact = "Gap       -U\n"
                                  "Exact p   -2 - cos(pi*x)\n";
 const std::string ending_contact = "Gap       max(x-xi,0)^2 - U\n"
@@ -102,19 +102,19 @@ std::vector<CatalogueEntry<2>> smooth_scenes() {
              "With      pm = -10*max(xi-x,0)^3; m = 1+0.5*sin(2*x+y); s12 = m*(dy(u1) + dx(u2));\n"
              "          s11 = m*(3*dx(u1) + dy(u2)); s22 = m*(dx(u1) + 3*dy(u2))\n"},
           {"T1", "Tresca's friction: smooth stick, slip and opening",
-           with_friction + ending_contact + tresca + ending_stick},
+           tangential_part + ending_contact + given_bound + ending_stick},
           {"T2", "Tresca's friction: smooth stick and slip",
-           with_friction + full_contact + tresca + ending_stick + "Kinks     x = xs\n"},
+           tangential_part + full_contact + given_bound + ending_stick + "Kinks     x = xs\n"},
           {"T3", "Tresca's friction: slip everywhere",
-           with_friction + full_contact + tresca +
+           tangential_part + full_contact + given_bound +
              "Exact q   -s\n"
              "With      V = 0.1 + 0.05*sin(x)\n"},
           {"T4", "Tresca's friction: stick everywhere",
-           with_friction + full_contact + tresca +
+           tangential_part + full_contact + given_bound +
              "Exact q   0.4*cos(2*x)\n"
              "With      V = 0\n"},
           {"K1", "Coulomb's friction: smooth stick, slip and opening",
-           with_friction + ending_contact + ending_stick +
+           tangential_part + ending_contact + ending_stick +
              "Friction  coulomb: 0.3\n"
              "With      s = -0.3*p\n"},
           {"block on parabola",

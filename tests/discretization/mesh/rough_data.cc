@@ -127,8 +127,9 @@ double integral_on_bottom(const Scene<2> &scene) {
     const Point a(0.25 * i, 0.), b(0.25 * (i + 1), 0.);
     const dealii::Quadrature<1> rule = split_quadrature(gauss, scene.kinks.cut(a, b));
     for (unsigned int q = 0; q < rule.size(); ++q)
-      sum +=
-        0.25 * rule.weight(q) * scene.boundary[2].friction->value(a + rule.point(q)[0] * (b - a));
+      sum += 0.25 * rule.weight(q) *
+             (scene.boundary[2].*scene.contact_law.limits()[0].data)
+               ->value(a + rule.point(q)[0] * (b - a));
   }
   return sum;
 }

@@ -73,9 +73,9 @@ void test_references(Checks &checks) {
       checks.near(name, value, exact, 2e-10 * std::abs(exact));
     };
     digits("N", -record.contact.normal_force, expected.N);
-    digits("T", record.friction->tangential_force, expected.T);
+    digits("T", record.tangential->tangential_force, expected.T);
     digits("strain energy", E, expected.strain_energy);
-    digits("dissipation", record.friction->dissipation, expected.dissipation);
+    digits("dissipation", record.tangential->dissipation, expected.dissipation);
     checks.near("active sets", record.dual.iterations, expected.iterations, 0.);
     checks.between("KKT residual", record.dual.kkt, 0., 1e-13);
     checks.between("balance of dissipation", *record.certificate.dissipation_balance, 0., 1e-11);
@@ -110,8 +110,8 @@ void test_published(Checks &checks) {
     checks.near("SSNV128: published displacements",
                 4000. * displacement_at(level, found.contact.U, {x / 40., 0.})[0] / u_x, 1., 3e-3);
   checks.near("SSNV128: open, slip and stick",
-              {1. - found.record.friction->slip_length - found.record.friction->stick_length,
-               found.record.friction->slip_length, found.record.friction->stick_length},
+              {1. - found.record.tangential->slip_length - found.record.tangential->stick_length,
+               found.record.tangential->slip_length, found.record.tangential->stick_length},
               {5. / 64., 43. / 64., 16. / 64.}, 1e-12);
 }
 
@@ -191,7 +191,7 @@ void test_free_bodies(Checks &checks) {
   for (const Entries &friction : {coulomb("0.5"), tresca("0.004")}) {
     const LevelRecord record = block(shallow, friction).record;
     checks.near("block on an incline: T/N",
-                record.friction->tangential_force / record.contact.normal_force, -0.4, 1e-12);
+                record.tangential->tangential_force / record.contact.normal_force, -0.4, 1e-12);
     checks.between("block on an incline: KKT residual", record.dual.kkt, 0., 1e-13);
     checks.between("block on an incline: balance", record.certificate.motion_balance, 0., 1e-12);
   }
@@ -221,7 +221,7 @@ void test_free_bodies(Checks &checks) {
                               "the body slides along (1, 0): friction carries at most 0.0028",
                               [&]() { squeezed("0.3", solver); });
     checks.near("squeezed, " + solver + ": it sticks",
-                squeezed("1.5", solver).record.friction->tangential_force, -0.01, 1e-8);
+                squeezed("1.5", solver).record.tangential->tangential_force, -0.01, 1e-8);
   }
   // The cone of patches where f is large could carry the loads, but the body presses elsewhere.
   checks.throws<InputError>(
@@ -253,9 +253,9 @@ void test_limit_of_sliding(Checks &checks) {
   for (const std::string f : {"0.2001", "0.202", "0.205", "0.207"}) {
     const LevelRecord record = block(f);
     checks.about("limit of sliding, f = " + f);
-    checks.near("T, N", {record.friction->tangential_force, record.contact.normal_force},
+    checks.near("T, N", {record.tangential->tangential_force, record.contact.normal_force},
                 {-0.6, 3.}, 1e-10);
-    checks.near("stick and slip", {record.friction->stick_length, record.friction->slip_length},
+    checks.near("stick and slip", {record.tangential->stick_length, record.tangential->slip_length},
                 {0.125, 2.875}, 1e-12);
     checks.between("linear systems", record.dual.iterations, 1., 100.);
     checks.between("KKT residual", record.dual.kkt, 0., 1e-12);
@@ -263,11 +263,11 @@ void test_limit_of_sliding(Checks &checks) {
   }
   const LevelRecord swept = block("0.205", "psor");
   checks.between("limit of sliding, psor: balance", swept.certificate.motion_balance, 0., 1e-8);
-  checks.near("limit of sliding, psor: stick", swept.friction->stick_length, 0.125, 1e-12);
+  checks.near("limit of sliding, psor: stick", swept.tangential->stick_length, 0.125, 1e-12);
   checks.throws<InputError>("below the limit of sliding",
                             "friction carries at most 0.5997, the loads pull with 0.6",
                             [&]() { block("0.1999"); });
-  checks.near("at the limit of sliding", block("0.2").friction->tangential_force, -0.6, 1e-9);
+  checks.near("at the limit of sliding", block("0.2").tangential->tangential_force, -0.6, 1e-9);
 }
 
 /**
@@ -288,7 +288,7 @@ void test_three_solutions(Checks &checks) {
     for (unsigned int k = 0; k < m; ++k)
       F[m + k] += 0.1 * lengths[k];
     return BoundConstrainedQP(
-      C, F, AdmissibleSet::with_friction(dealii::Vector<double>(m), coefficients));
+      C, F, AdmissibleSet::with_tangential_part(dealii::Vector<double>(m), coefficients));
   };
   dealii::Vector<double> slip(2 * m);
   for (unsigned int k = 0; k < 2 * m; ++k)
@@ -316,7 +316,7 @@ void test_three_solutions(Checks &checks) {
     double N = 0.;
     for (unsigned int i = 0; i < m; ++i)
       N += result.P[i] * lengths[i];
-    found[std::lround(1e6 * N)] = {N, examine_regularity(qp, result.P)->has_sign_of_no_friction};
+    found[std::lround(1e6 * N)] = {N, examine_regularity(qp, result.P)->keeps_sign};
   }
   std::vector<double> forces;
   std::vector<bool> signs;
@@ -345,7 +345,7 @@ void test_glued(Checks &checks) {
     const Certificate &certificate = found.record.certificate;
     checks.near("P_t", distance(found.contact.P.tangential()[0], one.contact.P.tangential()[0]), 0.,
                 1e-12);
-    checks.near("dissipation", found.record.friction->dissipation, 0., 0.);
+    checks.near("dissipation", found.record.tangential->dissipation, 0., 0.);
     checks.between("balance of dissipation", *certificate.dissipation_balance, 0., 1e-11);
     checks.between("bipotential gap", certificate.complementarity, 0., 1e-11);
     checks.between("duality gap", certificate.duality_gap, 0., 1e-11);
@@ -363,7 +363,7 @@ void test_loads_in_balance(Checks &checks) {
   for (const std::string f : {"0.5", "0.1"})
     for (const unsigned int level : {2, 4}) {
       const LevelSolution<2> found = OneLevel(held + f, level).solve();
-      checks.near("loads on rollers: T", found.record.friction->tangential_force, 0., 1e-15);
+      checks.near("loads on rollers: T", found.record.tangential->tangential_force, 0., 1e-15);
       checks.between("loads on rollers: KKT residual", found.record.dual.kkt, 0., 1e-12);
     }
   // It has not arrived, or it just touches.

@@ -61,7 +61,7 @@ void check_scene(Checks &checks, const Expectation &expected, const bool is_know
     checks.near("T", last(found, "tangential_force"), expected.tangential_force, small);
   if (!std::isnan(expected.dissipation))
     checks.near("dissipation", last(found, "dissipation"), expected.dissipation, small);
-  const FrictionSummary &friction = *found.levels.back().friction;
+  const TangentialSummary &friction = *found.levels.back().tangential;
   if (expected.scene == "TS" || expected.scene == "KS") {
     const ZoneEnd &end = friction.stick_zones.at(0).end;
     checks.near("stick ends at 1/sqrt(2)", end.at.arc_length, xi, 2. * end.uncertainty);
@@ -97,7 +97,7 @@ void test_limit_of_levels(Checks &checks) {
  * that slip have to stay exactly at their bounds. */
 void test_free_body(Checks &checks) {
   const StudyResult<2> found = solve_scene("sliding_block", "1e-3");
-  const FrictionSummary &friction = *found.levels.back().friction;
+  const TangentialSummary &friction = *found.levels.back().tangential;
   checks.near("zones of stick and slip",
               {double(friction.stick_zones.size()), double(friction.slip_zones.size())}, {1., 1.},
               0.);
@@ -111,7 +111,7 @@ void check_sticking(Checks &checks, const std::string &scene) {
   checks.between("KKT residual", finest.dual.kkt, 0., 1e-13);
   // Slip needs a pressure that is small there.
   checks.between("dissipation over energy",
-                 finest.friction->dissipation / std::abs(finest.certificate.energy), 0., 0.05);
+                 finest.tangential->dissipation / std::abs(finest.certificate.energy), 0., 0.05);
 }
 
 /** Strongly sheared bodies with stick almost without limit: Newton's sets come back or wander, and

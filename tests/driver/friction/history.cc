@@ -70,30 +70,30 @@ void test_steps(Checks &checks) {
   CaseSolver steps = make_solver(level, solution, true),
              cases = make_solver(level, solution, false);
   const CaseResult first = steps.solve(step(1.)), alone = cases.solve(step(1.));
-  checks.near("the first step is a case", first.friction->tangential_force,
-              alone.friction->tangential_force, 1e-13);
-  checks.near("and that of the level", first.friction->tangential_force,
-              solution.record.friction->tangential_force, 1e-12);
+  checks.near("the first step is a case", first.tangential->tangential_force,
+              alone.tangential->tangential_force, 1e-13);
+  checks.near("and that of the level", first.tangential->tangential_force,
+              solution.record.tangential->tangential_force, 1e-12);
   const CaseResult again = steps.solve(step(1.));
   checks.near("the same loads again: no slip",
-              {again.friction->tangential_force, again.friction->dissipation},
-              {first.friction->tangential_force, first.friction->dissipation}, 1e-13);
+              {again.tangential->tangential_force, again.tangential->dissipation},
+              {first.tangential->tangential_force, first.tangential->dissipation}, 1e-13);
   const CaseResult far = steps.solve(step(20.));
-  checks.near("far away all slips", far.friction->slip_length + far.friction->open_length, 2.,
+  checks.near("far away all slips", far.tangential->slip_length + far.tangential->open_length, 2.,
               1e-12);
-  checks.near("T = f N", far.friction->tangential_force, 0.3 * far.contact.force[1], 1e-12);
+  checks.near("T = f N", far.tangential->tangential_force, 0.3 * far.contact.force[1], 1e-12);
   const CaseResult back = steps.solve(step(-20.));
-  checks.near("and back", back.friction->tangential_force, -0.3 * back.contact.force[1], 1e-12);
-  checks.that("dissipation grows", back.friction->dissipation > far.friction->dissipation &&
-                                     far.friction->dissipation > first.friction->dissipation);
+  checks.near("and back", back.tangential->tangential_force, -0.3 * back.contact.force[1], 1e-12);
+  checks.that("dissipation grows", back.tangential->dissipation > far.tangential->dissipation &&
+                                     far.tangential->dissipation > first.tangential->dissipation);
   const CaseResult home = steps.solve(step(0.)), rest = cases.solve(step(0.));
   checks.that("the way matters",
               std::abs(home.friction->tangential_force - rest.friction->tangential_force) > 1e-4);
   // The obstacle, moved by 0.01 along the side, acts like a shift of 0.01.
   LoadCase moved = step(0.);
   moved.shift_x = 0.01;
-  checks.near("a moved obstacle drags", cases.solve(moved).friction->tangential_force,
-              alone.friction->tangential_force, 1e-12);
+  checks.near("a moved obstacle drags", cases.solve(moved).tangential->tangential_force,
+              alone.tangential->tangential_force, 1e-12);
 }
 
 /** Cattaneo and Mindlin by force: under Q the part sqrt(1 - Q/(f N)) of the zone sticks, every
@@ -119,13 +119,13 @@ void test_fretting_by_force(Checks &checks) {
   solve_at(0.);
   const CaseResult first = solve_at(1.);
   // A patch is 1/32 long, and each end of a zone is known within one.
-  checks.near("fretting: stick", first.friction->stick_length, first.zone_length * std::sqrt(0.4),
+  checks.near("fretting: stick", first.tangential->stick_length, first.zone_length * std::sqrt(0.4),
               1. / 32);
   solve_at(-1.);
   const CaseResult last = solve_at(1.);
   checks.near("fretting: the cycle closes", last.plates[0].drift / first.plates[0].drift, 1., 0.02);
   checks.that("fretting: each cycle costs work",
-              last.friction->dissipation > 2. * first.friction->dissipation);
+              last.tangential->dissipation > 2. * first.tangential->dissipation);
 }
 
 /** Steps that only stick are one step; small steps in one direction are one step in plain slip. */

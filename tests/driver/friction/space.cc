@@ -95,7 +95,7 @@ void test_patch(Checks &checks) {
       const Displacement exact =
         interpolate_at_nodes(level.discretization.space, *level.scene.exact_displacement);
       checks.near("patch test: u", distance(level.found.contact.U, exact), 0., 1e-12);
-      checks.near("patch test: T", level.found.record.friction->tangential_force, q, 1e-12);
+      checks.near("patch test: T", level.found.record.tangential->tangential_force, q, 1e-12);
       const dealii::Vector<double> P = level.found.contact.P.values();
       for (unsigned int k = 0; k < level.m; ++k)
         checks.near("patch test: |P_n|, |P_t|", {P[k], level.tangential(P, k).norm()}, {-0.375, q},
@@ -138,16 +138,16 @@ void test_plane_strain(Checks &checks) {
                   0.03);
       // Per thickness of 1/2.
       checks.near("N, |T|, dissipation, energy, stick, slip",
-                  {2. * found.contact.normal_force, 2. * found.friction->tangential_force,
-                   2. * found.friction->dissipation, 2. * found.certificate.energy,
-                   2. * found.friction->stick_length, 2. * found.friction->slip_length},
-                  {record.contact.normal_force, std::abs(record.friction->tangential_force),
-                   record.friction->dissipation, record.certificate.energy,
-                   record.friction->stick_length, record.friction->slip_length},
+                  {2. * found.contact.normal_force, 2. * found.tangential->tangential_force,
+                   2. * found.tangential->dissipation, 2. * found.certificate.energy,
+                   2. * found.tangential->stick_length, 2. * found.tangential->slip_length},
+                  {record.contact.normal_force, std::abs(record.tangential->tangential_force),
+                   record.tangential->dissipation, record.certificate.energy,
+                   record.tangential->stick_length, record.tangential->slip_length},
                   1e-9);
-      checks.that("all states", record.friction->stick_length > 0. &&
-                                  record.friction->slip_length > 0. &&
-                                  record.friction->open_length > 0.);
+      checks.that("all states", record.tangential->stick_length > 0. &&
+                                  record.tangential->slip_length > 0. &&
+                                  record.tangential->open_length > 0.);
     }
   }
 }
@@ -188,7 +188,7 @@ void test_torsion(Checks &checks) {
       checks.near("symmetry: P_t", (in_space(l) - dealii::Tensor<1, 3>({-q[1], q[0], 0.})).norm(),
                   0., 1e-11 * size);
     }
-  checks.near("no resultant", record.friction->tangential_force, 0., 1e-12);
+  checks.near("no resultant", record.tangential->tangential_force, 0., 1e-12);
   const auto &moment = record.answer.contact_force.resultant;
   checks.that("friction resists the turn",
               moment.moment[2] - 0.5 * (moment.force[1] - moment.force[0]) < -1e-3);

@@ -34,7 +34,7 @@ LevelRecord level_without_bound(const std::string &scene, const std::string &par
 void known_solutions(Checks &checks) {
   for (const CatalogueEntry<2> &scene : checks.rows(catalogue<2>(), 6))
     if (scene.name != "D1" && scene.name != "block on parabola" &&
-        scene.make().friction == Friction::none)
+        !scene.make().contact_law.has_tangential_part())
       for (const std::string partition : {"Patch ratio=2", "Patches=8"})
         checks.between(scene.name + ", " + partition,
                        *value(level_without_bound(scene.name, partition, 5), "effectivity_energy"),

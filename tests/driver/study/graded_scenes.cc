@@ -50,7 +50,7 @@ void check_catalogue(Checks &checks) {
   // B1t is B1 with another end of contact.
   for (const CatalogueEntry<2> &scene : catalogue<2>())
     if (scene.name != "block on parabola" && scene.name != "A1L" && scene.name != "B1t" &&
-        scene.make().friction == Friction::none)
+        !scene.make().contact_law.has_tangential_part())
       scenes.push_back(scene.name);
   for (const std::string &scene : checks.rows(scenes, 3)) {
     checks.about(scene);

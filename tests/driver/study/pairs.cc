@@ -134,7 +134,7 @@ void test_friction(Checks &checks) {
   checks.near("Tresca: q", std::vector<double>(q.begin(), q.end()),
               {-9.6467707722e-04, -5.1209931991e-03, -6e-3, -6e-3, -6e-3, -6e-3}, 1e-11);
   checks.near("Tresca: T and work",
-              {tresca.record.friction->tangential_force, tresca.record.friction->dissipation},
+              {tresca.record.tangential->tangential_force, tresca.record.tangential->dissipation},
               {-1.0028556759e-02, 1.0499019187e-05}, 1e-11);
   const LevelSolution<2> coulomb =
     OneLevel(dragged(cells, "a: 1 | b: 4",

@@ -185,7 +185,7 @@ void check_far_ring(Checks &checks) {
               last(plane, "contact_force_n"), 1e-6);
   checks.near("energy", last(ring, "energy") / circumference, last(plane, "energy"), 1e-7);
   const auto friction_of = [](const StudyResult<2> &result) {
-    return result.levels.back().friction->tangential_force;
+    return result.levels.back().tangential->tangential_force;
   };
   checks.near("friction", friction_of(ring) / circumference, friction_of(plane), 1e-6);
   checks.between("share of friction", friction_of(plane) / last(plane, "contact_force_n"), 0.1,

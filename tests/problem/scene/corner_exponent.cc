@@ -115,7 +115,7 @@ private:
     std::array<std::array<Complex, 4>, 2> chosen = {{m[numbers[0]], m[numbers[1]]}};
     if (edge.support == sliding)
       for (unsigned int j = 0; j < 4; ++j)
-        chosen[1][j] += edge.friction * m[2][j];
+        chosen[1][j] += edge.ratio * m[2][j];
     return chosen;
   }
   Complex with_one(const Complex lambda) const {

@@ -151,9 +151,9 @@ void test_friction(Checks &checks) {
     "Contact/Friction coefficient=0.3", "Contact/Foundation shift=0.01"};
   std::vector<std::string> without = settings;
   without.emplace_back("Contact/Friction=none");
-  checks.that("a capital", scene(settings).friction == Friction::coulomb);
-  checks.that("none overrides", scene(without).friction == Friction::none &&
-                                  condition(scene(without), "bottom").friction == nullptr);
+  checks.that("a capital", scene(settings).contact_law.name() == "coulomb");
+  checks.that("none overrides", !scene(without).contact_law.has_tangential_part() &&
+                                  condition(scene(without), "bottom").coefficient == nullptr);
 }
 } // namespace
 

@@ -47,7 +47,7 @@ void convergence_csv(Checks &checks) {
   std::vector<LevelRecord> levels = two_levels();
   write_convergence_csv(without_friction, levels);
   checks.that("no friction", without_friction.str().find("dissipation") == std::string::npos);
-  levels.front().friction.emplace();
+  levels.front().tangential.emplace();
   write_convergence_csv(stream, levels);
   const std::string text = stream.str();
   std::vector<std::string> names;

@@ -62,11 +62,11 @@ void doubts(Checks &checks) {
   level.dual.iterations = 7;
   doubt("the active set method stopped after 7 iterations with the KKT residual 1e-09, above the "
         "tolerance 1e-10: raise Tolerance or Maximum iterations, or take Contact solver = psor.");
-  level.friction.emplace();
+  level.tangential.emplace();
   level.dual.kkt = 0.1;
   doubt("the active set method stopped after 7 iterations with the KKT residual 0.1, above the "
         "tolerance 1e-10: it did not find where patches stick and slip");
-  level.friction.reset();
+  level.tangential.reset();
   level.dual.method = ContactSolver::psor;
   doubt("projected SOR stopped after 7");
   checks.that("remedy", judge.doubt(level).find("Relaxation") != std::string::npos);

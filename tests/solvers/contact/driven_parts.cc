@@ -146,9 +146,9 @@ void test_fretting_by_force(Checks &checks) {
                             "Contact/Friction = coulomb\nContact/Friction coefficient = 0.5\n"
                             "Load/Plate force = top: 0.02\nLoad/Plate cross force = top: T\n";
   const LevelRecord held = solve("Constants/Values = T=0.006\n" + block).levels.back();
-  checks.near("fretting: friction carries the force", std::abs(held.friction->tangential_force),
+  checks.near("fretting: friction carries the force", std::abs(held.tangential->tangential_force),
               0.006, 1e-10);
-  checks.near("fretting: its share", held.friction->carried_share, 0.6, 1e-8);
+  checks.near("fretting: its share", held.tangential->carried_share, 0.6, 1e-8);
   checks.throws<InputError>("more than f N", "slides",
                             [&]() { solve("Constants/Values = T=0.0101\n" + block); });
 }

@@ -66,8 +66,8 @@ const Problem disc = {"slips", {{3, 1, 0}, {1, 2, 1}, {0, 1, 4}}, {-2.4, 4, 7.8}
 void solve_in_space(Checks &checks) {
   dealii::Vector<double> one(1), none(1);
   one = 1.;
-  for (const AdmissibleSet &K :
-       {AdmissibleSet::with_friction(one, none, 2), AdmissibleSet::with_friction(none, one, 2)}) {
+  for (const AdmissibleSet &K : {AdmissibleSet::with_tangential_part(one, none, 2),
+                                 AdmissibleSet::with_tangential_part(none, one, 2)}) {
     const BoundConstrainedQP qp = make_qp(disc, K);
     for (const QPResult &result :
          {solve_by_psor(qp, {}, {1e-12, 1000, 1.1}), solve_by_active_set(qp, {}, {1e-12, 1000})}) {

@@ -47,8 +47,8 @@ public:
   /** Returns the set of contact with friction for P_n = 0. @param s, f of every multiplier. Where a
    * polynomial that is close to one of them is negative, it is zero. @param n_tangents the number
    * of components of P_t, one or two. */
-  static AdmissibleSet with_friction(const Vector &s, const Vector &f,
-                                     const unsigned int n_tangents = 1) {
+  static AdmissibleSet with_tangential_part(const Vector &s, const Vector &f,
+                                            const unsigned int n_tangents = 1) {
     AdmissibleSet K = nonpositive(s.size());
     for (const double bound : s)
       K.intervals_.push_back({-std::max(0., bound), std::max(0., bound)});
@@ -63,7 +63,7 @@ public:
   unsigned int n_normal() const {
     return n_normal_;
   }
-  bool has_friction() const {
+  bool has_tangential_part() const {
     return n_normal_ < n_blocks();
   }
   /** Returns whether this is {P ≤ 0}. */

@@ -54,7 +54,7 @@ public:
   }
   /** Returns the components of P_t, one in the plane and two in space; none without friction. */
   std::vector<Pressure> tangential() const;
-  bool has_friction() const {
+  bool has_tangential_part() const {
     return values_.size() > normal_.size();
   }
   /** Returns K(P), which does not move. */
@@ -95,7 +95,7 @@ Tensor<1, dim> tangential_traction(const MultiplierSpace<dim> &space, const Mult
                                    const unsigned int patch, const Point<dim - 1> &s,
                                    const Tensor<1, dim> &normal) {
   Tensor<1, dim> q;
-  for (unsigned int c = 0; multiplier.has_friction() && c < dim - 1; ++c)
+  for (unsigned int c = 0; multiplier.has_tangential_part() && c < dim - 1; ++c)
     q +=
       space.value(multiplier.values(), patch, s, c + 1) * direction_of(tangents<dim>()[c], normal);
   return q;

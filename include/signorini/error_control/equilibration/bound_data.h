@@ -20,8 +20,8 @@ struct BoundData : Solved<2> {
   EnergyScale scale;
   const Coupling &condensed_D;
 
-  bool has_friction() const {
-    return P.has_friction();
+  bool has_tangential_part() const {
+    return P.has_tangential_part();
   }
 };
 } // namespace Signorini

@@ -26,7 +26,8 @@ bool is_carrier(const Scene<2> &scene, unsigned int side);
 Point<2> point_of_data(const Scene<2> &scene, unsigned int side, const Point<2> &x);
 
 /** Returns the bound of |τ_t| at a point of a carrier with the normal traction @p tau_n. */
-double friction_bound_at(const Scene<2> &scene, unsigned int side, const Point<2> &x, double tau_n);
+double tangential_bound_at(const Scene<2> &scene, unsigned int side, const Point<2> &x,
+                           double tau_n);
 
 /** A piece on a face of the mesh: the number of the face, and its own parameters at
  * Piece::lower and Piece::upper. */

@@ -43,7 +43,7 @@ private:
    * admissible ones. @param states of the patches. */
   std::map<unsigned int, bool> edges_inside(const std::vector<NodeState> &states,
                                             Component component) const;
-  void give_friction(const std::vector<NodeState> &of_patches);
+  void give_tangential_part(const std::vector<NodeState> &of_patches);
   /** Returns the coefficients of Legendre's polynomials of p_H (component 0) or q_H on an edge. */
   std::vector<double> projection_of(unsigned int edge, unsigned int component) const;
   /** Sets τ_n of an edge to p_H, without positive coefficients of Bernstein. */
@@ -51,10 +51,10 @@ private:
   /** Sets τ_t to q_H, between the bounds of friction; where the edge slips, to one of them. */
   void rub_by_multipliers(unsigned int edge);
   /** Returns the bound of friction at the position @p s. */
-  double friction_bound(unsigned int edge, double s) const;
+  double tangential_bound(unsigned int edge, double s) const;
   /** Returns the coefficients of Bernstein of a polynomial that is close to this, and not above it
    * at samples. Notes the edge where it is far below. */
-  std::vector<double> lower_friction_bound(unsigned int edge);
+  std::vector<double> lower_tangential_bound(unsigned int edge);
   bool is_admissible(unsigned int edge, unsigned int component) const;
 
   const BoundData &data_;

@@ -40,7 +40,7 @@ struct CaseResult {
   /** The motions of the plates, one for each. */
   std::vector<PlateMotion> plates;
   /** Friction, if the scene has it; in steps its dissipation is that since the beginning. */
-  std::optional<FrictionSummary> friction;
+  std::optional<TangentialSummary> tangential;
   /** The estimated relative error in the energy norm, where it is wanted. */
   std::optional<double> estimate;
   /** The forces of clamped, prescribed and roller sides on the body, "left_x", ... (force per
@@ -104,7 +104,7 @@ private:
   /** Returns G. */
   dealii::Vector<double> gap_of(const LoadCase &load_case) const;
   /** Summarises friction, and remembers the slip of a step. */
-  FrictionSummary finish_step(const dealii::Vector<double> &F);
+  TangentialSummary finish_step(const dealii::Vector<double> &F);
   /** Returns the loads of a case. */
   DualVector loads_of(const LoadCase &load_case) const;
   /** Returns whether the loads of a case drive a motion that contact does not resist. */

@@ -11,7 +11,7 @@
 namespace Signorini {
 /** Friction on one level (force per thickness, work per thickness, lengths; in space force, work,
  * areas). */
-struct FrictionSummary {
+struct TangentialSummary {
   /** The force ∫ p_t along the tangents of the sides; in space the norm of the vector ∫ p_t. */
   double tangential_force = 0.;
   /** The work Σ s |w_t| of friction on the slip w_t = D_tᵀ U - G_t. */
@@ -35,11 +35,12 @@ struct FrictionSummary {
   /** The error ‖q - q_H‖_{0,Γ_c}; empty where q is not known. */
   std::optional<double> l2_error;
 
-  static Columns<FrictionSummary> columns();
+  static Columns<TangentialSummary> columns();
 };
 
 /** Summarises friction. @param W the vector Dᵀ U - G. */
 template <int dim>
-FrictionSummary summarise_friction(const MultiplierSpace<dim> &space, const Multiplier &multiplier,
-                                   const dealii::Vector<double> &W);
+TangentialSummary summarise_tangential_part(const MultiplierSpace<dim> &space,
+                                            const Multiplier &multiplier,
+                                            const dealii::Vector<double> &W);
 } // namespace Signorini

@@ -118,7 +118,7 @@ struct ContactParameters {
   Given<std::string> foundation;
   Given<std::string> foundation_position{"0, 0"};
   Given<ContactDirection> direction{ContactDirection::foundation};
-  Given<Friction> friction{Friction::none};
+  Given<Friction> law{Friction::none};
   Given<std::string> friction_coefficient;
   Given<std::string> friction_bound;
   Given<std::string> foundation_shift;

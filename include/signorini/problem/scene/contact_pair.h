@@ -53,8 +53,10 @@ public:
     return data().shift == nullptr ? 0. : data().shift->value(x, component);
   }
   /** Returns the bound s of |q| at a point with the traction @p p along the direction of contact.
-   * The scene has friction. */
-  double friction_bound(const Point<dim> &x, double p) const;
+   * Infinite without friction. */
+  double bound(const Point<dim> &x, const double p) const {
+    return scene_.contact_law.bound(data(), x, p);
+  }
 
 private:
   const BoundaryCondition<dim> &data() const {

@@ -81,13 +81,13 @@ struct BoundaryCondition {
   std::shared_ptr<const Foundation> foundation = nullptr;
   /** The directions of contact, in 2-D. Load cases that move the foundation keep them. */
   ContactDirections directions = {};
-  /** With friction: Coulomb's coefficient f or Tresca's bound s, and the tangential motion g_t of
-   * the foundation, empty where it rests: in the plane along t, in space a vector whose tangential
-   * part counts. The tangent t is m turned counter-clockwise. */
-  FunctionPointer<dim> friction = nullptr;
+  /** The functions f and s of the limits of the law, and the tangential motion g_t of the
+   * foundation, empty where it rests: in the plane along t, in space a vector whose tangential part
+   * counts. The tangent t is m turned counter-clockwise. */
+  FunctionPointer<dim> coefficient = nullptr, bound = nullptr;
   FunctionPointer<dim> shift = nullptr;
   /** The exact tangential traction q = σn·t of a contact side, if known. */
-  FunctionPointer<dim> exact_friction = nullptr;
+  FunctionPointer<dim> exact_tangential = nullptr;
 };
 
 /** Problem (1): a body, its material, its supports, its loads and its foundation. */
@@ -110,7 +110,7 @@ struct Scene {
   /** Other loads for which the finest level is solved, too. */
   std::vector<LoadCase> load_cases;
   /** The law of friction of all contact sides. */
-  Friction friction = Friction::none;
+  FrictionLaw<dim> contact_law;
   std::shared_ptr<const Material<dim>> material;
   /** The body force f of (1), dim components; empty means zero. */
   FunctionPointer<dim> body_force;

@@ -19,7 +19,7 @@ struct EdgeCondition {
   EdgeSupport support = EdgeSupport::free;
   /** With Coulomb's friction on a sliding edge the ratio q/p of tractions along the tangent, which
    * is the outward normal turned counter-clockwise, and along the normal; else zero. */
-  double friction = 0.;
+  double ratio = 0.;
 };
 
 /** A part of a wedge with one isotropic material. */

@@ -11,21 +11,21 @@
 #include <vector>
 
 namespace Signorini {
-/** Friction at one point. */
-struct FrictionPoint {
+/** The tangential part at one point. */
+struct TangentialPoint {
   /** The tangential traction q_H, and the largest one that is allowed; in space |q_H|. */
   double q_H = 0., s_H = 0.;
   /** The slip u_t - g_t (length); in space its norm. */
   double slip = 0.;
-  /** 0: open, 1: it sticks, 2: it slips. */
-  int state = 0;
+  /** The state of the nearest node. */
+  NodeState state = {};
   std::optional<double> q_exact = {};
   /** The same as vectors in space; empty in the plane. */
   Tensor<1, 3> traction = {}, slip_vector = {};
 
   template <typename Archive>
   void serialize(Archive &archive, unsigned int) {
-    archive &q_H &s_H &slip &state &traction &slip_vector;
+    archive &q_H &s_H &slip &state.presses &state.slip &traction &slip_vector;
     archive_optional(archive, q_exact);
   }
 };
@@ -59,14 +59,14 @@ struct ContactPoint {
   double u_n = 0.;
   double g = 0.;
   std::optional<double> p_exact;
-  std::optional<FrictionPoint> friction;
+  std::optional<TangentialPoint> tangential;
   std::optional<PointAcross<dim>> across;
 
   template <typename Archive>
   void serialize(Archive &archive, unsigned int) {
     archive &s &x &p_H &p_recovered &u &direction &u_n &g;
     archive_optional(archive, p_exact);
-    archive_optional(archive, friction);
+    archive_optional(archive, tangential);
     archive_optional(archive, across);
   }
 };

@@ -101,7 +101,7 @@ struct LevelRecord {
   ContactSummary contact;
   Answer answer;
   /** Friction, if the scene has it. */
-  std::optional<FrictionSummary> friction;
+  std::optional<TangentialSummary> tangential;
   MotionRecord motions;
   Certificate certificate;
   std::optional<ErrorEstimate> estimate;

@@ -79,7 +79,7 @@ struct Regularity {
   std::optional<double> critical_factor;
   /** Whether the determinant has the sign that it has for λ = 0. Otherwise P is one of at least two
    * solutions: the degrees of all add up to one. */
-  bool has_sign_of_no_friction = true;
+  bool keeps_sign = true;
   /** The spectral radius of the slipping part: the rate of convergence of Tresca's problems with s
    * = f |P_n| of the one before, near P. */
   double fixed_point_rate = 0.;

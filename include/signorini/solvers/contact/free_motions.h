@@ -65,14 +65,14 @@ struct ReducedMotions {
  * and that of friction. */
 struct Sliding {
   dealii::Vector<double> v;
-  double load, friction;
+  double load, resistance;
   /** The pressure, which balances in all motions but v. */
   dealii::Vector<double> P = {};
 
   /** Returns whether the loads keep it up; at the limit they do not. */
   bool lasts() const {
     constexpr double rounding = 1e-12;
-    return friction < (1. - rounding) * load;
+    return resistance < (1. - rounding) * load;
   }
 };
 
