@@ -37,12 +37,12 @@ void check_multigrid(const Given<Option> &solver, const std::string &allowed,
 
 /** Refuses settings that friction cannot have. @throws InputError */
 template <int dim>
-void check_friction(const Parameters &parameters, const Scene<dim> &scene) {
+void check_tangential_part(const Parameters &parameters, const Scene<dim> &scene) {
   const Given<CaseSequence> &sequence = parameters.load_cases.sequence;
-  refuse_if(scene.friction == Friction::none && sequence == CaseSequence::steps &&
-              !parameters.contact.friction.is_given,
+  refuse_if(!scene.contact_law.has_tangential_part() && sequence == CaseSequence::steps &&
+              !parameters.contact.law.is_given,
             sequence, "without friction, where cases have no history", "there: independent");
-  if (scene.friction == Friction::none)
+  if (!scene.contact_law.has_tangential_part())
     return;
   const DiscretizationParameters &given = parameters.discretization;
   const Given<ContactSolver> &contact = parameters.solver.contact_solver;
@@ -61,7 +61,7 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene) {
   const Given<LinearSolver> &linear = parameters.solver.linear_solver;
   check_multigrid(linear, "automatic, condensed", parameters);
   check_multigrid(contact, "automatic, psor, active set", parameters);
-  check_friction(parameters, scene);
+  check_tangential_part(parameters, scene);
   const bool by_cycles = contact == ContactSolver::multigrid;
   const std::string revolved = "with Plane state '" + to_text(PlaneState::axisymmetric) + "'";
   refuse_if(scene.geometry.axisymmetric && by_cycles, contact, revolved,

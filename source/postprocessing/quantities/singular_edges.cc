@@ -68,7 +68,7 @@ EdgeCondition present_condition(const Point<dim> &x, const unsigned int side,
   const std::optional<unsigned int> k = nearest_unknown(x, side, multipliers);
   if (!k || !multiplier.presses(*k))
     return possible_conditions(scene, side, x).front();
-  if (!multiplier.has_friction())
+  if (!multiplier.has_tangential_part())
     return {EdgeSupport::sliding};
   if (multiplier.state(*k).slip == State::inside)
     return {EdgeSupport::held};

@@ -115,7 +115,7 @@ void Declarations::declare_contact(ContactParameters &contact) {
       "without friction a plane exerts no force along itself, whatever the shape of the body. "
       "body: the outward normal of the body, as everywhere else.");
   add(
-    "Contact/Friction", contact.friction,
+    "Contact/Friction", contact.law,
     "Law of friction of the tangential traction q: none (q = 0), tresca (|q| <= Friction bound), "
     "coulomb (|q| <= Friction coefficient times the pressure). Bilinear or trilinear elements with "
     "at least two faces per patch and direction, or Strategy = hp.");

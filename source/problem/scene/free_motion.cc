@@ -48,7 +48,7 @@ std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions) {
 Scene<2> with_sliding_contact(Scene<2> scene) {
   for (BoundaryCondition<2> &condition : scene.boundary)
     if (condition.role == Role::contact)
-      condition.role = scene.friction == Friction::none ? Role::roller : Role::clamped;
+      condition.role = scene.contact_law.has_tangential_part() ? Role::clamped : Role::roller;
   return scene;
 }
 

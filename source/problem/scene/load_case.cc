@@ -49,7 +49,7 @@ Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case) {
   scene.foundation_position += load_case.shift();
   for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     BoundaryCondition<2> &condition = scene.boundary[i];
-    condition.exact_pressure = condition.exact_friction = nullptr;
+    condition.exact_pressure = condition.exact_tangential = nullptr;
     if (condition.role == Role::traction)
       condition.data = scale(condition.data, load_case.force);
     if (condition.role == Role::displacement)
@@ -60,7 +60,7 @@ Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case) {
                                         scene.foundation_position, condition.directions);
       condition.data = scale(condition.data, load_case.gap);
       condition.shift = scale(condition.shift, load_case.slide);
-      if (scene.friction != Friction::none && load_case.shift().norm() > 0.)
+      if (scene.contact_law.has_tangential_part() && load_case.shift().norm() > 0.)
         condition.shift = slide_along(scene.geometry.sides[i], condition.directions,
                                       condition.shift, load_case.shift());
     }

@@ -202,7 +202,7 @@ public:
   /** Returns d itself at t, up to the evaluation of g, or ũ_t - g_t. */
   double misfit(const PenetrationFace &face, Component component, double t) const;
   /** Returns the bound of friction, zero where contact is not possible. */
-  double friction_bound(const PenetrationFace &face, double t) const;
+  double tangential_bound(const PenetrationFace &face, double t) const;
   /** Returns the rounding of d = 0 on a face. */
   double rounding(const PenetrationFace &face) const;
   /** Returns an EdgeFunction that is not below d - w_n, or close to ũ_t - g_t - w_t. @param w the

@@ -8,20 +8,6 @@
 #include <vector>
 
 namespace Signorini {
-/** A limit of the traction |q| along a contact side: a function of the side, or this times |p|. */
-template <int dim>
-struct FrictionLimit {
-  /** As in "friction coefficient". */
-  const char *name;
-  /** The function, among the data of the side. */
-  FunctionPointer<dim> BoundaryCondition<dim>::*data;
-  bool follows_pressure;
-};
-
-/** Returns the limits of a law, of which the least counts; none without friction. */
-template <int dim>
-std::vector<FrictionLimit<dim>> friction_limits(Friction law);
-
 /** A contact side and its partner, a rigid foundation or a side of another body, with the data that
  * the scene prescribes between them. */
 template <int dim>

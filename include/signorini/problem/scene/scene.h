@@ -6,6 +6,7 @@
 #include <signorini/problem/geometry/kinks.h>
 #include <signorini/problem/parameters/options.h>
 #include <signorini/problem/scene/foundation.h>
+#include <signorini/problem/scene/friction_law.h>
 #include <signorini/problem/scene/load_case.h>
 #include <signorini/problem/scene/material.h>
 #include <signorini/problem/scene/plate.h>
