@@ -109,9 +109,9 @@ private:
   void add_image(const Quadrature<2> &rule, const Point<2> &x, const Tensor<1, 2> &s,
                  const Tensor<1, 2> &t) {
     const double jacobian = std::abs(area_of(s, t));
-    for (unsigned int q = 0; q < here.size(); ++q) {
-      made_.points.push_back(x + here.point(q)[0] * s + here.point(q)[1] * t);
-      made_.weights.push_back(here.weight(q) * jacobian);
+    for (unsigned int q = 0; q < rule.size(); ++q) {
+      made_.points.push_back(x + rule.point(q)[0] * s + rule.point(q)[1] * t);
+      made_.weights.push_back(rule.weight(q) * jacobian);
     }
   }
 

@@ -213,8 +213,8 @@ void Declarations::assign(const Assignment &assignment) {
 std::set<std::string> Declarations::sections() const {
   std::set<std::string> names;
   for (const auto &declared : declared_)
-    if (declared.first.find('/') != std::string::npos)
-      names.insert(declared.first.substr(0, declared.first.find('/')));
+    if (const std::string section = section_of(declared.first); !section.empty())
+      names.insert(section);
   return names;
 }
 
@@ -222,7 +222,7 @@ std::vector<Entry> Declarations::changes(const std::vector<std::string> &section
   std::vector<Entry> changes;
   for (const std::string &section : sections)
     for (const auto &declared : declared_)
-      if (declared.first.rfind(section + "/", 0) == 0 && declared.second.entry->changed)
+      if (section_of(declared.first) == section && declared.second.entry->changed)
         changes.push_back(*declared.second.entry);
   return changes;
 }

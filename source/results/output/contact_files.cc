@@ -270,8 +270,8 @@ void write_contact_csv(std::ostream &stream, const TracedContact<dim> &contact) 
 namespace {
 /** Adds a number in the plane, a vector in space. */
 template <int dim>
-void add_vector(const char *const name, const double number, const Tensor<1, 3> &vector,
-                VtuFields &fields) {
+void add_tangential(const char *const name, const double number, const Tensor<1, 3> &vector,
+                    VtuFields &fields) {
   if (dim == 2)
     fields.emplace_back(name, number);
   else
@@ -288,9 +288,9 @@ static VtuFields common_fields(const ContactPoint<dim> &point) {
                       {"gap", point.g},
                       {"opening", point.g - point.u_n}};
   if (const auto &part = point.tangential) {
-    add_vector<dim>("friction_traction", part->q_H, part->traction, fields);
+    add_tangential<dim>("friction_traction", part->q_H, part->traction, fields);
     fields.emplace_back("friction_limit", part->s_H);
-    add_vector<dim>("slip", part->slip, part->slip_vector, fields);
+    add_tangential<dim>("slip", part->slip, part->slip_vector, fields);
     fields.emplace_back("friction_state", number_of(part->state));
   }
   return fields;
