@@ -384,7 +384,7 @@ MotionResult solve_dual_problem(const std::shared_ptr<const ComplianceOperator> 
     result.sliding.reset();
   if (reduced.escape || nothing_happens)
     return result;
-  const bool needs_start = start.size() == 0 && !C->is_explicit() && !has_friction;
+  const bool needs_start = start.size() == 0 && !C->is_explicit() && !has_tangential_part;
   // A problem that few systems or sweeps do not solve may be close to the limit of sliding.
   DualSolverOptions first = options;
   if (K.moves())
