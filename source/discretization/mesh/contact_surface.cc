@@ -253,8 +253,9 @@ template <int dim>
 void ContactSurface<dim>::complete(const Piece<dim> &piece, SurfaceRule<dim> &rule) const {
   rule.directions = rule.normals;
   if constexpr (dim == 2) {
-    if (const auto m = condition(piece).directions.at(0.5 * (piece.lower[0] + piece.upper[0])))
-      rule.directions.assign(rule.size(), *m);
+    const double of_part = 0.5 * (piece.lower[0] + piece.upper[0]);
+    for (std::size_t q = 0; q < rule.size(); ++q)
+      rule.directions[q] = condition(piece).directions.at(of_part, rule.points[q], rule.normals[q]);
     if (piece.opposite) {
       const auto &[face, span] = *piece.opposite;
       const Side<2> &other = scene_.geometry.sides[faces_[face].side];

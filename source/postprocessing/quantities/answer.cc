@@ -80,10 +80,8 @@ static double turn_of_normals(const MultiplierSpace<2> &multipliers, const Press
   double turn = 0.;
   for (const Piece<2> &piece : surface.pieces()) {
     const SurfaceRule<2> middle = surface.at(piece, {Point<1>(0.5)});
-    const Tensor<1, 2> &m = middle.directions[0];
     if (multipliers.value(P, piece.patch, middle.on_side[0]) < pressing_threshold(P))
-      if (const auto across = PairedPiece<2>(surface, piece).normal_across(middle.points[0], m))
-        turn = std::max(turn, (m + *across).norm());
+      turn = std::max(turn, PairedPiece<2>(surface, piece).turn_of_normals(middle, 0));
   }
   return turn;
 }

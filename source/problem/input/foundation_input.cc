@@ -263,7 +263,8 @@ void close_pairs(const std::string &where, Scene<2> &scene) {
                           "negative Gap for interference.");
     if (condition.data == nullptr)
       condition.data = std::make_shared<Functions::ZeroFunction<2>>();
-    condition.data = gap_of_pair(first, second, condition.data);
+    condition.directions = ContactDirections(first, second);
+    condition.data = gap_of_pair(first, second, condition.directions, condition.data);
   }
 }
 } // namespace Signorini

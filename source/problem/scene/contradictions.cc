@@ -189,16 +189,17 @@ std::string contradiction_of_pair(const Scene<2> &scene, const Meeting<2> &meeti
     return "";
   const auto &sides = scene.geometry.sides;
   const Point<2> &x = meeting.first;
-  const Tensor<1, 2> n = sides[contact].normal(sides[contact].arc_length(x));
+  const Tensor<1, 2> n = sides[contact].normal(sides[contact].arc_length(x)),
+                     m = scene.contact_direction(contact, x);
   const Side<2> &second = sides[*pair.other_side()];
   const Point<2> y = second.across(x, n);
-  const std::optional<double> u_n = given_along(scene, side, x, n);
+  const std::optional<double> u_n = given_along(scene, side, x, m);
   if (!u_n || second.normal(second.arc_length(y)) * n >= 0.)
     return "";
   for (const auto &[point, meet] : all)
     for (const auto &[held, other] : {std::pair{meet[0], meet[1]}, std::pair{meet[1], meet[0]}})
       if (other == pair.other_side() && point.distance(y) < 1e-8 * scene.geometry.diameter())
-        if (const std::optional<double> v_n = given_along(scene, held, y, n)) {
+        if (const std::optional<double> v_n = given_along(scene, held, y, m)) {
           const double g = pair.gap(x);
           if (penetrates(scene, *u_n - *v_n, g, size))
             return "the sides '" + sides[side].name() + "' and '" + sides[held].name() +

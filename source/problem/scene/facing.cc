@@ -145,7 +145,7 @@ std::vector<FacingPart> facing_parts(const Curve &first, const Curve &second, co
 }
 
 FacingPart overlap_of(const Curve &first, const Curve &second) {
-  const std::vector<FacingPart> parts = facing_parts(first, second, 0.);
+  const std::vector<FacingPart> parts = facing_parts(first, second, grazing);
   Assert(!parts.empty(), ExcMessage("The curves face each other."));
   // Around a closed curve, all but the longest gap.
   std::size_t begin = 0;

@@ -209,10 +209,28 @@ ContactDirections::ContactDirections(const Side<2> &side, const Foundation &foun
   }
 }
 
+ContactDirections::ContactDirections(const Side<2> &first, const Side<2> &second) {
+  // The normals of parallel sides are the mean normals to the last digit.
+  if (!(first.is_flat() && second.is_flat() &&
+        (first.normal(0.) + second.normal(0.)).norm() < parallel))
+    second_ = second;
+}
+
 std::optional<Tensor<1, 2>> ContactDirections::at(const double s) const {
   if (of_parts_.empty())
     return {};
   return of_parts_[std::upper_bound(changes_.begin(), changes_.end(), s) - changes_.begin()];
+}
+
+Tensor<1, 2> ContactDirections::at(const double s, const Point<2> &x, const Tensor<1, 2> &n) const {
+  if (!second_)
+    return at(s).value_or(n);
+  const std::optional<double> d = second_->distance_along(x, n);
+  if (!d)
+    return n;
+  const Tensor<1, 2> m = n - second_->normal(second_->arc_length(x + *d * n));
+  // Sides that face each other have |m| > 1.
+  return m.norm() > 1. ? m / m.norm() : n;
 }
 
 bool ContactDirections::change_between(const double from, const double to) const {
@@ -221,8 +239,8 @@ bool ContactDirections::change_between(const double from, const double to) const
 }
 
 bool ContactDirections::are_normals() const {
-  return std::none_of(of_parts_.begin(), of_parts_.end(),
-                      [](const auto &m) { return m.has_value(); });
+  return !second_ && std::none_of(of_parts_.begin(), of_parts_.end(),
+                                  [](const auto &m) { return m.has_value(); });
 }
 
 std::shared_ptr<const Function<2>>
@@ -232,16 +250,18 @@ foundation_gap(const Side<2> &side, const std::shared_ptr<const Foundation> &fou
     const Point<1> s = side.coordinates(x);
     const Point<2> on_side = side.is_flat() ? x : side.point(s);
     return without_rounding(
-      foundation->gap(on_side - position, directions.at(s[0]).value_or(side.normal(s))),
+      foundation->gap(on_side - position, directions.at(s[0], on_side, side.normal(s))),
       foundation->max_gap() + on_side.norm() + position.norm());
   });
 }
 
 std::shared_ptr<const Function<2>> gap_of_pair(const Side<2> &first, const Side<2> &second,
+                                               const ContactDirections &directions,
                                                const std::shared_ptr<const Function<2>> &given) {
   return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
-    const Tensor<1, 2> n = first.normal(first.coordinates(x));
-    const double g = given->value(x), d = second.distance_along(x, n).value_or(0.);
+    const Point<1> s = first.coordinates(x);
+    const Tensor<1, 2> n = first.normal(s), m = directions.at(s[0], x, n);
+    const double g = given->value(x), d = second.distance_along(x, n).value_or(0.) * (m * n);
     double size = std::abs(g) + x.norm() + first.length() + second.length();
     for (const Side<2> *const side : {&first, &second})
       if (const std::optional<Point<2>> centre = side->centre_at(x))

@@ -26,7 +26,7 @@ FunctionPointer<2> slide_along(const Side<2> &side, const ContactDirections &dir
                                const FunctionPointer<2> &given, const Tensor<1, 2> &shift) {
   return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
     const double s = side.arc_length(x);
-    const double along = -shift * cross_product_2d(directions.at(s).value_or(side.normal(s)));
+    const double along = -shift * cross_product_2d(directions.at(s, x, side.normal(s)));
     return along + (given == nullptr ? 0. : given->value(x));
   });
 }

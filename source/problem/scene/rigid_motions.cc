@@ -97,10 +97,10 @@ void add_side_conditions(const Scene<2> &scene, const unsigned int number,
   for (unsigned int k = 0; k < side.n_pieces(); ++k)
     for (const double share : {0., 1. / 3., 2. / 3., 1.}) {
       const double s = share * side.piece(k).length();
-      conditions.forbid(
-        condition.role, side.piece(k).point(s),
-        condition.directions.at(side.start_of(k) + s).value_or(side.piece(k).normal(s)),
-        1. / side.n_pieces(), geometry.body_of_side(number), other);
+      const Point<2> x = side.piece(k).point(s);
+      conditions.forbid(condition.role, x,
+                        condition.directions.at(side.start_of(k) + s, x, side.piece(k).normal(s)),
+                        1. / side.n_pieces(), geometry.body_of_side(number), other);
     }
 }
 

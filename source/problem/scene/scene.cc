@@ -36,10 +36,10 @@ template <int dim>
 Tensor<1, dim> Scene<dim>::contact_direction(const unsigned int side, const Point<dim> &x) const {
   AssertIndexRange(side, boundary.size());
   const auto s = geometry.sides[side].coordinates(x);
+  const Tensor<1, dim> n = geometry.sides[side].normal(s);
   if constexpr (dim == 2)
-    if (const auto m = boundary[side].directions.at(s[0]))
-      return *m;
-  return geometry.sides[side].normal(s);
+    return boundary[side].directions.at(s[0], x, n);
+  return n;
 }
 
 template <int dim>

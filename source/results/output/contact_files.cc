@@ -154,7 +154,7 @@ public:
       if (body_.P.has_tangential_part())
         point.tangential = tangential_at(piece, point, closing);
       if (is_of_bodies)
-        point.across = {across[q], u[1][q], u[1][q] * rule.normals[q]};
+        point.across = {across[q], u[1][q], u[1][q] * rule.directions[q]};
       if (condition.exact_pressure != nullptr)
         point.p_exact = condition.exact_pressure->value(point.x);
       points.push_back(point);

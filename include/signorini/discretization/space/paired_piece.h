@@ -44,9 +44,9 @@ public:
   /** Returns the points of a rule at which tractions act: on the second body the points across,
    * x + d n, which are d as drawn away. */
   std::vector<Point<dim>> points(const SurfaceRule<dim> &rule, PairSide side) const;
-  /** Returns the normal of the other body, or of the obstacle, at the point that x touches along m;
-   * none where it touches neither, or the gap is an expression. */
-  std::optional<Tensor<1, dim>> normal_across(const Point<dim> &x, const Tensor<1, dim> &m) const;
+  /** Returns |n + n_2| at a point of a rule, n_2 the normal of the other body across; of an
+   * obstacle |m + n_2|; 0 where it touches neither, or the gap is an expression. */
+  double turn_of_normals(const SurfaceRule<dim> &rule, std::size_t q) const;
 
   /** Returns u_h of both bodies at the points of a rule: that of the first one, and less that of
    * the second one. */

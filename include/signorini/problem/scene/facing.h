@@ -24,7 +24,11 @@ struct FacingPart {
  */
 std::vector<FacingPart> facing_parts(const Curve &first, const Curve &second, double least);
 
-/** Returns the shortest part of @p first that contains all its parts with m.n < 0. These must
- * exist. */
+/** The smallest -m.n at which sides count as facing each other: 60 degrees, so that both normals
+ * and their mean never graze a side. */
+constexpr double grazing = 0.5;
+
+/** Returns the shortest part of @p first that contains all its parts with m.n < -grazing. These
+ * must exist. */
 FacingPart overlap_of(const Curve &first, const Curve &second);
 } // namespace Signorini

@@ -134,20 +134,32 @@ private:
 
 /**
  * The directions m along which contact acts on a side: u.m <= g and sigma n = p m. On each of the
- * parts of the side m is constant, a plane's direction, or it is the outward normal n of the body.
+ * parts of the side m is constant, a plane's direction, or it is the outward normal n of the body;
+ * in a pair of bodies it is the mean normal.
  */
 class ContactDirections {
 public:
   /** Makes those of the paper, n everywhere. */
   ContactDirections() = default;
+  /**
+   * Makes the mean normals m = (n - n_2) / |n - n_2| of two sides that touch each other, n at x and
+   * n_2 where the line along n meets the second side; n where it meets none. One side's normals
+   * would cost an error of the first order in the width of contact where the materials differ, and
+   * the mean normals cost one of the second order.
+   */
+  ContactDirections(const Side<2> &first, const Side<2> &second);
   /** Makes those of a foundation that was moved by @p position. Parts end where another obstacle is
    * the nearest one, found by samples: on a part that they miss m is that of its neighbours, and
    * the gap along that still counts all obstacles. */
   ContactDirections(const Side<2> &side, const Foundation &foundation,
                     const Tensor<1, 2> &position);
 
-  /** Returns m on the part with the arc length s; none stands for n. */
+  /** Returns the constant m of the part with the arc length s; none stands for n, or for the mean
+   * normal. */
   std::optional<Tensor<1, 2>> at(double s) const;
+  /** Returns m at a point @p x of the side with the outward normal @p n on the part with the arc
+   * length @p s. */
+  Tensor<1, 2> at(double s, const Point<2> &x, const Tensor<1, 2> &n) const;
   /** Returns the arc lengths at which parts end, without the ends of the side. */
   const std::vector<double> &changes() const {
     return changes_;
@@ -161,6 +173,8 @@ private:
   std::vector<double> changes_;
   /** Those of the parts, one more than changes; empty: normals. */
   std::vector<std::optional<Tensor<1, 2>>> of_parts_;
+  /** The second side of a pair with mean normals. */
+  std::optional<Side<2>> second_;
 };
 
 /**
@@ -173,10 +187,11 @@ foundation_gap(const Side<2> &side, const std::shared_ptr<const Foundation> &fou
                const Tensor<1, 2> &position, const ContactDirections &directions = {});
 
 /**
- * Returns the gap of a pair of sides: @p given in addition to the distance along the outward normal
- * of the first side to the second one as drawn (length); @p given alone beside the second side. The
- * sum is without_rounding().
+ * Returns the gap of a pair of sides: @p given in addition to (y - x).m, where the line along the
+ * outward normal at x meets the second side as drawn in y (length); @p given alone beside the
+ * second side. The sum is without_rounding().
  */
 std::shared_ptr<const Function<2>> gap_of_pair(const Side<2> &first, const Side<2> &second,
+                                               const ContactDirections &directions,
                                                const std::shared_ptr<const Function<2>> &given);
 } // namespace Signorini
