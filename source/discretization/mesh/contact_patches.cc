@@ -5,6 +5,7 @@
 #include <signorini/base/errors.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/facing.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -42,6 +43,13 @@ FaceSpan span_of(const ContactFace<2> &face, const Side<2> &side) {
   return span_of(face.vertices[0], face.vertices[1], side);
 }
 
+double longest_of(const std::vector<FaceSpan> &spans) {
+  double longest = 0.;
+  for (const FaceSpan &span : spans)
+    longest = std::max(longest, span.end - span.start);
+  return longest;
+}
+
 /** The intervals of the faces of a side and, in a pair, those of the other one that are projected
  * to it: [lower, upper] is where both are. */
 struct SideFaces {
@@ -49,14 +57,12 @@ struct SideFaces {
   /** The numbers of the faces. */
   std::vector<unsigned int> own_numbers, opposite_numbers;
   double lower, upper;
-};
 
-double longest_of(const std::vector<FaceSpan> &spans) {
-  double longest = 0.;
-  for (const FaceSpan &span : spans)
-    longest = std::max(longest, span.end - span.start);
-  return longest;
-}
+  /** Returns whether the overlap is at least as long as two faces. */
+  bool holds_two_faces() const {
+    return upper - lower >= 2. * (1. - 1e-10) * std::max(longest_of(own), longest_of(opposite));
+  }
+};
 
 /** Returns the ends of groups of @p ratio intervals within [lower, upper]. Groups end at corners of
  * the side and where directions change, and the last one is the longer one. An interval that lies
@@ -116,6 +122,28 @@ std::vector<double> ends_of_patches(const SideFaces &faces, const Curve &curve,
   const bool takes_own = faces.opposite.empty() || own_is_finer == fine_suffices;
   return groups_of(takes_own ? faces.own : faces.opposite, takes_own ? faces.opposite : faces.own,
                    ratio, faces.lower, faces.upper, curve, directions);
+}
+
+/** Returns the ends of the faces of the carrier in the overlap, and its own ends. A face ends where
+ * the side has a corner, too. */
+std::vector<double> ends_of_faces(const std::vector<FaceSpan> &of_carrier, const SideFaces &faces,
+                                  const Curve &curve) {
+  const double sliver = 1e-12 * (faces.upper - faces.lower);
+  std::vector<double> ends = {faces.lower, faces.upper};
+  const auto add = [&](const double s) {
+    if (s > faces.lower + sliver && s < faces.upper - sliver)
+      ends.push_back(s);
+  };
+  for (const FaceSpan &span : of_carrier) {
+    add(span.start);
+    add(span.end);
+  }
+  std::for_each(curve.corners().begin(), curve.corners().end(), add);
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end(),
+                         [&](const double a, const double b) { return b - a < sliver; }),
+             ends.end());
+  return ends;
 }
 
 /** The smallest number of points on graded parts: with fewer, a square root between two graded
@@ -197,8 +225,7 @@ void sort_into(const std::vector<NumberedSpan> &found, const Side<2> &side, cons
   }
 }
 
-/** Returns the faces of a side, and those of the side that it touches.
- * @throws InputError where the overlap of a pair is shorter than two faces. */
+/** Returns the faces of a side, and those of the side that it touches. */
 SideFaces faces_of_side(const std::vector<FaceInterval> &all, const unsigned int number,
                         const Scene<2> &scene) {
   const Side<2> &side = scene.geometry.sides[number];
@@ -221,15 +248,15 @@ SideFaces faces_of_side(const std::vector<FaceInterval> &all, const unsigned int
   }
   sort_into(own, side, faces, faces.own, faces.own_numbers);
   sort_into(other, side, faces, faces.opposite, faces.opposite_numbers);
-  if (!opposite)
-    return faces;
-  const double face = std::max(longest_of(faces.own), longest_of(faces.opposite));
-  if (!(faces.upper - faces.lower >= 2. * (1. - 1e-10) * face))
-    throw InputError("the sides '" + side.name() + "' and '" +
-                     scene.geometry.sides[*opposite].name() +
+  return faces;
+}
+
+/** @throws InputError where the overlap of a pair is shorter than two faces. */
+void require_two_faces(const SideFaces &faces, const ContactPair<2> &pair, const Side<2> &side) {
+  if (pair.other_side() && !faces.holds_two_faces())
+    throw InputError("the sides '" + side.name() + "' and '" + pair.other_name() +
                      "' face each other on less than two faces of the mesh, allowed: a finer mesh "
                      "(Coarsest level), or sides that face each other on a longer part.");
-  return faces;
 }
 
 /** Returns the ends of pieces: those of patches, of faces of both sides, and where directions
@@ -272,15 +299,25 @@ void ContactSurface<2>::divide(const Partition &partition) {
   });
   for (const unsigned int side : scene_.contact_sides()) {
     const SideFaces faces = faces_of_side(all, side, scene_);
+    const ContactPair<2> pair(scene_, side);
+    const std::vector<FaceSpan> &of_carrier = pair.carrier() == side ? faces.own : faces.opposite;
+    if (!partition.by_carrier)
+      require_two_faces(faces, pair, scene_.geometry.sides[side]);
     const ContactDirections &directions = scene_.boundary[side].directions;
     const std::vector<double> ends =
-      ends_of_patches(faces, scene_.geometry.sides[side], directions, partition.ratio,
-                      partition.patches_by_side.empty() ? 0 : partition.patches_by_side[side]);
+      partition.by_carrier
+        ? ends_of_faces(of_carrier, faces, scene_.geometry.sides[side])
+        : ends_of_patches(faces, scene_.geometry.sides[side], directions, partition.ratio,
+                          partition.patches_by_side.empty() ? 0 : partition.patches_by_side[side]);
     const unsigned int first_patch = patches_.size();
-    for (std::size_t t = 0; t + 1 < ends.size(); ++t) {
+    for (std::size_t t = 0, k = 0; t + 1 < ends.size(); ++t) {
       const double length = ends[t + 1] - ends[t], near = 1e-9 * length;
       patches_.push_back({side, Point<1>(ends[t]), Point<1>(ends[t + 1]), length,
                           directions.change_between(ends[t] + near, ends[t + 1] - near)});
+      if (partition.by_carrier) {
+        k = containing(of_carrier, k, 0.5 * (ends[t] + ends[t + 1]));
+        patches_.back().share = std::min(1., length / (of_carrier[k].end - of_carrier[k].start));
+      }
     }
     const std::vector<double> cuts = cuts_of(faces, ends, directions);
     for (unsigned int i = 0, own = 0, opposite = 0, t = 0; i + 1 < cuts.size(); ++i) {

@@ -216,7 +216,7 @@ ContactSurface<dim>::ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &sce
   : mesh_(mesh)
   , scene_(scene)
   , faces_(find_contact_faces(mesh, scene)) {
-  divide(Partition{1});
+  divide(Partition{1, {}, true});
   keep_own_pieces();
   place_points(n_points);
 }
@@ -227,7 +227,9 @@ void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points
   std::unique_ptr<FEFaceValues<dim>> values;
   std::vector<Point<dim - 1>> last_points;
   for (Piece<dim> &piece : pieces_) {
-    const unsigned int n = n_points[faces_[piece.face].cell->active_cell_index()];
+    unsigned int n = n_points[faces_[piece.face].cell->active_cell_index()];
+    if (piece.opposite && !mesh_.is_shared())
+      n = std::max(n, n_points[faces_[piece.opposite->first].cell->active_cell_index()]);
     const Quadrature<dim - 1> rule =
       on_box<dim - 1>(QGauss<dim - 1>(n), piece.lower_on_face, piece.upper_on_face);
     // Nearly all pieces are whole faces or the same part of one.
@@ -269,6 +271,14 @@ void ContactSurface<dim>::complete(const Piece<dim> &piece, SurfaceRule<dim> &ru
       }
     }
   }
+}
+
+template <int dim>
+const ContactFace<dim> &ContactSurface<dim>::face_of_carrier(const Piece<dim> &piece) const {
+  const ContactFace<dim> &own = faces_[piece.face];
+  return piece.opposite && ContactPair<dim>(scene_, own.side).carrier() != own.side
+           ? faces_[piece.opposite->first]
+           : own;
 }
 
 template <int dim>

@@ -27,6 +27,8 @@ bool meets_face(const Side<2> &side, const double from, const double to,
 
 bool Singularity::touches(const Scene<2> &scene,
                           const Triangulation<2>::active_cell_iterator &cell) const {
+  if (scene.geometry.body_of(cell) != body)
+    return false;
   if (kind == Kind::corner) {
     const double tolerance = 1e-3 * cell->diameter();
     for (const unsigned int v : cell->vertex_indices())
@@ -43,13 +45,15 @@ bool Singularity::touches(const Scene<2> &scene,
   return false;
 }
 
-const Singularity *nearest(const std::vector<Singularity> &singularities, const Point<2> &x) {
+const Singularity *nearest(const std::vector<Singularity> &singularities, const Point<2> &x,
+                           const unsigned int body) {
   const auto closer = [&x](const Singularity &a, const Singularity &b) {
     return a.point.distance_square(x) < b.point.distance_square(x);
   };
   const Singularity *found = nullptr;
   for (const Singularity &singularity : singularities)
-    if (singularity.layers > 0. && (found == nullptr || closer(singularity, *found)))
+    if (singularity.layers > 0. && singularity.body == body &&
+        (found == nullptr || closer(singularity, *found)))
       found = &singularity;
   return found;
 }
@@ -117,14 +121,15 @@ Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene) {
     mapping_degree);
 }
 
-unsigned int planned_degree(const MeshPlan &plan, const Mesh<2> &mesh,
+unsigned int planned_degree(const MeshPlan &plan, const Mesh<2> &mesh, const unsigned int body,
                             const Triangulation<2>::active_cell_iterator &cell) {
   double share = 1.;
-  if (const Singularity *const singularity = nearest(plan.singularities, cell->center())) {
+  if (const Singularity *const singularity = nearest(plan.singularities, cell->center(), body)) {
     // The layers that a graded mesh has at this distance; demands may have split the cell further.
     const double distance = cell->center().distance(singularity->point);
+    const double size = plan.size_in(body);
     const double by_distance =
-      std::max(0., 1. + std::log2(plan.base_size / std::max(distance, 1e-30 * plan.base_size)));
+      std::max(0., 1. + std::log2(size / std::max(distance, 1e-30 * size)));
     const double layer = std::min<double>(mesh.splits(cell), by_distance);
     share = std::max(0., 1. - layer / singularity->layers);
   }
@@ -132,10 +137,12 @@ unsigned int planned_degree(const MeshPlan &plan, const Mesh<2> &mesh,
   return std::min(plan.max_element_degree, std::max(degree, demanded_degree(plan, cell)));
 }
 
-std::vector<unsigned int> plan_degrees(const MeshPlan &plan, const Mesh<2> &mesh) {
+std::vector<unsigned int> plan_degrees(const MeshPlan &plan, const Scene<2> &scene,
+                                       const Mesh<2> &mesh) {
   std::vector<unsigned int> degrees(mesh.triangulation().n_active_cells());
   for (const auto &cell : mesh.triangulation().active_cell_iterators())
-    degrees[cell->active_cell_index()] = planned_degree(plan, mesh, cell);
+    degrees[cell->active_cell_index()] =
+      planned_degree(plan, mesh, scene.geometry.body_of(cell), cell);
   level_out(mesh, degrees);
   return degrees;
 }

@@ -72,15 +72,19 @@ std::vector<unsigned int> points_on_faces(const DisplacementSpace<2> &space) {
   return n_points;
 }
 
-/** Returns the numbers of unknowns of the patches: P_{p-2} on every face of degree p; constants
- * where the direction of contact changes, as the gap may jump there. */
+/** Returns the numbers of unknowns of the patches: P_{p-2} on every face of the carrier of degree
+ * p, and on the share θ of a face ⌈θ (p - 1)⌉ of them: more would leave C singular. Constants where
+ * the direction of contact changes, as the gap may jump there. */
 std::vector<unsigned int> nodes_of_patches(const DisplacementSpace<2> &space,
                                            const ContactSurface<2> &surface) {
   std::vector<unsigned int> n_nodes(surface.patches().size());
-  for (const Piece<2> &piece : surface.pieces())
-    n_nodes[piece.patch] = surface.patches()[piece.patch].mixes
-                             ? 1
-                             : space.element(surface.faces()[piece.face].cell).degree - 1;
+  for (const Piece<2> &piece : surface.pieces()) {
+    constexpr double rounding = 1e-9;
+    const Patch<2> &patch = surface.patches()[piece.patch];
+    const double most = space.element(surface.face_of_carrier(piece).cell).degree - 1.;
+    n_nodes[piece.patch] =
+      patch.mixes ? 1 : static_cast<unsigned int>(std::ceil(patch.share * most - rounding));
+  }
   return n_nodes;
 }
 } // namespace
@@ -120,8 +124,9 @@ Discretization<2>::Discretization(const Parameters &parameters, const Scene<2> &
                                   const MeshPlan &plan)
   : mesh(timed(times.mesh, [&]() { return make_mesh(plan, scene); }))
   , n_points(parameters.discretization.quadrature_points)
-  , space(timed(times.setup,
-                [&]() { return DisplacementSpace<2>(mesh, scene, plan_degrees(plan, mesh)); }))
+  , space(
+      timed(times.setup,
+            [&]() { return DisplacementSpace<2>(mesh, scene, plan_degrees(plan, scene, mesh)); }))
   , surface(
       timed(times.setup, [&]() { return ContactSurface<2>(mesh, scene, points_on_faces(space)); }))
   , multipliers(surface, nodes_of_patches(space, surface))

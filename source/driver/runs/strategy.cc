@@ -13,8 +13,6 @@ template <int dim>
 std::string reason_for_nested(const Parameters &parameters, const Scene<dim> &scene) {
   if (dim == 3)
     return "bodies in space have no graded meshes";
-  if (scene.has_pairs())
-    return "two bodies touch";
   if (scene.exact_displacement != nullptr)
     return "an exact solution is given";
   const DiscretizationParameters &given = parameters.discretization;

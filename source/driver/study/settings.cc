@@ -74,8 +74,6 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene) {
   refuse_if(parameters.discretization.strategy == Strategy::hp &&
               parameters.output.inf_sup_constant == Choice::yes,
             parameters.output.inf_sup_constant, "with Strategy 'hp'", "with it: automatic, false");
-  refuse_if(scene.has_pairs() && parameters.discretization.strategy == Strategy::hp,
-            parameters.discretization.strategy, "with a pair of sides", "with it: nested");
   refuse_if(dim == 3 && linear == LinearSolver::amesos_klu, linear, "in 3-D",
             "there: automatic, condensed, amesos_mumps, multigrid");
   refuse_if(by_cycles && linear != LinearSolver::multigrid && linear != LinearSolver::automatic,

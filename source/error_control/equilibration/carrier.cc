@@ -4,26 +4,9 @@
 #include <signorini/error_control/equilibration/carrier.h>
 
 namespace Signorini {
-namespace {
-/** Returns the modulus of stretch along the normal in the middle of a side, inside of its body. */
-double stiffness(const Scene<2> &scene, const unsigned int number) {
-  const Side<2> &side = scene.geometry.sides[number];
-  const Tensor<1, 2> n = side.normal(0.5 * side.length());
-  const Point<2> inside = side.centre() - 1e-4 * side.length() * n;
-  const auto nn = symmetrize(outer_product(n, n));
-  return nn * (scene.material->hooke(inside) * nn);
-}
-} // namespace
-
 bool is_carrier(const Scene<2> &scene, const unsigned int side) {
   AssertIndexRange(side, scene.boundary.size());
-  const ContactPair<2> pair = pair_with(scene, side);
-  if (!pair.other_side())
-    return scene.boundary[side].role == Role::contact;
-  constexpr double rounding = 1e-10;
-  const bool takes_first =
-    stiffness(scene, pair.side()) <= (1. + rounding) * stiffness(scene, *pair.other_side());
-  return (side == pair.side()) == takes_first;
+  return may_touch(scene.boundary[side].role) && pair_with(scene, side).carrier() == side;
 }
 
 Point<2> point_of_data(const Scene<2> &scene, const unsigned int side, const Point<2> &x) {

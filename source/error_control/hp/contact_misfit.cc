@@ -20,8 +20,13 @@ void add_contact_misfit(const BodyInContact<2> &body, const Component component,
   for (const Piece<2> &piece : surface.pieces()) {
     if (!follows(states[piece.patch], component))
       continue;
-    const ContactFace<2> &face = surface.faces()[piece.face];
-    const unsigned int p = body.space.element(face.cell).degree;
+    unsigned int p = 0;
+    double compliance = 0.;
+    const auto faces = surface.faces_at(piece, piece.on_mesh);
+    for (const auto &of_body : faces) {
+      p = std::max(p, body.space.element(of_body.face.cell).degree);
+      compliance += 1. / softer_modulus(body.scene, of_body.face.cell->center());
+    }
     const SurfaceRule<2> rule = surface.rule(piece, p + 2);
     const std::vector<double> depths =
       PairedPiece<2>(surface, piece).closing(body, rule, traces, component);
@@ -29,16 +34,21 @@ void add_contact_misfit(const BodyInContact<2> &body, const Component component,
     for (std::size_t q = 0; q < rule.size(); ++q)
       square += depths[q] * depths[q] * rule.weights[q];
     const double waves = 0.5 * numbers::PI * p / surface.patches()[piece.patch].measure;
-    CellIndicator &indicator = indicators[face.cell->active_cell_index()];
-    indicator.error = std::sqrt(indicator.error * indicator.error +
-                                softer_modulus(body.scene, face.cell->center()) * waves * square);
+    // Both bodies give way, the softer one more.
+    for (const auto &of_body : faces) {
+      CellIndicator &indicator = indicators[of_body.face.cell->active_cell_index()];
+      const double modulus = softer_modulus(body.scene, of_body.face.cell->center());
+      indicator.error =
+        std::hypot(indicator.error, std::sqrt(waves * square / modulus) / compliance);
+    }
   }
 }
 
 namespace {
 /** The extreme values of u_n - g on a patch, and whether a multiplier presses. */
 struct PatchState {
-  unsigned int cell = 0;
+  /** The cells of the piece that lies deepest, in a pair of both bodies. */
+  std::vector<unsigned int> cells;
   double deepest = 0., largest = 0.;
   bool presses = false;
 };
@@ -57,6 +67,11 @@ void add_samples(const BodyInContact<2> &body, const Piece<2> &piece, TraceValue
     const std::vector<double> depths =
       PairedPiece<2>(body.surface(), piece).closing(body, rule, traces);
     const auto deepest = std::max_element(depths.begin(), depths.end());
+    if (state.cells.empty() || *deepest > state.deepest) {
+      state.cells.clear();
+      for (const auto &of_body : body.surface().faces_at(piece, rule))
+        state.cells.push_back(of_body.face.cell->active_cell_index());
+    }
     state.deepest = std::max(state.deepest, *deepest);
     for (const double depth : depths)
       state.largest = std::max(state.largest, std::abs(depth));
@@ -71,9 +86,7 @@ std::vector<PatchState> patch_states(const BodyInContact<2> &body) {
   std::vector<PatchState> states(surface.patches().size());
   TraceValues<2> traces(body.space);
   for (const Piece<2> &piece : surface.pieces()) {
-    PatchState &state = states[piece.patch];
-    state.cell = surface.faces()[piece.face].cell->active_cell_index();
-    add_samples(body, piece, traces, state);
+    add_samples(body, piece, traces, states[piece.patch]);
   }
   for (unsigned int k = 0; k < body.multipliers.n_multipliers(); ++k)
     if (body.P.presses(k))
@@ -99,7 +112,7 @@ std::vector<unsigned int> missed_contact_cells(const BodyInContact<2> &body) {
     };
     if (states[patch].deepest > tolerance && !presses(patch) && !presses(patch + 1) &&
         !(patch > 0 && presses(patch - 1)))
-      cells.push_back(states[patch].cell);
+      cells.insert(cells.end(), states[patch].cells.begin(), states[patch].cells.end());
   }
   return cells;
 }

@@ -2,6 +2,7 @@
 // From the findings of a step to the mesh of the next one.
 
 #include <signorini/error_control/hp/next_plan.h>
+#include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/corners.h>
 
 #include <algorithm>
@@ -45,14 +46,33 @@ std::vector<CellIndicator> indicators_at(const Singularity &singularity, const S
   return found;
 }
 
-Singularity end_of_contact(const ZoneBracket &bracket, const Scene<2> &scene, const double layers) {
-  return {Singularity::Kind::end_of_contact,
-          scene.geometry.sides[bracket.side].point(0.5 * (bracket.from + bracket.to)),
-          exponent_at_ends,
-          bracket.side,
-          bracket.from,
-          bracket.to,
-          layers};
+/** Returns a singularity on a part of a side. */
+Singularity on_side(const Singularity::Kind kind, const ZoneBracket &part, const Scene<2> &scene) {
+  Singularity found = {kind,
+                       scene.geometry.sides[part.side].point(0.5 * (part.from + part.to)),
+                       exponent_at_ends,
+                       part.side,
+                       part.from,
+                       part.to};
+  found.body = scene.geometry.body_of_side(part.side);
+  return found;
+}
+
+/** Returns a part of a contact side, and in a pair the part of the other side that lies across: u
+ * is singular on both. */
+std::vector<ZoneBracket> on_both_sides(const ZoneBracket &part, const Scene<2> &scene) {
+  std::vector<ZoneBracket> parts = {part};
+  if (const auto &number = ContactPair<2>(scene, part.side).other_side()) {
+    const Side<2> &side = scene.geometry.sides[part.side], &other = scene.geometry.sides[*number];
+    const auto across = [&](const double s) {
+      return other.arc_length(other.across(side.point(s), side.normal(s)));
+    };
+    double from = across(part.from), to = across(part.to);
+    if (other.is_closed()) // Both ends lie on one turn.
+      to += other.length() * std::round((from - to) / other.length());
+    parts.push_back({*number, std::min(from, to), std::max(from, to)});
+  }
+  return parts;
 }
 
 /** The goals of the next step, in units of the indicators. */
@@ -103,11 +123,11 @@ std::vector<Singularity> grade_places(const MeshPlan &plan, const Scene<2> &scen
 }
 
 /** Returns the kink at which contact ends, if there is one in the bracket or next to it. */
-Singularity *kink_in(const ZoneBracket &bracket, std::vector<Singularity> &singularities) {
-  const double width = bracket.to - bracket.from;
+Singularity *kink_in(const Singularity &end, std::vector<Singularity> &singularities) {
+  const double width = end.to - end.from;
   for (Singularity &singularity : singularities)
-    if (singularity.kind == Singularity::Kind::kink && singularity.side == bracket.side &&
-        singularity.from > bracket.from - 0.5 * width && singularity.to < bracket.to + 0.5 * width)
+    if (singularity.kind == Singularity::Kind::kink && singularity.side == end.side &&
+        singularity.from > end.from - 0.5 * width && singularity.to < end.to + 0.5 * width)
       return &singularity;
   return nullptr;
 }
@@ -128,22 +148,34 @@ void grade(const MeshPlan &plan, const Scene<2> &scene, const Mesh<2> &mesh,
   next.singularities = grade_places(plan, scene, mesh, findings, goal);
   // An end that moves takes its layers along; a new one has as many as an old one of this age.
   const double usual = layers_per_step * plan.rise / rise_per_step;
-  std::vector<Singularity> ends;
+  std::vector<Singularity> all;
   for (const ZoneBracket &bracket : findings.brackets) {
-    Singularity end = end_of_contact(bracket, scene, usual);
-    if (const Singularity *const before = end_before(end, plan))
-      end.layers = before->layers;
-    if (end.layers == 0. ||
-        total(indicators_at(end, scene, mesh, findings.indicators)) > 0.2 * goal.error)
-      end.layers += goal.length * layers_per_step;
-    end.layers = std::min(
-      end.layers, std::log2(most_in_bracket * plan.base_size / (bracket.to - bracket.from)));
-    if (Singularity *const kink = kink_in(bracket, next.singularities))
-      kink->layers = std::max(kink->layers, end.layers);
-    else
-      ends.push_back(end);
+    std::vector<Singularity> ends;
+    std::vector<CellIndicator> indicators;
+    double smallest = HUGE_VAL;
+    for (const ZoneBracket &part : on_both_sides(bracket, scene)) {
+      ends.push_back(on_side(Singularity::Kind::end_of_contact, part, scene));
+      const auto found = indicators_at(ends.back(), scene, mesh, findings.indicators);
+      indicators.insert(indicators.end(), found.begin(), found.end());
+      smallest = std::min(smallest, plan.size_in(ends.back().body));
+    }
+    for (Singularity &end : ends) {
+      // The cells of both bodies become equally small.
+      const Singularity *const before = end_before(end, plan);
+      end.layers = before != nullptr ? before->layers
+                   : usual > 0.      ? usual + std::log2(plan.size_in(end.body) / smallest)
+                                     : 0.;
+      if (end.layers == 0. || total(indicators) > 0.2 * goal.error)
+        end.layers += goal.length * layers_per_step;
+      end.layers = std::min(
+        end.layers, std::log2(most_in_bracket * plan.size_in(end.body) / (end.to - end.from)));
+      if (Singularity *const kink = kink_in(end, next.singularities))
+        kink->layers = std::max(kink->layers, end.layers);
+      else
+        all.push_back(end);
+    }
   }
-  next.singularities.insert(next.singularities.end(), ends.begin(), ends.end());
+  next.singularities.insert(next.singularities.end(), all.begin(), all.end());
 }
 
 /** Splits or raises the degree of cells whose error the rest of the plan leaves too large. */
@@ -155,7 +187,8 @@ void demand(const Scene<2> &scene, const Mesh<2> &mesh, const std::vector<unsign
     if (next.must_split(scene, cell, mesh.splits(cell)))
       continue;
     const unsigned int degree = degrees[cell->active_cell_index()];
-    const unsigned int planned = std::max(degree, planned_degree(next, mesh, cell));
+    const unsigned int planned =
+      std::max(degree, planned_degree(next, mesh, scene.geometry.body_of(cell), cell));
     const double predicted = indicator.error * std::pow(indicator.decay, planned - degree);
     if (predicted <= margin * goal.per_cell)
       continue;
@@ -181,6 +214,7 @@ void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan) {
   double exponent =
     smallest_exponent(scene, corner.position, corner.sides, layers_at(scene, corner));
   Singularity singularity = {Singularity::Kind::corner, corner.position};
+  singularity.body = scene.geometry.body_of_side(corner.sides[0]);
   if (is_homogeneous(corner.sides[0]) && is_homogeneous(corner.sides[1]))
     singularity.is_certain = exponent < 1.;
   else
@@ -196,8 +230,29 @@ void add_corner(const Corner &corner, const Scene<2> &scene, MeshPlan &plan) {
 void add_kinks(const unsigned int side, const Scene<2> &scene, MeshPlan &plan) {
   const Side<2> &curve = scene.geometry.sides[side];
   for (const double s : scene.kinks.separate_crossings(curve))
+    for (const ZoneBracket &part : on_both_sides({side, s, s}, scene))
+      plan.singularities.push_back(on_side(Singularity::Kind::kink, part, scene));
+}
+
+/** Adds a corner of a body that may touch another one: u is singular in both, in the other one at
+ * the point across. */
+void add_paired_corner(const PairedCorner &paired, const Scene<2> &scene, MeshPlan &plan) {
+  const double exponent = std::max(paired.exponent, min_exponent);
+  const unsigned int body = scene.geometry.body_of_side(paired.corner.sides[0]);
+  for (Singularity &known : plan.singularities)
+    if (known.kind == Singularity::Kind::corner && known.body == body &&
+        known.point == paired.corner.position)
+      known.exponent = std::min(known.exponent, exponent);
+  if (!paired.meets_corner) {
     plan.singularities.push_back(
-      {Singularity::Kind::kink, curve.point(s), exponent_at_ends, side, s, s});
+      on_side(Singularity::Kind::kink, {paired.side, paired.s, paired.s}, scene));
+    plan.singularities.back().exponent = exponent;
+  }
+}
+
+/** Returns the size of the cells of a mesh of a box (length). */
+double cell_size(const Tensor<1, 2> &box, const double n_coarse_cells, const unsigned int level) {
+  return std::sqrt(box[0] * box[1] / n_coarse_cells) / std::pow(2., level);
 }
 
 /** Adds a line of the mesh, unless there is one close to it. */
@@ -214,8 +269,9 @@ MeshPlan first_plan(const Scene<2> &scene, const unsigned int base_level,
   plan.base_level = base_level;
   plan.max_element_degree = max_element_degree;
   const Tensor<1, 2> box = scene.geometry.upper - scene.geometry.lower;
-  plan.base_size =
-    std::sqrt(box[0] * box[1] / scene.geometry.n_coarse_cells) / std::pow(2., base_level);
+  plan.base_size = cell_size(box, scene.geometry.n_coarse_cells, base_level);
+  for (const ElasticBody<2> &body : scene.geometry.bodies)
+    plan.base_sizes.push_back(cell_size(body.upper - body.lower, body.n_coarse_cells, base_level));
   // Splits keep the shape of narrow cells. Points where data of a side changes need no such cells:
   // the mesh is graded to them.
   for (const bool in_body : {true, false})
@@ -230,6 +286,8 @@ MeshPlan first_plan(const Scene<2> &scene, const unsigned int base_level,
   for (unsigned int side = 0; side < scene.boundary.size(); ++side)
     if (scene.boundary[side].role == Role::contact || !scene.material->is_constant())
       add_kinks(side, scene, plan);
+  for (const PairedCorner &paired : paired_corners(scene))
+    add_paired_corner(paired, scene, plan);
   return plan;
 }
 

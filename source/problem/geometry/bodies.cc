@@ -152,7 +152,8 @@ Geometry<2> unite(const std::vector<std::string> &names, const std::vector<Geome
     else
       regions.push_back(names[k]);
     n_cells += bodies[k].n_coarse_cells;
-    parts.push_back({names[k], first_side.back(), bodies[k].lower, bodies[k].upper});
+    parts.push_back(
+      {names[k], first_side.back(), bodies[k].lower, bodies[k].upper, bodies[k].n_coarse_cells});
   }
   all = bounded_by(std::move(sides));
   all.bodies = std::move(parts);

@@ -6,6 +6,7 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/corners.h>
+#include <signorini/problem/scene/facing.h>
 
 #include <deal.II/base/numbers.h>
 
@@ -216,6 +217,98 @@ double smallest_exponent(const Scene<dim> &scene, const Point<dim> &x,
       if (!goes_on || one.support == other.support)
         smallest = std::min(smallest, corner_exponent(layers, one, other));
   return smallest;
+}
+
+// Corners of a body that touch another one.
+
+namespace {
+/** Returns the arc length on the one side of a pair across from a point of the other one; none
+ * where they do not face each other. */
+std::optional<double> across_from(const Scene<2> &scene, const ContactPair<2> &pair,
+                                  const unsigned int side, const Point<2> &x) {
+  const auto &sides = scene.geometry.sides;
+  const Side<2> &first = sides[pair.side()], &second = sides[*pair.other_side()];
+  const bool is_first = side == pair.side();
+  const Side<2> &own = is_first ? first : second, &other = is_first ? second : first;
+  const double s = own.arc_length(x), middle = 0.5 * own.length();
+  const Tensor<1, 2> n = own.normal(s, s < middle ? own.length() : 0.);
+  // The lines between both are along the normals of the first side.
+  const Point<2> y = is_first ? second.across(x, n) : first.point(first.arc_length(x));
+  const double t = other.arc_length(y), rounding = 1e-8 * scene.geometry.diameter();
+  if (t < -rounding || t > other.length() + rounding || n * other.normal(t) > -grazing)
+    return {};
+  return std::clamp(t, 0., other.length());
+}
+
+/** A body about a corner as one part of a pair: its layers, and the conditions on the edge that is
+ * not the common one, both counter-clockwise. */
+struct WedgeOfPair {
+  std::vector<WedgeLayer> layers;
+  std::vector<EdgeCondition> outer;
+};
+
+/** Returns that of a corner; a side that goes on beyond the corner is free there. */
+WedgeOfPair wedge_of_pair(const Scene<2> &scene, const Corner &corner, const unsigned int side) {
+  const unsigned int outer = corner.sides[corner.sides[0] == side ? 1 : 0];
+  return {layers_at(scene, corner), outer == side
+                                      ? std::vector<EdgeCondition>{{EdgeSupport::free}}
+                                      : possible_conditions(scene, outer, corner.position)};
+}
+
+/** Returns the smallest exponent of two wedges that press on each other. @param states of the
+ * contact. */
+double smallest_exponent(const WedgeOfPair &first, const WedgeOfPair &second,
+                         const std::vector<EdgeCondition> &states) {
+  std::vector<WedgeLayer> both = first.layers;
+  both.insert(both.end(), second.layers.begin(), second.layers.end());
+  double smallest = 1.;
+  for (const EdgeCondition &one : first.outer)
+    for (const EdgeCondition &other : second.outer)
+      for (const EdgeCondition &state : states)
+        if (state.support == EdgeSupport::sliding)
+          smallest = std::min(
+            smallest, corner_exponent(SlippingWedges{first.layers, second.layers, state.friction},
+                                      one, other));
+        else if (state.support == EdgeSupport::held)
+          smallest = std::min(smallest, corner_exponent(both, one, other));
+  return smallest;
+}
+} // namespace
+
+std::vector<PairedCorner> paired_corners(const Scene<2> &scene) {
+  std::vector<PairedCorner> found;
+  const std::vector<Corner> all = corners(scene.geometry);
+  for (const ContactPair<2> &pair : contact_pairs(scene)) {
+    if (!pair.other_side())
+      continue;
+    const std::array<unsigned int, 2> sides = {{pair.side(), *pair.other_side()}};
+    for (const unsigned int i : {0U, 1U})
+      for (const Corner &corner : all) {
+        if (corner.sides[0] != sides[i] && corner.sides[1] != sides[i])
+          continue;
+        const auto t = across_from(scene, pair, sides[i], corner.position);
+        if (!t)
+          continue;
+        const unsigned int across = sides[1 - i];
+        const Side<2> &other = scene.geometry.sides[across];
+        const Tensor<1, 2> n = other.normal(*t);
+        Corner at = {other.point(*t), PI, {{across, across}}, Tensor<1, 2>({-n[1], n[0]})};
+        const auto meets = std::find_if(all.begin(), all.end(), [&](const Corner &candidate) {
+          return (candidate.sides[0] == across || candidate.sides[1] == across) &&
+                 candidate.position.distance(at.position) < 1e-8 * scene.geometry.diameter();
+        });
+        if (meets != all.end())
+          at = *meets;
+        const WedgeOfPair own = wedge_of_pair(scene, corner, sides[i]),
+                          opposite = wedge_of_pair(scene, at, across);
+        const auto states = possible_conditions(
+          scene, sides[0], i == 0 ? corner.position : scene.geometry.sides[sides[0]].point(*t));
+        found.push_back({corner, across, *t, meets != all.end(),
+                         corner.sides[1] == sides[i] ? smallest_exponent(own, opposite, states)
+                                                     : smallest_exponent(opposite, own, states)});
+      }
+  }
+  return found;
 }
 
 INSTANTIATE_FUNCTION(possible_conditions);

@@ -137,22 +137,38 @@ std::array<Complex, 2> violation(const EdgeCondition &edge, const EdgeState &sta
   return {{state[1], state[3] + edge.ratio * state[2]}};
 }
 
+/** Returns two states that span those beyond an edge that slips, from two that span those before
+ * it: their combination whose tractions have the ratio of friction, and a jump of u_r. */
+std::array<EdgeState, 2> slipped(const std::array<EdgeState, 2> &states, const double friction) {
+  const std::array<Complex, 2> misfits = {
+    {states[0][3] + friction * states[0][2], states[1][3] + friction * states[1][2]}};
+  EdgeState fitting;
+  for (unsigned int i = 0; i < fitting.size(); ++i)
+    fitting[i] = misfits[1] * states[0][i] - misfits[0] * states[1][i];
+  return {{fitting, {{1., 0., 0., 0.}}}};
+}
+
 /** The determinant (W7) of the conditions on the second edge for the states that the first one
  * admits. */
 struct LayeredFunction {
-  const std::vector<WedgeLayer> &layers;
+  const SlippingWedges &wedges;
   const EdgeCondition &first, &second;
   double frequency;
 
   Complex value(const Complex lambda) const {
-    std::array<std::array<Complex, 2>, 2> ends;
-    for (unsigned int i = 0; i < 2; ++i) {
-      EdgeState state = admitted(first)[i];
-      for (const WedgeLayer &layer : layers)
-        state = across(layer, lambda, state);
-      ends[i] = violation(second, state);
+    std::array<EdgeState, 2> states = admitted(first);
+    const auto cross = [&](const std::vector<WedgeLayer> &layers) {
+      for (EdgeState &state : states)
+        for (const WedgeLayer &layer : layers)
+          state = across(layer, lambda, state);
+    };
+    cross(wedges.first);
+    if (!wedges.second.empty()) {
+      states = slipped(states, wedges.friction);
+      cross(wedges.second);
     }
-    return ends[0][0] * ends[1][1] - ends[0][1] * ends[1][0];
+    const std::array<Complex, 2> a = violation(second, states[0]), b = violation(second, states[1]);
+    return a[0] * b[1] - a[1] * b[0];
   }
   Complex derivative(const Complex lambda) const {
     constexpr double step = 1e-5;
@@ -172,9 +188,16 @@ double corner_exponent(const std::vector<WedgeLayer> &layers, const EdgeConditio
   Assert(!layers.empty(), ExcMessage("A wedge has a material."));
   if (layers.size() == 1 && first.ratio == 0. && second.ratio == 0.)
     return corner_exponent(layers[0].angle, first.support, second.support, layers[0].kappa);
+  return corner_exponent(SlippingWedges{layers, {}}, first, second);
+}
+
+double corner_exponent(const SlippingWedges &wedges, const EdgeCondition &first,
+                       const EdgeCondition &second) {
   double kappa = 1.;
-  for (const WedgeLayer &layer : layers)
-    kappa = std::max(kappa, layer.kappa);
-  return min_real_part(LayeredFunction{layers, first, second, opening(layers)}, kappa, 1.);
+  for (const auto *const layers : {&wedges.first, &wedges.second})
+    for (const WedgeLayer &layer : *layers)
+      kappa = std::max(kappa, layer.kappa);
+  const double angle = opening(wedges.first) + opening(wedges.second);
+  return min_real_part(LayeredFunction{wedges, first, second, angle}, kappa, 1.);
 }
 } // namespace Signorini

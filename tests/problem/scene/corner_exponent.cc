@@ -277,9 +277,42 @@ void test_kolosov(Checks &checks) {
   hooke[1][1][1][1] -= 0.4;
   checks.near("stiffer along x, softer along y", make_layer(hooke, 1.).kappa, isotropic, 1e-12);
 }
+
+/** A right corner on a half-plane with E times its modulus, nu = 0.3: roots of an 8 x 8 determinant
+ * of an independent program (Williams' functions of both wedges). */
+void test_slipping_wedges(Checks &checks) {
+  struct Row {
+    double E, without, with, against, stick;
+  };
+  constexpr double kappa = 3. - 4. * 0.3;
+  const EdgeCondition free_edge;
+  for (const Row &row : std::vector<Row>{{1e-3, 0.5006, 0.5275, 0.4738, NAN},
+                                         {0.1, 0.5557, 0.5514, 0.5603, 0.5204},
+                                         {1., 0.7740, 0.6380, 0.9799, 0.5445},
+                                         {10., 0.9622, 0.7011, 1., 0.6690},
+                                         {1e3, 0.9996, 0.7128, 1., 0.7107}}) {
+    const std::vector<WedgeLayer> corner = {{0.5 * PI, kappa, 1.}}, plane = {{PI, kappa, row.E}};
+    const auto slip = [&](const double friction) {
+      return corner_exponent(SlippingWedges{corner, plane, friction}, free_edge, free_edge);
+    };
+    checks.near("frictionless", slip(0.), row.without, 1e-4);
+    checks.near("slip with either sign",
+                {std::min(slip(0.3), slip(-0.3)), std::max(slip(0.3), slip(-0.3))},
+                {std::min(row.with, row.against), std::max(row.with, row.against)}, 1e-4);
+    checks.near("in the other order",
+                corner_exponent(SlippingWedges{plane, corner, 0.}, free_edge, free_edge), slip(0.),
+                1e-9);
+    if (std::isfinite(row.stick))
+      checks.near("stick", corner_exponent({corner[0], plane[0]}, free_edge, free_edge), row.stick,
+                  1e-4);
+  }
+  const std::vector<WedgeLayer> quarter = {{0.5 * PI, kappa, 1.}};
+  checks.near("two right corners: no singular stress",
+              corner_exponent(SlippingWedges{quarter, quarter, 0.}, free_edge, free_edge), 1., 0.);
+}
 } // namespace
 
 int main() {
   return run_tests({test_known_values, test_kolosov, test_completeness, test_layers,
-                    test_layers_against_closed_forms});
+                    test_layers_against_closed_forms, test_slipping_wedges});
 }

@@ -37,6 +37,8 @@ struct Patch {
   double measure;
   /** Whether contact acts along several directions on it, one on each piece. */
   bool mixes = false;
+  /** The part of its face, where it is one face of the carrier, that lies in the patch. */
+  double share = 1.;
 
   Point<dim - 1> centre() const {
     return lower + 0.5 * (upper - lower);
@@ -163,6 +165,9 @@ struct Partition {
   unsigned int ratio = 2;
   /** The number of equal patches by side, aligned with nothing, where it is positive. */
   std::vector<unsigned int> patches_by_side = {};
+  /** Whether every face of the carrier (ContactPair::carrier()) is a patch instead, or its part
+   * that the other side faces. */
+  bool by_carrier = false;
 };
 
 /** The refinement of a rule. */
@@ -190,8 +195,8 @@ public:
    */
   ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &scene, const Partition &partition);
   /**
-   * Makes every face a patch. For 2-D only.
-   * @param n_points on every piece, by the active cell to which it belongs.
+   * Makes every face of the carrier a patch. For 2-D only.
+   * @param n_points on every piece, by active cell; of two bodies the larger number counts.
    */
   ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &scene,
                  const std::vector<unsigned int> &n_points);
@@ -225,6 +230,9 @@ public:
       found.push_back({faces_[piece.opposite->first], rule.on_opposite, -1.});
     return found;
   }
+
+  /** Returns the face of the carrier at a piece. */
+  const ContactFace<dim> &face_of_carrier(const Piece<dim> &piece) const;
 
   /** Returns a rule on the side itself for functions of the position: @p n_points Gauss points per
    * direction on every part into which kinks cut the piece. */

@@ -35,13 +35,16 @@ struct Singularity {
   bool is_certain = false;
   /** The indicator of the cells at it when it had the layers before these; 0: not known. */
   double last_error = 0., last_layers = 0.;
+  /** The number of the body whose cells are split. */
+  unsigned int body = 0;
 
   /** Returns whether the point, or a part of the bracket, lies in the closure of a cell. */
   bool touches(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell) const;
 };
 
-/** Returns the singularity with layers that is closest to a point, if there is any. */
-const Singularity *nearest(const std::vector<Singularity> &singularities, const Point<2> &x);
+/** Returns the singularity with layers in a body that is closest to a point, if there is any. */
+const Singularity *nearest(const std::vector<Singularity> &singularities, const Point<2> &x,
+                           unsigned int body = 0);
 
 /** The demands of the solution on earlier meshes on a cell. */
 struct CellDemand {
@@ -64,6 +67,8 @@ struct MeshPlan {
   std::array<std::vector<double>, 2> lines;
   /** The size of the cells of the mesh of the first step (length). */
   double base_size = 1.;
+  /** The same by body, where there are several. */
+  std::vector<double> base_sizes = {};
   std::vector<Singularity> singularities;
   std::map<CellId, CellDemand> demands;
   double rise = 0.;
@@ -71,6 +76,10 @@ struct MeshPlan {
   double aim = 1.;
   unsigned int max_element_degree = 9;
 
+  /** Returns the size of the cells of a body in the mesh of the first step (length). */
+  double size_in(const unsigned int body) const {
+    return base_sizes.empty() ? base_size : base_sizes[body];
+  }
   /** Returns whether a cell must be split. */
   bool must_split(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell,
                   unsigned int n_splits) const;
@@ -80,9 +89,10 @@ struct MeshPlan {
 Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene);
 
 /** Returns the degrees of the active cells of a mesh; those of neighbours differ by one at most. */
-std::vector<unsigned int> plan_degrees(const MeshPlan &plan, const Mesh<2> &mesh);
+std::vector<unsigned int> plan_degrees(const MeshPlan &plan, const Scene<2> &scene,
+                                       const Mesh<2> &mesh);
 
-/** Returns the degree that a plan gives to a cell of a mesh, regardless of its neighbours. */
-unsigned int planned_degree(const MeshPlan &plan, const Mesh<2> &mesh,
+/** Returns the degree that a plan gives to a cell of a body, regardless of its neighbours. */
+unsigned int planned_degree(const MeshPlan &plan, const Mesh<2> &mesh, unsigned int body,
                             const Triangulation<2>::active_cell_iterator &cell);
 } // namespace Signorini

@@ -23,6 +23,8 @@ struct ElasticBody {
   unsigned int first_side = 0;
   /** The lower corner of its bounding box, and the opposite one. */
   Point<dim> lower, upper;
+  /** The number of its cells on level 0. */
+  double n_coarse_cells = 1.;
 };
 
 /** The body before it is meshed, or several bodies. */

@@ -30,6 +30,13 @@ public:
   std::string other_name() const {
     return other_side() ? scene_.geometry.sides[*other_side()].name() : std::string();
   }
+  /**
+   * Returns the number of the carrier: of both sides the one whose body is more compliant, on whose
+   * faces the traction of both is best given. Its own compliance keeps C = C_1 + C_2 >= C_1 stable
+   * there whatever the mesh of the other side is. A side that touches a rigid foundation is its own
+   * carrier.
+   */
+  unsigned int carrier() const;
   /** Returns the gap g at a point of the contact side. @throws InputError where it has no value. */
   double gap(const Point<dim> &x) const {
     return data().data->value(x);

@@ -42,6 +42,21 @@ std::vector<Corner> corners(const Geometry<2> &geometry);
  * length may hide. */
 std::vector<Corner> interface_ends(const Scene<2> &scene);
 
+/** A corner of a body in the middle of which a pair of sides may touch, and the point across. */
+struct PairedCorner {
+  Corner corner;
+  /** The other side of the pair, and the arc length of the point on it (length). */
+  unsigned int side;
+  double s;
+  /** Whether that point is a corner of the other body, too. */
+  bool meets_corner;
+  /** The smallest exponent of both wedges over the states in which they press; at most 1. */
+  double exponent;
+};
+
+/** Returns the corners of both sides of all pairs from which a point across exists. */
+std::vector<PairedCorner> paired_corners(const Scene<2> &scene);
+
 /** Returns the materials about a corner; none where data has no value. Layers below 1/64 of the
  * angle may hide. */
 std::vector<WedgeLayer> layers_at(const Scene<2> &scene, const Corner &corner);

@@ -58,4 +58,16 @@ double corner_exponent(double angle, EdgeSupport first, EdgeSupport second, doub
  */
 double corner_exponent(const std::vector<WedgeLayer> &layers, const EdgeCondition &first,
                        const EdgeCondition &second);
+
+/** Two wedges, counter-clockwise one after the other, that slip on their common edge. */
+struct SlippingWedges {
+  std::vector<WedgeLayer> first, second;
+  /** The ratio q/p of the tractions on the common edge, as in EdgeCondition. */
+  double friction = 0.;
+};
+
+/** Returns the same for two wedges with the outer edges @p first and @p second: on the common edge
+ * u_theta and both tractions are continuous, and q = friction p. */
+double corner_exponent(const SlippingWedges &wedges, const EdgeCondition &first,
+                       const EdgeCondition &second);
 } // namespace Signorini
