@@ -256,6 +256,9 @@ void ContactSurface<dim>::complete(const Piece<dim> &piece, SurfaceRule<dim> &ru
   rule.directions = rule.normals;
   if constexpr (dim == 2) {
     const double of_part = 0.5 * (piece.lower[0] + piece.upper[0]);
+    // The maps of very small cells on arcs turn their normals, and pairs of points depend on them.
+    for (std::size_t q = 0; q < rule.size() && piece.opposite; ++q)
+      rule.normals[q] = side(patches_[piece.patch]).normal(rule.on_side[q][0], of_part);
     for (std::size_t q = 0; q < rule.size(); ++q)
       rule.directions[q] = condition(piece).directions.at(of_part, rule.points[q], rule.normals[q]);
     if (piece.opposite) {

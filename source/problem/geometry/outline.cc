@@ -122,7 +122,7 @@ Geometry<2> make_body(const std::vector<Side<2>> &sides, const CoarseMesh &mesh)
     if (edge.piece->radius() > 0.) {
       const auto [circle, is_new] = circles.emplace(edge.piece, manifolds.size());
       if (is_new)
-        manifolds.push_back(std::make_shared<SphericalManifold<2>>(edge.piece->centre_of_circle()));
+        manifolds.push_back(std::make_shared<PolarManifold<2>>(edge.piece->centre_of_circle()));
       line.manifold_id = circle->second;
     }
     edges.boundary_lines.push_back(line);

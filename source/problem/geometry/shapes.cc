@@ -62,7 +62,8 @@ void attach_manifolds(const std::vector<Side<2>> &sides, const Point<2> &centre,
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary() && sides[face->boundary_id()].radius() > 0.)
       face->set_manifold_id(circle);
-  triangulation.set_manifold(circle, SphericalManifold<2>(centre));
+  // SphericalManifold takes the angle from its cosine, which loses the digits of small cells.
+  triangulation.set_manifold(circle, PolarManifold<2>(centre));
   TransfiniteInterpolationManifold<2> transfinite;
   transfinite.initialize(triangulation);
   triangulation.set_manifold(interior, transfinite);
