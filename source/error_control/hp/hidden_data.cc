@@ -21,17 +21,22 @@ Values log_moduli(const Material<2> &material, const Point<2> &x) {
 
 /** Returns the largest E_a/E_h - 1, with the arithmetic and the harmonic mean of each modulus on a
  * cell, where the moduli jump; zero where they do not. */
-double jump_share(const Material<2> &material, const Triangulation<2>::active_cell_iterator &cell) {
+double jump_share(const Material<2> &material, const Mesh<2> &mesh,
+                  const Triangulation<2>::active_cell_iterator &cell) {
   constexpr unsigned int n = 16;
   const double min_jump = std::log(1.5);
   const CellShape shape(corners_of(cell));
+  // Beyond the chord of a curved side another body may begin.
+  const bool bends = mesh.is_curved() && cell->at_boundary();
   std::array<std::array<Values, n>, n> at;
   std::array<double, 3> sum = {}, sum_of_inverses = {};
   bool jumps = false;
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j) {
-      const CellFunctions functions({(i + 0.5) / n, (j + 0.5) / n});
-      at[i][j] = log_moduli(material, shape.point(functions));
+      const Point<2> position((i + 0.5) / n, (j + 0.5) / n);
+      at[i][j] = log_moduli(
+        material, bends ? mesh.mapping().transform_unit_to_real_cell(cell, position)
+                        : shape.point(CellFunctions({position[0], position[1]})));
       for (unsigned int c = 0; c < sum.size(); ++c) {
         const double value = at[i][j][c];
         sum[c] += std::exp(value);
@@ -103,7 +108,7 @@ JumpMisfit add_jump_misfit(const DisplacedBody<2> &body, std::vector<CellIndicat
   const double unit = stiffness_unit(body.space, material);
   dealii::Vector<double> on_cell;
   for (const auto &cell : body.space.dofs().active_cell_iterators()) {
-    const double share = jump_share(material, cell);
+    const double share = jump_share(material, body.space.mesh(), cell);
     if (share == 0.)
       continue;
     on_cell.reinit(cell->get_fe().n_dofs_per_cell());

@@ -138,8 +138,8 @@ std::array<Complex, 2> violation(const EdgeCondition &edge, const EdgeState &sta
 }
 
 /** Returns two states that span those beyond an edge that slips, from two that span those before
- * it: their combination whose tractions have the ratio of friction, and a jump of u_r. */
-std::array<EdgeState, 2> slipped(const std::array<EdgeState, 2> &states, const double friction) {
+ * it: their combination whose tractions have the given ratio, and a jump of u_r. */
+std::array<EdgeState, 2> slipped(const std::array<EdgeState, 2> &states, const double ratio) {
   const std::array<Complex, 2> misfits = {
     {states[0][3] + friction * states[0][2], states[1][3] + friction * states[1][2]}};
   EdgeState fitting;
@@ -164,7 +164,7 @@ struct LayeredFunction {
     };
     cross(wedges.first);
     if (!wedges.second.empty()) {
-      states = slipped(states, wedges.friction);
+      states = slipped(states, wedges.ratio);
       cross(wedges.second);
     }
     const std::array<Complex, 2> a = violation(second, states[0]), b = violation(second, states[1]);

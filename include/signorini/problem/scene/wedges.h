@@ -63,11 +63,11 @@ double corner_exponent(const std::vector<WedgeLayer> &layers, const EdgeConditio
 struct SlippingWedges {
   std::vector<WedgeLayer> first, second;
   /** The ratio q/p of the tractions on the common edge, as in EdgeCondition. */
-  double friction = 0.;
+  double ratio = 0.;
 };
 
 /** Returns the same for two wedges with the outer edges @p first and @p second: on the common edge
- * u_theta and both tractions are continuous, and q = friction p. */
+ * u_theta and both tractions are continuous, and q = ratio p. */
 double corner_exponent(const SlippingWedges &wedges, const EdgeCondition &first,
                        const EdgeCondition &second);
 } // namespace Signorini
