@@ -4,7 +4,6 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
 #include <signorini/driver/runs/strategy.h>
-#include <signorini/driver/study/levels_of_pairs.h>
 
 namespace Signorini {
 namespace {
@@ -65,14 +64,6 @@ std::string decide_strategy(Parameters &parameters, const Scene<dim> &scene) {
                  (reason.empty() ? "neither levels nor an exact solution are given" : reason);
     decide(given.strategy, strategy, to_text(strategy), parameters);
   }
-  if constexpr (dim == 2)
-    if (given.strategy == Strategy::nested && scene.has_pairs() && !has_levels) {
-      const auto [coarsest, finest] = levels_of_pairs(scene);
-      given.coarsest_level.value = coarsest;
-      given.finest_level.value = finest;
-      if (!sentence.empty() && scene.load_cases.empty() && scene.exact_displacement == nullptr)
-        sentence += ", until the error is below " + number_text(100. * enough_for_pairs) + " %";
-    }
   if (given.strategy == Strategy::hp && !given.coarsest_level.is_given) {
     const unsigned int first = first_level(scene.geometry.n_coarse_cells);
     decide(given.coarsest_level, first, std::to_string(first), parameters);

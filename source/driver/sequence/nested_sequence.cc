@@ -43,11 +43,8 @@ public:
     LevelRecord &record = result.solution.record;
     if (context_.verify)
       context_.verify(discretization, progress, result.solution);
-    result.is_last =
-      next_level_ == parameters.discretization.finest_level || !record.dual.converged ||
-      context_.judge.reaches_target(record) ||
-      (may_end_early() && next_level_ > parameters.discretization.coarsest_level + 1 &&
-       relative_error(record).value_or(1.) < enough_for_pairs);
+    result.is_last = next_level_ == parameters.discretization.finest_level ||
+                     !record.dual.converged || context_.judge.reaches_target(record);
     const bool may_lock = parameters.discretization.element == Element::q1;
     if (result.is_last && may_lock)
       record.locking_number = locking_number(discretization.mesh, context_.scene);
@@ -58,15 +55,6 @@ public:
   }
 
 private:
-  /** Returns whether nobody has stated levels of pairs of bodies, and the error of the scene says
-   * all that is asked. */
-  bool may_end_early() const {
-    const DiscretizationParameters &given = context_.parameters.discretization;
-    return context_.scene.has_pairs() && !given.finest_level.is_given &&
-           !given.coarsest_level.is_given && context_.scene.load_cases.empty() &&
-           context_.scene.exact_displacement == nullptr;
-  }
-
   SolverChoice solvers_of(const unsigned int level) const {
     const SolverParameters &solver = context_.parameters.solver;
     if (failure_of_cycles_)
@@ -84,7 +72,7 @@ private:
       LevelSolution<dim> solution = solve_level(problem, discretization, start, progress);
       // The bound is computed on levels where the study may stop.
       const DiscretizationParameters &given = context_.parameters.discretization;
-      if (next_level_ == given.finest_level || given.target_error > 0. || may_end_early())
+      if (next_level_ == given.finest_level || given.target_error > 0.)
         add_bound(problem.parameters, discretization, progress, solution);
       release_unused(problem, solution);
       solution.record.dual.failure_of_cycles = failure_of_cycles_;

@@ -34,9 +34,9 @@ double jump_share(const Material<2> &material, const Mesh<2> &mesh,
   for (unsigned int i = 0; i < n; ++i)
     for (unsigned int j = 0; j < n; ++j) {
       const Point<2> position((i + 0.5) / n, (j + 0.5) / n);
-      at[i][j] = log_moduli(
-        material, bends ? mesh.mapping().transform_unit_to_real_cell(cell, position)
-                        : shape.point(CellFunctions({position[0], position[1]})));
+      at[i][j] =
+        log_moduli(material, bends ? mesh.mapping().transform_unit_to_real_cell(cell, position)
+                                   : shape.point(CellFunctions({position[0], position[1]})));
       for (unsigned int c = 0; c < sum.size(); ++c) {
         const double value = at[i][j][c];
         sum[c] += std::exp(value);

@@ -267,8 +267,8 @@ double smallest_exponent(const WedgeOfPair &first, const WedgeOfPair &second,
       for (const EdgeCondition &state : states)
         if (state.support == EdgeSupport::sliding)
           smallest = std::min(
-            smallest, corner_exponent(SlippingWedges{first.layers, second.layers, state.ratio},
-                                      one, other));
+            smallest,
+            corner_exponent(SlippingWedges{first.layers, second.layers, state.ratio}, one, other));
         else if (state.support == EdgeSupport::held)
           smallest = std::min(smallest, corner_exponent(both, one, other));
   return smallest;

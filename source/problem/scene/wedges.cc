@@ -141,7 +141,7 @@ std::array<Complex, 2> violation(const EdgeCondition &edge, const EdgeState &sta
  * it: their combination whose tractions have the given ratio, and a jump of u_r. */
 std::array<EdgeState, 2> slipped(const std::array<EdgeState, 2> &states, const double ratio) {
   const std::array<Complex, 2> misfits = {
-    {states[0][3] + friction * states[0][2], states[1][3] + friction * states[1][2]}};
+    {states[0][3] + ratio * states[0][2], states[1][3] + ratio * states[1][2]}};
   EdgeState fitting;
   for (unsigned int i = 0; i < fitting.size(); ++i)
     fitting[i] = misfits[1] * states[0][i] - misfits[0] * states[1][i];

@@ -407,7 +407,6 @@ void test_refusals(Checks &checks) {
   refuses("bodies in space", "set Dimension = 3\n" + blocks + pair, "'a b' with Dimension = 3");
   refuses("no second name", blocks + "Boundary/Contact = a.bottom with\n",
           "the names of two sides");
-  refuses("graded meshes", pressed + "Discretization/Strategy = hp\n", "with a pair of sides");
   refuses("a body that nothing presses", blocks + pair + "Boundary/Traction = a.top: 0; 0.01\n",
           "along (0, 1), of 'a'");
 }

@@ -74,29 +74,16 @@ int main(int argc, char *argv[]) {
   solve_all_nested_levels(repeated);
   checks.that("and a change of it",
               parse_parameters(repeated.echo, "echo").discretization.strategy == nested);
-  // The levels of pairs: the first one on which they face each other on some faces, and few
-  // unknowns.
-  const auto levels = [&](const std::string &cells, const std::string &more = "") {
-    const Parameters given = parse_parameters(
-      parameter_file("Geometry/Bodies = a b\nGeometry/Lower left = a: 0, 0 | b: 0, 1\n"
-                     "Geometry/Upper right = a: 2, 1 | b: 1, 2\nGeometry/Cells = " +
-                     cells +
-                     "\nBoundary/Contact = a.top with b.bottom\nBoundary/Clamped = "
-                     "a.bottom b.top\n" +
-                     more),
-      "test");
-    const Decision decision = decide<2>(given);
-    return std::pair(decision.coarsest, decision.finest);
+  const std::string pair = "Geometry/Bodies = a b\nGeometry/Lower left = a: 0, 0 | b: 0, 1\n"
+                           "Geometry/Upper right = a: 2, 1 | b: 1, 2\n"
+                           "Boundary/Contact = a.top with b.bottom\n"
+                           "Boundary/Clamped = a.bottom b.top\n";
+  const auto of_pair = [&](const std::string &more) {
+    return decide<2>(parse_parameters(parameter_file(pair + more), "test"));
   };
-  const auto are = [](const unsigned int first, const unsigned int last) {
-    return std::pair(first, last);
-  };
-  checks.that("a pair of few cells", levels("1, 1") == are(2, 6));
-  checks.that("a pair of many cells", levels("64, 32") == are(0, 2));
-  checks.that("a pair of very many cells", levels("600, 300") == are(0, 1));
-  checks.that("many cells, few on the pair", levels("2, 200") == are(1, 4));
+  checks.that("a pair", is(of_pair("Geometry/Cells = 4, 4\n"), hp, 0));
   checks.that("a pair with stated levels",
-              levels("64, 32", "Discretization/Finest level = 3\n") == are(2, 3));
+              is(of_pair("Discretization/Finest level = 3\n"), nested));
   checks.that("an exact solution",
               is(decide<2>(parse_parameters(parameter_file("Scene/Name = A1"), "test")), nested));
   checks.that("in space",

@@ -36,13 +36,8 @@ public:
   virtual LevelResult<dim> solve_next(const Progress &progress) = 0;
 };
 
-/** The relative error, its bound or else its estimate, below which levels of pairs of bodies end
- * that nobody has stated: bilinear elements need four times as many unknowns for half of it. */
-constexpr double enough_for_pairs = 0.02;
-
 /** Makes the sequence T^h, T^{h/2}, ... from Coarsest level to Finest level, or until the target
- * error is reached; with pairs of bodies and no stated levels until enough_for_pairs, on the third
- * level at the earliest.
+ * error is reached.
  * @throws InputError for levels that cannot fit into memory. */
 template <int dim>
 std::unique_ptr<Sequence<dim>> make_nested_sequence(const StudyContext<dim> &context);
