@@ -140,10 +140,11 @@ void print_verdict(const std::vector<LevelRecord> &levels, const Judge &judge,
   constexpr double large_turn = 0.1;
   if (const double turn = levels.empty() ? 0. : levels.back().answer.turn_of_normals;
       turn > large_turn)
-    screen << "Warning: where sides press, the normals of what they touch are up to "
-           << std::round(100. * turn) / 100. << " from opposite (more than " << large_turn
-           << "): contact acts along the normals of the side, of a pair those of the side named "
-              "first, and forces may be wrong by about the square of this.\n";
+    screen
+      << "Warning: where sides press, the normals of what they touch are up to "
+      << std::round(100. * turn) / 100. << " from opposite (more than " << large_turn
+      << "): contact acts along one of them, in a pair along their mean, and forces may be wrong "
+         "by about the square of this.\n";
   if (!verdict.accuracy.empty())
     screen << "Accuracy: " << verdict.accuracy << ".\n";
   if (verdict.outcome == Outcome::not_certified)

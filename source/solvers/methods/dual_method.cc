@@ -117,9 +117,10 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
                      ": no load moves the body, and the pressure of the foundation, into which it "
                      "begins, leaves " +
                      rigid_part(operators.modes, neutral.front()).name() + " free" +
-                     (K.has_tangential_part() ? ", along which friction is too weak to hold it; allowed: "
-                                         "more friction, "
-                                       : "; allowed: ") +
+                     (K.has_tangential_part()
+                        ? ", along which friction is too weak to hold it; allowed: "
+                          "more friction, "
+                        : "; allowed: ") +
                      "loads that press the body onto the foundation, or more sides that hold it.");
 }
 

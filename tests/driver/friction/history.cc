@@ -87,8 +87,8 @@ void test_steps(Checks &checks) {
   checks.that("dissipation grows", back.tangential->dissipation > far.tangential->dissipation &&
                                      far.tangential->dissipation > first.tangential->dissipation);
   const CaseResult home = steps.solve(step(0.)), rest = cases.solve(step(0.));
-  checks.that("the way matters",
-              std::abs(home.tangential->tangential_force - rest.tangential->tangential_force) > 1e-4);
+  checks.that("the way matters", std::abs(home.tangential->tangential_force -
+                                          rest.tangential->tangential_force) > 1e-4);
   // The obstacle, moved by 0.01 along the side, acts like a shift of 0.01.
   LoadCase moved = step(0.);
   moved.shift_x = 0.01;
