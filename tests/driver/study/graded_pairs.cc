@@ -93,8 +93,8 @@ void test_press_fit(Checks &checks) {
   checks.near("press fit", last(result, "peak_pressure") / p, 1., 1e-6);
 }
 
-/** Both sides may be named first. With materials of a contrast the normals of one side would cost
- * 1e-3 here. */
+/** Both sides may be named first, up to the square of a/R = 0.06. The normals of one side would
+ * cost six thousandths here, where moduli differ by ten. */
 void test_exchanged_roles(Checks &checks) {
   const auto force = [](const std::string &contact) {
     return force_of(solve_to(
@@ -104,7 +104,7 @@ void test_exchanged_roles(Checks &checks) {
         contact + "\nBoundary/Clamped = b.bottom\nBoundary/Displacement = a.flat: 0; -0.005\n",
       "1e-4"));
   };
-  checks.near("exchanged roles", force("a.arc with b.top") / force("b.top with a.arc"), 1., 2e-5);
+  checks.near("exchanged roles", force("a.arc with b.top") / force("b.top with a.arc"), 1., 3e-4);
 }
 } // namespace
 
