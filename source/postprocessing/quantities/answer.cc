@@ -103,7 +103,8 @@ void remove_moments(Answer &answer) {
     force.through.reset();
   };
   remove(answer.contact_force);
-  for (std::vector<SideForce> *const forces : {&answer.contact_by_side, &answer.reactions})
+  for (std::vector<SideForce> *const forces :
+       {&answer.contact_by_side, &answer.reactions, &answer.zone_forces})
     std::for_each(forces->begin(), forces->end(), remove);
 }
 } // namespace
@@ -125,15 +126,17 @@ Answer compute_answer(const BodyInContact<dim> &body, const NodalForces &forces)
   answer.contact_force = contact_force(multipliers, sides_of_contact_force(scene), multiplier);
   answer.contact_force.side.clear();
   answer.reactions = reactions(body.space, scene, forces);
+  if constexpr (dim == 2) {
+    answer.zones = contact_zones(multipliers, multiplier.normal());
+    answer.zone_forces = zone_forces(multipliers, multiplier, answer.zones);
+  }
   answer.axisymmetric = scene.geometry.axisymmetric;
   if (answer.axisymmetric)
     remove_moments(answer);
   const std::vector<SingularEdge<dim>> edges = singular_edges(scene);
   answer.peak_pressure = describe_peak(body, edges);
-  if constexpr (dim == 2) {
-    answer.zones = contact_zones(multipliers, multiplier.normal());
+  if constexpr (dim == 2)
     answer.turn_of_normals = turn_of_normals(multipliers, multiplier.normal());
-  }
   answer.penetration = max_penetration(body, body.surface());
   answer.von_mises = largest_von_mises(body, edges);
   set_growth(edges, body, answer.von_mises.point, answer.von_mises);

@@ -48,16 +48,18 @@ std::vector<unsigned int> sides_of_contact_force(const Scene<dim> &scene) {
   return sides;
 }
 
-template <int dim>
-SideForce contact_force(const MultiplierSpace<dim> &multipliers,
-                        const std::vector<unsigned int> &sides, const Multiplier &multiplier,
-                        const PairSide acts_on) {
+namespace {
+/** Returns the force of the pieces that belong to a part of Γ_c with a name. */
+template <int dim, typename Belongs>
+SideForce force_of_pieces(const std::string &name, const MultiplierSpace<dim> &multipliers,
+                          const Multiplier &multiplier, const PairSide acts_on,
+                          const Belongs &belongs) {
   const ContactSurface<dim> &surface = multipliers.surface();
   Resultant<dim> resultant;
   double total = 0.;
   Tensor<1, dim> centre;
   for (const Piece<dim> &piece : surface.pieces())
-    if (std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0) {
+    if (belongs(piece)) {
       const PairedPiece<dim> pair(surface, piece);
       resultant += pair.resultant(multipliers, multiplier, acts_on);
       const SurfaceRule<dim> &rule = piece.on_mesh;
@@ -73,10 +75,53 @@ SideForce contact_force(const MultiplierSpace<dim> &multipliers,
   resultant = sum_over_ranks(resultant, communicator);
   total = Utilities::MPI::sum(total, communicator);
   centre = Utilities::MPI::sum(centre, communicator);
-  const std::string name =
-    sides.size() == 1 ? surface.scene().geometry.sides[sides[0]].name() : std::string();
   return side_force(name, resultant, total != 0. ? Point<dim>(centre / total) : Point<dim>(),
                     std::abs(total));
+}
+
+/** Returns the distance of an arc length from a zone, 0 inside (length). */
+double distance_from(const ContactZone &zone, const double s, const Side<2> &side) {
+  const double middle = zone.start.at.arc_length + 0.5 * zone.length;
+  double distance = std::abs(s - middle);
+  if (side.is_closed())
+    distance = std::abs(distance - side.length() * std::round(distance / side.length()));
+  return std::max(0., distance - 0.5 * zone.length);
+}
+} // namespace
+
+template <int dim>
+SideForce contact_force(const MultiplierSpace<dim> &multipliers,
+                        const std::vector<unsigned int> &sides, const Multiplier &multiplier,
+                        const PairSide acts_on) {
+  const ContactSurface<dim> &surface = multipliers.surface();
+  const std::string name =
+    sides.size() == 1 ? surface.scene().geometry.sides[sides[0]].name() : std::string();
+  return force_of_pieces(name, multipliers, multiplier, acts_on, [&](const Piece<dim> &piece) {
+    return std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0;
+  });
+}
+
+std::vector<SideForce> zone_forces(const MultiplierSpace<2> &multipliers,
+                                   const Multiplier &multiplier,
+                                   const std::vector<ContactZone> &zones) {
+  const ContactSurface<2> &surface = multipliers.surface();
+  const auto nearest = [&](const Piece<2> &piece) {
+    const Side<2> &side = surface.side(surface.patches()[piece.patch]);
+    const double s = 0.5 * (piece.lower[0] + piece.upper[0]);
+    std::size_t found = zones.size();
+    for (std::size_t i = 0; i < zones.size(); ++i)
+      if (zones[i].start.at.side == side.name() &&
+          (found == zones.size() ||
+           distance_from(zones[i], s, side) < distance_from(zones[found], s, side)))
+        found = i;
+    return found;
+  };
+  std::vector<SideForce> forces;
+  for (std::size_t i = 0; i < zones.size(); ++i)
+    forces.push_back(force_of_pieces(zones[i].start.at.side, multipliers, multiplier,
+                                     PairSide::first,
+                                     [&](const Piece<2> &piece) { return nearest(piece) == i; }));
+  return forces;
 }
 
 namespace {

@@ -154,7 +154,15 @@ public:
     const bool in_space = level_.answer.dimension == 3;
     if (in_space)
       add("Contact area", digits(level_.contact.length));
-    add_zones("Contact zone", level_.answer.zones);
+    // A zone that is alone on its side has the force of the side.
+    const std::vector<ContactZone> &zones = level_.answer.zones;
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+      add_zones("Contact zone", {zones[i]});
+      if (std::count_if(zones.begin(), zones.end(), [&](const ContactZone &zone) {
+            return zone.start.at.side == zones[i].start.at.side;
+          }) > 1)
+        add("  its force", force_text(level_.answer.zone_forces[i]));
+    }
     if (!level_.tangential)
       return;
     const TangentialSummary &part = *level_.tangential;

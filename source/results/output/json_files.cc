@@ -124,6 +124,18 @@ Json with_trend(Json maximum, const Trend &trend) {
   return maximum;
 }
 
+/** Returns the contact zones with their forces. */
+Json zones_of(const Answer &answer) {
+  Json zones = Json::array();
+  for (std::size_t i = 0; i < answer.zones.size(); ++i) {
+    zones.push_back(answer.zones[i]);
+    Json force = answer.zone_forces[i];
+    force.erase("side");
+    zones.back().update(force);
+  }
+  return zones;
+}
+
 /** Returns a PeakPressure or VonMises with its trend, the edge where it grows without limit, and
  * the maximum away from such edges. */
 template <typename Maximum>
@@ -168,7 +180,7 @@ void write_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
                {"peak_pressure", answer.peak_pressure
                                    ? maximum_of(*answer.peak_pressure, summary.peak_pressure)
                                    : nullptr},
-               {"contact_zones", answer.zones},
+               {"contact_zones", zones_of(answer)},
                {"penetration", answer.penetration},
                {"von_mises", maximum_of(answer.von_mises, summary.von_mises)},
                {"strained_share", answer.von_mises.strained_share},

@@ -82,7 +82,8 @@ void multiply_forces(const double thickness, LevelRecord &record, std::vector<Ca
   };
   multiply(thickness, record.contact.normal_force, record.certificate.energy,
            answer.contact_force.resultant.force, answer.contact_force.resultant.moment);
-  for (std::vector<SideForce> *const forces : {&answer.contact_by_side, &answer.reactions})
+  for (std::vector<SideForce> *const forces :
+       {&answer.contact_by_side, &answer.reactions, &answer.zone_forces})
     for (SideForce &force : *forces)
       multiply(thickness, force.resultant.force, force.resultant.moment);
   for (PlateRecord &plate : record.motions.plates)

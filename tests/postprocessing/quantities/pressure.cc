@@ -87,6 +87,17 @@ void forces(Checks &checks) {
               {found.resultant.force[0], found.resultant.force[1], found.resultant.moment[0],
                (*found.through)[0], (*found.through)[1]},
               {0., 1.5, moment, moment / 1.5, 0.}, 1e-13);
+  // Presses on both thirds at the ends: two zones, whose forces sum up to that of the side.
+  const Pressure two = means(level.multipliers(), [](const double x) {
+    return x < 0.25 ? -x : x < 0.75 ? -0.25 : -0.25 - 3. * (x - 0.75);
+  });
+  const auto found_zones = contact_zones(level.multipliers(), two);
+  const auto of_zones = zone_forces(level.multipliers(), two, found_zones);
+  checks.near("forces of two zones",
+              {of_zones.at(0).resultant.force[1], of_zones.at(1).resultant.force[1]}, {0.25, 0.75},
+              1e-13);
+  checks.near("their lines of action", {(*of_zones[0].through)[0], (*of_zones[1].through)[0]},
+              {0.125, 0.875}, 1e-13);
   checks.that("no force, no line", !force_of(Pressure(P.size())).through && found.side == "bottom");
   Resultant<2> oblique;
   const dealii::Point<2> a(0.3, -0.7);

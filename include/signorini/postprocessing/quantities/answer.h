@@ -39,6 +39,8 @@ struct Answer {
   std::optional<PeakPressure> peak_pressure;
   /** The contact zones, for 2-D only. */
   std::vector<ContactZone> zones;
+  /** Their forces, in the same order. */
+  std::vector<SideForce> zone_forces;
   /** The penetration; empty without a contact side. */
   std::optional<Penetration> penetration;
   /** The largest |m + n_2| of the direction of contact and the unit normal of the other side of a

@@ -7,6 +7,7 @@
 #include <signorini/discretization/space/resultant.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
+#include <signorini/postprocessing/quantities/contact_zones.h>
 
 #include <optional>
 #include <string>
@@ -46,6 +47,12 @@ template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,
                         const std::vector<unsigned int> &sides, const Multiplier &multiplier,
                         PairSide acts_on = PairSide::first);
+
+/** Returns the forces of contact zones on the (first) bodies, in their order. A piece between two
+ * zones belongs to the nearer one: the forces of all zones of a side sum up to that of the side. */
+std::vector<SideForce> zone_forces(const MultiplierSpace<2> &multipliers,
+                                   const Multiplier &multiplier,
+                                   const std::vector<ContactZone> &zones);
 
 /**
  * Returns the reaction of every clamped, prescribed and roller side: the sum of
