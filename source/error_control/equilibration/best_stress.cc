@@ -86,8 +86,12 @@ std::string objection_to_stress(const BoundData &data) {
   if (data.space.strain_operator() != StrainOperator::symmetric_gradient &&
       data.space.max_element_degree() > 1)
     return "the strain is that of B-bar, with elements of a degree above one";
+  std::set<unsigned int> paired;
   for (const ContactPair<2> &pair : contact_pairs(data.scene))
     if (pair.other_side()) {
+      for (const unsigned int side : {pair.side(), *pair.other_side()})
+        if (!paired.insert(side).second)
+          return "the side '" + data.scene.geometry.sides[side].name() + "' is in several pairs";
       const Side<2> &a = data.scene.geometry.sides[pair.side()],
                     &b = data.scene.geometry.sides[*pair.other_side()];
       if (!(a.is_flat() && b.is_flat() && (a.normal(0.) + b.normal(0.)).norm() < 1e-10))

@@ -4,6 +4,7 @@
 #include <signorini/error_control/hp/next_plan.h>
 #include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/corners.h>
+#include <signorini/problem/scene/facing.h>
 
 #include <algorithm>
 #include <cmath>
@@ -100,7 +101,8 @@ std::vector<Singularity> grade_places(const MeshPlan &plan, const Scene<2> &scen
                                       const Goal &goal) {
   std::vector<Singularity> singularities;
   for (const Singularity &known : plan.singularities) {
-    if (known.kind == Singularity::Kind::end_of_contact)
+    if (known.kind == Singularity::Kind::end_of_contact ||
+        known.kind == Singularity::Kind::first_touch)
       continue;
     Singularity singularity = known;
     const auto indicators = indicators_at(known, scene, mesh, findings.indicators);
@@ -234,6 +236,22 @@ void add_kinks(const unsigned int side, const Scene<2> &scene, MeshPlan &plan) {
       plan.singularities.push_back(on_side(Singularity::Kind::kink, part, scene));
 }
 
+/** Adds the nearest points of the parts of two sides that face each other, unless these are flat.
+ */
+void add_first_touch(const ContactPair<2> &pair, const Scene<2> &scene, MeshPlan &plan) {
+  constexpr double layers_to_see_contact = 4.;
+  const Side<2> &first = scene.geometry.sides[pair.side()],
+                &second = scene.geometry.sides[*pair.other_side()];
+  if (first.is_flat() && second.is_flat())
+    return;
+  for (const FacingPart &part : facing_parts(first, second, grazing))
+    for (const ZoneBracket &point :
+         on_both_sides({pair.side(), part.nearest, part.nearest}, scene)) {
+      plan.singularities.push_back(on_side(Singularity::Kind::first_touch, point, scene));
+      plan.singularities.back().layers = layers_to_see_contact;
+    }
+}
+
 /** Adds a corner of a body that may touch another one: u is singular in both, in the other one at
  * the point across. */
 void add_paired_corner(const PairedCorner &paired, const Scene<2> &scene, MeshPlan &plan) {
@@ -288,6 +306,9 @@ MeshPlan first_plan(const Scene<2> &scene, const unsigned int base_level,
       add_kinks(side, scene, plan);
   for (const PairedCorner &paired : paired_corners(scene))
     add_paired_corner(paired, scene, plan);
+  for (const ContactPair<2> &pair : contact_pairs(scene))
+    if (pair.other_side())
+      add_first_touch(pair, scene, plan);
   return plan;
 }
 

@@ -10,7 +10,9 @@
 #include <signorini/problem/scene/functions.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <set>
 
 #include "input.h"
 
@@ -107,6 +109,44 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
   return make_piecewise(materials, geometry.region_at, geometry.inner_point());
 }
 
+/** Pairs of sides. Each is seen from one of its sides, and a side sees one pair at most; it may be
+ * the other side of any number of them. */
+class SeenPairs {
+public:
+  /** Adds a pair that is seen from @p first where possible. @return whether all pairs can be seen.
+   */
+  bool add(const unsigned int first, const unsigned int second) {
+    pairs_.push_back({{first, second}});
+    std::set<unsigned int> asked;
+    return give_side(pairs_.size() - 1, asked);
+  }
+  /** Returns the sides that see pairs, and the other side of each. */
+  std::map<unsigned int, unsigned int> others() const {
+    std::map<unsigned int, unsigned int> others;
+    for (const auto &[side, i] : seen_from_)
+      others[side] = pairs_[i][0] == side ? pairs_[i][1] : pairs_[i][0];
+    return others;
+  }
+
+private:
+  /** Lets a side of pair i see it, whose own pair is seen from its other side if need be. */
+  bool give_side(const std::size_t i, std::set<unsigned int> &asked) {
+    for (const unsigned int side : pairs_[i])
+      if (seen_from_.try_emplace(side, i).second)
+        return true;
+    for (const unsigned int side : pairs_[i])
+      if (asked.insert(side).second && give_side(seen_from_.at(side), asked)) {
+        seen_from_[side] = i;
+        return true;
+      }
+    return false;
+  }
+
+  std::vector<std::array<unsigned int, 2>> pairs_;
+  /** The pair that a side sees. */
+  std::map<unsigned int, std::size_t> seen_from_;
+};
+
 /** Gives sides their roles; a side has one role only. */
 template <int dim>
 void read_boundary(const BoundaryParameters &given, const LoadParameters &load, Scene<dim> &scene) {
@@ -136,18 +176,41 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load, 
   };
   assign_all(given.clamped, Role::clamped, given.clamped);
   assign_all(given.rollers, Role::roller, given.rollers);
+  SeenPairs pairs;
+  std::set<unsigned int> paired;
+  std::set<std::pair<unsigned int, unsigned int>> known;
   for (const std::string &part : split_list(given.contact, '|')) {
     const std::vector<std::string> words = split_words(part);
     if (std::count(words.begin(), words.end(), "with") == 0) {
       assign_all(part, Role::contact, given.contact);
       continue;
     }
-    if (dim == 3 || words.size() != 3 || words[1] != "with")
+    if (dim == 3 || words.size() < 3 || words[1] != "with")
       throw error_at(given.contact, "found ", quote(part),
-                     ", allowed for a pair, in the plane: the names of two sides with the word "
-                     "'with' between them; pairs and other sides are separated by '|'.");
-    assign(words[2], Role::opposite, given.contact);
-    assign(words[0], Role::contact, given.contact).opposite = scene.geometry.find_side(words[2]);
+                     ", allowed for a pair, in the plane: the name of a side, the word 'with' and "
+                     "the names of the sides that it may touch; pairs and other sides are "
+                     "separated by '|'.");
+    for (const std::string &name : words)
+      if (const unsigned int side = scene.geometry.find_side(name);
+          name != "with" && paired.count(side) == 0) {
+        assign(name, Role::opposite, given.contact);
+        paired.insert(side);
+      }
+    const unsigned int first = scene.geometry.find_side(words[0]);
+    for (std::size_t i = 2; i < words.size(); ++i) {
+      const unsigned int second = scene.geometry.find_side(words[i]);
+      if (first == second || !known.insert(std::minmax(first, second)).second)
+        throw error_at(given.contact, "found ", quote(part),
+                       ", allowed: two different sides, and each pair once.");
+      if (!pairs.add(first, second))
+        throw error_at(given.contact, "the sides in ", quote(part),
+                       " are in more pairs than there are sides, allowed: as many pairs as sides "
+                       "that touch each other; divide a side into two.");
+    }
+  }
+  for (const auto &[side, other] : pairs.others()) {
+    scene.boundary[side].role = Role::contact;
+    scene.boundary[side].opposite = other;
   }
   for (const auto &[list, role] :
        {std::pair{&given.displacement, Role::displacement}, {&given.traction, Role::traction}})

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iomanip>
 
+#include "graded_steps.h"
 #include "study_helpers.h"
 #include "tests.h"
 
@@ -128,8 +129,34 @@ void test_exchanged_roles(Checks &checks) {
   };
   checks.near("exchanged roles", force("a.arc with b.top") / force("b.top with a.arc"), 1., 3e-4);
 }
+/** A roller between two plates: one side in two pairs. Its lower half is the whole by symmetry, up
+ * to a tenth of (a/R)², since the plates see and are seen. */
+void test_side_in_two_pairs(Checks &checks) {
+  const StudyResult<2> whole =
+    solve("Geometry/Bodies = u r l\nGeometry/Shape = u: rectangle | r: disc | l: rectangle\n"
+          "Geometry/Lower left = u: -1.5, 1 | l: -1.5, -2\nGeometry/Radius = r: 1\n"
+          "Geometry/Upper right = u: 1.5, 2 | l: 1.5, -1\nGeometry/Cells = u: 3, 1 | l: 3, 1\n"
+          "Material/Young's modulus = u: 10 | r: 1 | l: 10\n"
+          "Boundary/Contact = r.arc with u.bottom l.top\nBoundary/Clamped = l.bottom\n"
+          "Boundary/Displacement = u.top: 0; -0.05\n",
+          graded("1e-3"));
+  const StudyResult<2> half = solve_to(
+    "Geometry/Shape = a: half disc | b: rectangle\nGeometry/Centre = a: 0, 0\n"
+    "Geometry/Radius = a: 1\nGeometry/Lower left = b: -1.5, -2\nGeometry/Upper right = b: 1.5, "
+    "-1\nGeometry/Cells = b: 3, 1\nMaterial/Young's modulus = a: 1 | b: 10\n"
+    "Boundary/Contact = a.arc with b.top\nBoundary/Rollers = a.flat\n"
+    "Boundary/Displacement = b.bottom: 0; 0.025\n",
+    "1e-4");
+  const std::vector<SideForce> &forces = whole.levels.back().answer.contact_by_side;
+  checks.that("two pairs", forces.size() == 4);
+  checks.near("the roller is in balance",
+              forces[0].resultant.force[1] + forces[3].resultant.force[1], 0., 1e-12);
+  checks.near("as much as its half", std::abs(forces[0].resultant.force[1]) / force_of(half), 1.,
+              1e-3);
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {test_references, test_press_fit, test_exchanged_roles});
+  return run_tests(argc, argv,
+                   {test_references, test_press_fit, test_exchanged_roles, test_side_in_two_pairs});
 }

@@ -406,7 +406,15 @@ void test_refusals(Checks &checks) {
     refuses("names of bodies", "Geometry/Bodies = " + std::string(names) + "\n", found);
   refuses("bodies in space", "set Dimension = 3\n" + blocks + pair, "'a b' with Dimension = 3");
   refuses("no second name", blocks + "Boundary/Contact = a.bottom with\n",
-          "the names of two sides");
+          "the name of a side, the word 'with'");
+  refuses("a pair twice", blocks + pair.substr(0, pair.size() - 1) + " | b.top with a.bottom\n",
+          "each pair once");
+  refuses("more pairs than sides",
+          "Geometry/Bodies = a b c\nGeometry/Lower left = a: 0, 0 | b: 0, -1 | c: 2, 0\n"
+          "Geometry/Upper right = a: 1, 1 | b: 1, 0 | c: 3, 1\nBoundary/Contact = "
+          "a.bottom with b.top c.left | b.top with c.left | a.bottom with c.top | b.top with c.top "
+          "| c.left with c.top\n",
+          "more pairs than there are sides");
   refuses("a body that nothing presses", blocks + pair + "Boundary/Traction = a.top: 0; 0.01\n",
           "along (0, 1), of 'a'");
 }

@@ -19,6 +19,9 @@ struct Singularity {
     /** A point where a line of kinks meets a side: a possible end of contact, or the end of an
      * interface. */
     kink,
+    /** The point of a curved side of a pair that is nearest to the other one: the first mesh is
+     * graded to it, so that contact is seen. */
+    first_touch,
     end_of_contact
   };
   Kind kind;
