@@ -147,6 +147,49 @@ private:
   std::map<unsigned int, std::size_t> seen_from_;
 };
 
+/** Gives the sides of Boundary/Contact their roles: single ones, and pairs with the word 'with'.
+ * @param assign gives a side a role, @param assign_all the sides of a list. */
+template <int dim, typename Assign, typename AssignAll>
+void read_contact(const Given<std::string> &contact, const Assign &assign,
+                  const AssignAll &assign_all, Scene<dim> &scene) {
+  SeenPairs pairs;
+  std::set<unsigned int> paired;
+  std::set<std::pair<unsigned int, unsigned int>> known;
+  for (const std::string &part : split_list(contact, '|')) {
+    const std::vector<std::string> words = split_words(part);
+    if (std::count(words.begin(), words.end(), "with") == 0) {
+      assign_all(part, Role::contact, contact);
+      continue;
+    }
+    if (dim == 3 || words.size() < 3 || words[1] != "with")
+      throw error_at(contact, "found ", quote(part),
+                     ", allowed for a pair, in the plane: the name of a side, the word 'with' and "
+                     "the names of the sides that it may touch; pairs and other sides are "
+                     "separated by '|'.");
+    for (const std::string &name : words)
+      if (const unsigned int side = scene.geometry.find_side(name);
+          name != "with" && paired.count(side) == 0) {
+        assign(name, Role::opposite, contact);
+        paired.insert(side);
+      }
+    const unsigned int first = scene.geometry.find_side(words[0]);
+    for (std::size_t i = 2; i < words.size(); ++i) {
+      const unsigned int second = scene.geometry.find_side(words[i]);
+      if (first == second || !known.insert(std::minmax(first, second)).second)
+        throw error_at(contact, "found ", quote(part),
+                       ", allowed: two different sides, and each pair once.");
+      if (!pairs.add(first, second))
+        throw error_at(contact, "the sides in ", quote(part),
+                       " are in more pairs than there are sides, allowed: as many pairs as sides "
+                       "that touch each other; divide a side into two.");
+    }
+  }
+  for (const auto &[side, other] : pairs.others()) {
+    scene.boundary[side].role = Role::contact;
+    scene.boundary[side].opposite = other;
+  }
+}
+
 /** Gives sides their roles; a side has one role only. */
 template <int dim>
 void read_boundary(const BoundaryParameters &given, const LoadParameters &load, Scene<dim> &scene) {
@@ -176,42 +219,7 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load, 
   };
   assign_all(given.clamped, Role::clamped, given.clamped);
   assign_all(given.rollers, Role::roller, given.rollers);
-  SeenPairs pairs;
-  std::set<unsigned int> paired;
-  std::set<std::pair<unsigned int, unsigned int>> known;
-  for (const std::string &part : split_list(given.contact, '|')) {
-    const std::vector<std::string> words = split_words(part);
-    if (std::count(words.begin(), words.end(), "with") == 0) {
-      assign_all(part, Role::contact, given.contact);
-      continue;
-    }
-    if (dim == 3 || words.size() < 3 || words[1] != "with")
-      throw error_at(given.contact, "found ", quote(part),
-                     ", allowed for a pair, in the plane: the name of a side, the word 'with' and "
-                     "the names of the sides that it may touch; pairs and other sides are "
-                     "separated by '|'.");
-    for (const std::string &name : words)
-      if (const unsigned int side = scene.geometry.find_side(name);
-          name != "with" && paired.count(side) == 0) {
-        assign(name, Role::opposite, given.contact);
-        paired.insert(side);
-      }
-    const unsigned int first = scene.geometry.find_side(words[0]);
-    for (std::size_t i = 2; i < words.size(); ++i) {
-      const unsigned int second = scene.geometry.find_side(words[i]);
-      if (first == second || !known.insert(std::minmax(first, second)).second)
-        throw error_at(given.contact, "found ", quote(part),
-                       ", allowed: two different sides, and each pair once.");
-      if (!pairs.add(first, second))
-        throw error_at(given.contact, "the sides in ", quote(part),
-                       " are in more pairs than there are sides, allowed: as many pairs as sides "
-                       "that touch each other; divide a side into two.");
-    }
-  }
-  for (const auto &[side, other] : pairs.others()) {
-    scene.boundary[side].role = Role::contact;
-    scene.boundary[side].opposite = other;
-  }
+  read_contact(given.contact, assign, assign_all, scene);
   for (const auto &[list, role] :
        {std::pair{&given.displacement, Role::displacement}, {&given.traction, Role::traction}})
     for (const auto &[name, text] : read_side_list(list->value, list->where(), sides))
