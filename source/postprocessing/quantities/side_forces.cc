@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -105,22 +106,24 @@ std::vector<SideForce> zone_forces(const MultiplierSpace<2> &multipliers,
                                    const Multiplier &multiplier,
                                    const std::vector<ContactZone> &zones) {
   const ContactSurface<2> &surface = multipliers.surface();
-  const auto nearest = [&](const Piece<2> &piece) {
+  std::vector<std::size_t> zone_of;
+  for (const Piece<2> &piece : surface.pieces()) {
     const Side<2> &side = surface.side(surface.patches()[piece.patch]);
     const double s = 0.5 * (piece.lower[0] + piece.upper[0]);
-    std::size_t found = zones.size();
+    double least = std::numeric_limits<double>::max();
+    zone_of.push_back(zones.size());
     for (std::size_t i = 0; i < zones.size(); ++i)
-      if (zones[i].start.at.side == side.name() &&
-          (found == zones.size() ||
-           distance_from(zones[i], s, side) < distance_from(zones[found], s, side)))
-        found = i;
-    return found;
-  };
+      if (zones[i].start.at.side == side.name())
+        if (const double distance = distance_from(zones[i], s, side); distance < least) {
+          least = distance;
+          zone_of.back() = i;
+        }
+  }
   std::vector<SideForce> forces;
   for (std::size_t i = 0; i < zones.size(); ++i)
-    forces.push_back(force_of_pieces(zones[i].start.at.side, multipliers, multiplier,
-                                     PairSide::first,
-                                     [&](const Piece<2> &piece) { return nearest(piece) == i; }));
+    forces.push_back(force_of_pieces(
+      zones[i].start.at.side, multipliers, multiplier, PairSide::first,
+      [&](const Piece<2> &piece) { return zone_of[&piece - surface.pieces().data()] == i; }));
   return forces;
 }
 

@@ -109,42 +109,44 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
   return make_piecewise(materials, geometry.region_at, geometry.inner_point());
 }
 
-/** Pairs of sides. Each is seen from one of its sides, and a side sees one pair at most; it may be
- * the other side of any number of them. */
-class SeenPairs {
+/** Gives each pair of sides to one of them, its owner, which holds the data of the pair. A side
+ * owns one pair at most; it may be the other side of any number of them. */
+class PairOwners {
 public:
-  /** Adds a pair that is seen from @p first where possible. @return whether all pairs can be seen.
+  /** Adds a pair. Its owner is @p first where that owns none. @return whether all pairs have
+   * owners.
    */
   bool add(const unsigned int first, const unsigned int second) {
     pairs_.push_back({{first, second}});
     std::set<unsigned int> asked;
-    return give_side(pairs_.size() - 1, asked);
+    return find_owner(pairs_.size() - 1, asked);
   }
-  /** Returns the sides that see pairs, and the other side of each. */
+  /** Returns the owners, and the other side of each pair. */
   std::map<unsigned int, unsigned int> others() const {
     std::map<unsigned int, unsigned int> others;
-    for (const auto &[side, i] : seen_from_)
+    for (const auto &[side, i] : owned_)
       others[side] = pairs_[i][0] == side ? pairs_[i][1] : pairs_[i][0];
     return others;
   }
 
 private:
-  /** Lets a side of pair i see it, whose own pair is seen from its other side if need be. */
-  bool give_side(const std::size_t i, std::set<unsigned int> &asked) {
+  /** Makes a side of pair i its owner. A side that owns a pair hands that to the other side of it
+   * if need be. @param asked the sides that need not be asked again. */
+  bool find_owner(const std::size_t i, std::set<unsigned int> &asked) {
     for (const unsigned int side : pairs_[i])
-      if (seen_from_.try_emplace(side, i).second)
+      if (owned_.try_emplace(side, i).second)
         return true;
     for (const unsigned int side : pairs_[i])
-      if (asked.insert(side).second && give_side(seen_from_.at(side), asked)) {
-        seen_from_[side] = i;
+      if (asked.insert(side).second && find_owner(owned_.at(side), asked)) {
+        owned_[side] = i;
         return true;
       }
     return false;
   }
 
   std::vector<std::array<unsigned int, 2>> pairs_;
-  /** The pair that a side sees. */
-  std::map<unsigned int, std::size_t> seen_from_;
+  /** The pairs by their owners. */
+  std::map<unsigned int, std::size_t> owned_;
 };
 
 /** Gives the sides of Boundary/Contact their roles: single ones, and pairs with the word 'with'.
@@ -152,7 +154,7 @@ private:
 template <int dim, typename Assign, typename AssignAll>
 void read_contact(const Given<std::string> &contact, const Assign &assign,
                   const AssignAll &assign_all, Scene<dim> &scene) {
-  SeenPairs pairs;
+  PairOwners pairs;
   std::set<unsigned int> paired;
   std::set<std::pair<unsigned int, unsigned int>> known;
   for (const std::string &part : split_list(contact, '|')) {

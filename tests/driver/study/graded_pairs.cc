@@ -130,7 +130,7 @@ void test_exchanged_roles(Checks &checks) {
   checks.near("exchanged roles", force("a.arc with b.top") / force("b.top with a.arc"), 1., 3e-4);
 }
 /** A roller between two plates: one side in two pairs. Its lower half is the whole by symmetry, up
- * to a tenth of (a/R)², since the plates see and are seen. */
+ * to a tenth of (a/R)²: the roller owns one of the pairs, a plate the other one. */
 void test_side_in_two_pairs(Checks &checks) {
   const StudyResult<2> whole =
     solve("Geometry/Bodies = u r l\nGeometry/Shape = u: rectangle | r: disc | l: rectangle\n"

@@ -37,7 +37,7 @@ struct Patch {
   double measure;
   /** Whether contact acts along several directions on it, one on each piece. */
   bool mixes = false;
-  /** The part of its face, where it is one face of the carrier, that lies in the patch. */
+  /** The share of a face of the carrier that lies in the patch, where patches are such faces. */
   double share = 1.;
 
   Point<dim - 1> centre() const {
@@ -165,8 +165,8 @@ struct Partition {
   unsigned int ratio = 2;
   /** The number of equal patches by side, aligned with nothing, where it is positive. */
   std::vector<unsigned int> patches_by_side = {};
-  /** Whether every face of the carrier (ContactPair::carrier()) is a patch instead, or its part
-   * that the other side faces. */
+  /** Whether patches are the faces of the carrier (ContactPair::carrier()) instead, cut at the ends
+   * of the overlap. */
   bool by_carrier = false;
 };
 

@@ -16,8 +16,8 @@ namespace Signorini {
 struct Singularity {
   enum class Kind {
     corner,
-    /** A point where a line of kinks meets a side: a possible end of contact, or the end of an
-     * interface. */
+    /** A point where a line of kinks meets a side, a possible end of contact or the end of an
+     * interface; in a pair also the point across from it, or from a corner of the other body. */
     kink,
     /** The point of a curved side of a pair that is nearest to the other one: the first mesh is
      * graded to it, so that contact is seen. */

@@ -42,7 +42,7 @@ std::vector<Corner> corners(const Geometry<2> &geometry);
  * length may hide. */
 std::vector<Corner> interface_ends(const Scene<2> &scene);
 
-/** A corner of a body in the middle of which a pair of sides may touch, and the point across. */
+/** A corner of a side that is in a pair, and the point of the other side that lies across. */
 struct PairedCorner {
   Corner corner;
   /** The other side of the pair, and the arc length of the point on it (length). */
@@ -54,7 +54,7 @@ struct PairedCorner {
   double exponent;
 };
 
-/** Returns the corners of both sides of all pairs from which a point across exists. */
+/** Returns the corners of both sides of all pairs that have a point across. */
 std::vector<PairedCorner> paired_corners(const Scene<2> &scene);
 
 /** Returns the materials about a corner; none where data has no value. Layers below 1/64 of the
