@@ -3,6 +3,7 @@
 
 #include <signorini/discretization/space/displacement_space.h>
 #include <signorini/problem/scene/contact_pair.h>
+#include <signorini/problem/scene/corners.h>
 #include <signorini/problem/scene/rigid_motions.h>
 
 #include <deal.II/dofs/dof_tools.h>
@@ -24,6 +25,31 @@ AffineConstraints<double> no_conditions(const DoFHandler<dim> &dofs) {
   return AffineConstraints<double>(relevant);
 }
 
+/** Fixes the corners at which rollers meet. Cells that share such a corner would have the mean of
+ * its two normals there, and move along it. */
+void fix_corners_of_rollers(const DoFHandler<2> &dofs, const Scene<2> &scene,
+                            AffineConstraints<double> &conditions) {
+  const auto is_roller = [&](const unsigned int side) {
+    return scene.boundary[side].role == Role::roller;
+  };
+  constexpr double smallest_turn = 1e-6;
+  std::vector<Corner> fixed;
+  for (const Corner &corner : corners(scene.geometry))
+    if (is_roller(corner.sides[0]) && is_roller(corner.sides[1]) &&
+        std::abs(std::sin(corner.angle)) > smallest_turn)
+      fixed.push_back(corner);
+  for (const auto &cell : dofs.active_cell_iterators()) {
+    if (fixed.empty() || cell->is_artificial() || !cell->at_boundary())
+      continue;
+    for (const unsigned int v : cell->vertex_indices())
+      for (const Corner &corner : fixed)
+        if (scene.geometry.body_of(cell) == scene.geometry.body_of_side(corner.sides[0]) &&
+            cell->vertex(v).distance(corner.position) < 1e-6 * cell->diameter())
+          for (unsigned int c = 0; c < 2; ++c)
+            conditions.add_line(cell->vertex_dof_index(v, c, cell->active_fe_index()));
+  }
+}
+
 /** Returns the conditions of clamped, prescribed and roller sides for u_h. */
 template <int dim>
 AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh, const DoFHandler<dim> &dofs,
@@ -42,6 +68,8 @@ AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh, const DoFH
   }
   AffineConstraints<double> conditions = no_conditions(dofs);
   VectorTools::interpolate_boundary_values(mesh.mapping(), dofs, displacements, conditions);
+  if constexpr (dim == 2)
+    fix_corners_of_rollers(dofs, scene, conditions);
   // Where a roller meets a clamped or prescribed side, the entries above stay.
   if (!rollers.empty())
     VectorTools::compute_no_normal_flux_constraints(dofs, 0, rollers, conditions, mesh.mapping());

@@ -187,13 +187,24 @@ void rollers(Checks &checks) {
                 largest_on_side(clamped, U, 2, tangent, zero),
               0., 1e-15);
 
-  const System corner(text("set Rollers = side0 side1\nset Contact = side2\n"), 3);
-  const Displacement V = corner.solve();
-  for (const unsigned int side : {0U, 1U})
-    checks.near(
-      "two rollers that meet: side " + std::to_string(side),
-      largest_on_side(corner, V, side, corner.scene.geometry.sides[side].normal(0.), zero), 0.,
-      1e-13);
+  // The corner is one of a single cell, or one that several cells share.
+  const auto meeting = [&](const std::string &vertices, const unsigned int n,
+                           const unsigned int i) {
+    const auto side = [&](const unsigned int k) { return "side" + std::to_string((i + k) % n); };
+    const System corner(
+      "subsection Geometry\nset Shape = polygon\nset Vertices = " + vertices +
+        "\nend\nLoad/Body force = 1; -2\nsubsection Boundary\nset Rollers = " + side(0) + " " +
+        side(1) + "\nset Contact = " + side(2) + "\nend\n" + elastic,
+      3);
+    const Displacement V = corner.solve();
+    for (const unsigned int k : {i, (i + 1) % n})
+      checks.near(
+        "two rollers that meet, " + vertices + ": " + side(0) + ", side " + std::to_string(k),
+        largest_on_side(corner, V, k, corner.scene.geometry.sides[k].normal(0.), zero), 0., 1e-13);
+  };
+  meeting("0,0; 2,1; 1,3; -1,2.2", 4, 0);
+  for (unsigned int i = 0; i < 5; ++i)
+    meeting("0,0; 2,1; 1,3; 0,3; -1,2.2", 5, i);
 
   // A roller on a displaced side: the corner keeps the prescribed value.
   const System moved(text("set Rollers = side0\nset Displacement = side1: 0.2; 0.1\n"
