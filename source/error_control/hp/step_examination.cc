@@ -24,9 +24,11 @@ double ErrorHistory::add(const double indicator, const std::optional<double> &di
   double estimate = indicator;
   if (difference && last_indicator_) {
     const double indicator_ratio = *last_indicator_ > 0. ? indicator / *last_indicator_ : 1.;
-    double ratio = std::max(indicator_ratio, planned);
-    if (last_difference_ && *last_difference_ > 0.)
-      ratio = std::max(ratio, std::min(*difference / *last_difference_, 4. * indicator_ratio));
+    // The fall of the differences shows that of the errors, one step later.
+    const double seen = last_difference_ && *last_difference_ > 0.
+                          ? std::min(*difference / *last_difference_, 4. * indicator_ratio)
+                          : planned;
+    const double ratio = std::max(indicator_ratio, seen);
     estimate = std::max(estimate, *difference * std::min(1., ratio));
   }
   last_indicator_ = indicator;
