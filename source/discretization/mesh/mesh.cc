@@ -256,6 +256,31 @@ void move_to_lines(Triangulation<2> &mesh, const std::array<std::vector<double>,
           }
       }
 }
+
+/** Moves to each point the nearest vertex inside of its side: a mesh that is graded to a vertex has
+ * a third fewer cells than one that is graded to a point inside of an edge. */
+void move_to_points(Triangulation<2> &mesh,
+                    const std::vector<std::pair<unsigned int, Point<2>>> &points) {
+  std::set<unsigned int> moved;
+  for (const auto &[side, point] : points) {
+    std::map<unsigned int, unsigned int> n_faces;
+    for (const auto &face : mesh.active_face_iterators())
+      if (face->at_boundary() && face->boundary_id() == side)
+        for (const unsigned int v : {0, 1})
+          ++n_faces[face->vertex_index(v)];
+    double smallest = std::numeric_limits<double>::max();
+    unsigned int nearest = numbers::invalid_unsigned_int;
+    for (const auto &[vertex, n] : n_faces)
+      if (const double distance = mesh.get_vertices()[vertex].distance(point);
+          n == 2 && moved.count(vertex) == 0 && distance < smallest) {
+        smallest = distance;
+        nearest = vertex;
+      }
+    if (smallest > 0. && nearest != numbers::invalid_unsigned_int &&
+        move_along_edge(mesh, nearest, point))
+      moved.insert(nearest);
+  }
+}
 } // namespace
 
 unsigned int level_of_subtrees(const double n_coarse_cells, const unsigned int dim,
@@ -313,7 +338,7 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int coarsest_level
 
 template <int dim>
 Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int base_level,
-                const std::array<std::vector<double>, dim> &lines, const Splits &must_split,
+                const MeshGuides<dim> &guides, const Splits &must_split,
                 const unsigned int mapping_degree)
   : triangulation_(make_triangulation<dim>(MPI_COMM_SELF))
   , subtree_level_(0)
@@ -324,18 +349,21 @@ Mesh<dim>::Mesh(const Geometry<dim> &geometry, const unsigned int base_level,
   , size_(geometry.longest_extent())
   , n_nested_ancestors_(0)
   , uniform_levels_(0) {
-  if (geometry.make_mesh_with_lines && geometry.distortion == 0.)
-    geometry.make_mesh_with_lines(*triangulation_, base_level, lines);
-  else {
+  const bool is_distorted = geometry.distortion > 0.;
+  uniform_levels_ = base_level;
+  if (geometry.make_guided_mesh && !is_distorted)
+    uniform_levels_ = geometry.make_guided_mesh(*triangulation_, base_level, guides);
+  else
     geometry.make_coarse_mesh(*triangulation_);
-    if constexpr (dim == 2)
-      if (geometry.distortion == 0.)
-        move_to_lines(*triangulation_, lines);
-    triangulation_->refine_global(base_level);
-    uniform_levels_ = base_level;
-    if (geometry.distortion > 0.)
-      distort(geometry, *triangulation_);
-  }
+  if constexpr (dim == 2)
+    if (!is_distorted && uniform_levels_ == base_level)
+      move_to_lines(*triangulation_, guides.lines);
+  triangulation_->refine_global(uniform_levels_);
+  if constexpr (dim == 2)
+    if (!is_distorted)
+      move_to_points(*triangulation_, guides.vertices);
+  if (is_distorted)
+    distort(geometry, *triangulation_);
   if (geometry.number_after_refinement)
     geometry.number_after_refinement(*triangulation_);
   for (bool changed = true; changed;) {

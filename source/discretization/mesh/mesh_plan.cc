@@ -114,7 +114,7 @@ Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene) {
   const unsigned int mapping_degree =
     std::min(plan.max_element_degree, 2 + static_cast<unsigned int>(plan.rise));
   return Mesh<2>(
-    scene.geometry, plan.base_level, plan.lines,
+    scene.geometry, plan.base_level, plan.guides,
     [&](const Triangulation<2>::active_cell_iterator &cell, const unsigned int n_splits) {
       return plan.must_split(scene, cell, n_splits);
     },

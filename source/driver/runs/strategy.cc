@@ -35,10 +35,10 @@ std::string reason_for_nested(const Parameters &parameters, const Scene<dim> &sc
 
 /** Returns the first level with enough cells to show where the solution is singular. From the five
  * cells of a disc, graded meshes take up to six times as long as from level 2. */
-unsigned int first_level(const double n_coarse_cells) {
+unsigned int first_level(const double n_graded_cells) {
   constexpr double n_enough = 24.;
   unsigned int level = 0;
-  for (double n_cells = n_coarse_cells; n_cells < n_enough; n_cells *= 4.)
+  for (double n_cells = n_graded_cells; n_cells < n_enough; n_cells *= 4.)
     ++level;
   return level;
 }
@@ -65,7 +65,7 @@ std::string decide_strategy(Parameters &parameters, const Scene<dim> &scene) {
     decide(given.strategy, strategy, to_text(strategy), parameters);
   }
   if (given.strategy == Strategy::hp && !given.coarsest_level.is_given) {
-    const unsigned int first = first_level(scene.geometry.n_coarse_cells);
+    const unsigned int first = first_level(scene.geometry.n_coarse_cells * scene.geometry.division);
     decide(given.coarsest_level, first, std::to_string(first), parameters);
   }
   return sentence;

@@ -7,6 +7,8 @@
 #include <signorini/error_control/equilibration/law.h>
 #include <signorini/problem/scene/contact_pair.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <algorithm>
 
 namespace Signorini {
@@ -81,8 +83,13 @@ EquilibrationMesh::EquilibrationMesh(const BoundData &data)
   if (is_that_of_u(data))
     return;
   own_ = std::make_unique<Triangulation<2>>();
-  data.scene.geometry.make_coarse_mesh(*own_);
   const bool is_graded = data.space.mesh().is_graded();
+  if (is_graded) {
+    const auto &[vertices, cells, edges] =
+      GridTools::get_coarse_mesh_description(data.space.mesh().triangulation());
+    own_->create_triangulation(vertices, cells, edges);
+  } else
+    data.scene.geometry.make_coarse_mesh(*own_);
   constexpr unsigned int most_generations = 4;
   constexpr double least_cells = 64.;
   double n_cells = data.space.mesh().triangulation().n_active_cells();

@@ -86,7 +86,7 @@ void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan) {
   constexpr unsigned int max_splits = 6, max_split_cells = 2000;
   unsigned int n_split = 0;
   const Mesh<2> mesh(
-    scene.geometry, plan.base_level, plan.lines,
+    scene.geometry, plan.base_level, plan.guides,
     [&](const Triangulation<2>::active_cell_iterator &cell, const unsigned int n_splits) {
       if (plan.must_split(scene, cell, n_splits))
         return true;

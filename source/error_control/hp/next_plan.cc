@@ -265,12 +265,13 @@ void add_paired_corner(const PairedCorner &paired, const Scene<2> &scene, MeshPl
     plan.singularities.push_back(
       on_side(Singularity::Kind::kink, {paired.side, paired.s, paired.s}, scene));
     plan.singularities.back().exponent = exponent;
+    plan.guides.vertices.emplace_back(paired.side, plan.singularities.back().point);
   }
 }
 
 /** Returns the size of the cells of a mesh of a box (length). */
-double cell_size(const Tensor<1, 2> &box, const double n_coarse_cells, const unsigned int level) {
-  return std::sqrt(box[0] * box[1] / n_coarse_cells) / std::pow(2., level);
+double cell_size(const Tensor<1, 2> &box, const double n_cells, const unsigned int level) {
+  return std::sqrt(box[0] * box[1] / n_cells) / std::pow(2., level);
 }
 
 /** Adds a line of the mesh, unless there is one close to it. */
@@ -287,9 +288,10 @@ MeshPlan first_plan(const Scene<2> &scene, const unsigned int base_level,
   plan.base_level = base_level;
   plan.max_element_degree = max_element_degree;
   const Tensor<1, 2> box = scene.geometry.upper - scene.geometry.lower;
-  plan.base_size = cell_size(box, scene.geometry.n_coarse_cells, base_level);
+  plan.base_size =
+    cell_size(box, scene.geometry.n_coarse_cells * scene.geometry.division, base_level);
   for (const ElasticBody<2> &body : scene.geometry.bodies)
-    plan.base_sizes.push_back(cell_size(body.upper - body.lower, body.n_coarse_cells, base_level));
+    plan.base_sizes.push_back(cell_size(body.upper - body.lower, body.n_graded_cells, base_level));
   // Splits keep the shape of narrow cells. Points where data of a side changes need no such cells:
   // the mesh is graded to them.
   for (const bool in_body : {true, false})
@@ -298,7 +300,7 @@ MeshPlan first_plan(const Scene<2> &scene, const unsigned int base_level,
         if (line.in_body == in_body && std::abs(line.normal[1 - d]) < 1e-12)
           add_line(line.position / line.normal[d],
                    in_body ? Kinks<2>::min_distance * box[d] : 0.25 * plan.base_size,
-                   plan.lines[d]);
+                   plan.guides.lines[d]);
   for (const Corner &corner : corners(scene.geometry))
     add_corner(corner, scene, plan);
   for (unsigned int side = 0; side < scene.boundary.size(); ++side)

@@ -76,10 +76,13 @@ unsigned int body_at(const std::vector<Geometry<2>> &bodies, const Point<2> &x) 
   return found == candidates.end() ? candidates.front() : *found;
 }
 
-/** Makes the coarse meshes of all bodies side by side; the material id of a cell is the number of
- * its body. Vertices at the same point stay apart. */
+/** Makes the meshes of all bodies side by side; the material id of a cell is the number of its
+ * body. Vertices at the same point stay apart. @param make_mesh makes a mesh without refined cells
+ * of one body. */
+template <typename MakeMesh>
 void make_meshes(const std::vector<Geometry<2>> &bodies,
-                 const std::vector<unsigned int> &first_side, Triangulation<2> &triangulation) {
+                 const std::vector<unsigned int> &first_side, const MakeMesh &make_mesh,
+                 Triangulation<2> &triangulation) {
   std::vector<Point<2>> vertices;
   std::vector<CellData<2>> cells;
   SubCellData edges;
@@ -87,7 +90,7 @@ void make_meshes(const std::vector<Geometry<2>> &bodies,
   types::manifold_id first_manifold = 0;
   for (unsigned int k = 0; k < bodies.size(); ++k) {
     Triangulation<2> part;
-    bodies[k].make_coarse_mesh(part);
+    make_mesh(bodies[k], part);
     auto [points, part_cells, part_edges] = GridTools::get_coarse_mesh_description(part);
     types::manifold_id next = first_manifold;
     const auto renumber = [&](auto &object) {
@@ -139,7 +142,7 @@ Geometry<2> unite(const std::vector<std::string> &names, const std::vector<Geome
   Geometry<2> all;
   std::vector<unsigned int> first_region;
   std::vector<std::string> regions;
-  double n_cells = 0.;
+  double n_cells = 0., n_graded_cells = 0.;
   std::vector<ElasticBody<2>> parts;
   for (unsigned int k = 0; k < bodies.size(); ++k) {
     first_side.push_back(sides.size());
@@ -151,13 +154,15 @@ Geometry<2> unite(const std::vector<std::string> &names, const std::vector<Geome
         regions.push_back(names[k] + "." + region);
     else
       regions.push_back(names[k]);
+    parts.push_back({names[k], first_side.back(), bodies[k].lower, bodies[k].upper,
+                     bodies[k].n_coarse_cells * bodies[k].division});
     n_cells += bodies[k].n_coarse_cells;
-    parts.push_back(
-      {names[k], first_side.back(), bodies[k].lower, bodies[k].upper, bodies[k].n_coarse_cells});
+    n_graded_cells += parts.back().n_graded_cells;
   }
   all = bounded_by(std::move(sides));
   all.bodies = std::move(parts);
   all.n_coarse_cells = n_cells;
+  all.division = n_graded_cells / n_cells;
   all.star_shaped = false;
   all.inside = bodies.front().inner_point();
   all.regions = std::move(regions);
@@ -166,7 +171,31 @@ Geometry<2> unite(const std::vector<std::string> &names, const std::vector<Geome
     return first_region[k] + (bodies[k].regions.empty() ? 0 : bodies[k].region_at(x));
   };
   all.make_coarse_mesh = [bodies, first_side](Triangulation<2> &triangulation) {
-    make_meshes(bodies, first_side, triangulation);
+    const auto coarse = [](const Geometry<2> &body, Triangulation<2> &part) {
+      body.make_coarse_mesh(part);
+    };
+    make_meshes(bodies, first_side, coarse, triangulation);
+  };
+  all.make_guided_mesh = [bodies, first_side](Triangulation<2> &triangulation,
+                                              const unsigned int level,
+                                              const MeshGuides<2> &guides) {
+    const bool all_guided = std::all_of(bodies.begin(), bodies.end(), [](const Geometry<2> &body) {
+      return static_cast<bool>(body.make_guided_mesh);
+    });
+    unsigned int k = 0;
+    const auto guided = [&](const Geometry<2> &body, Triangulation<2> &part) {
+      MeshGuides<2> own = {guides.lines, {}};
+      for (const auto &[side, point] : guides.vertices)
+        if (side >= first_side[k] && side < first_side[k] + body.sides.size())
+          own.vertices.emplace_back(side - first_side[k], point);
+      if (body.make_guided_mesh)
+        body.make_guided_mesh(part, all_guided ? level : 0, own);
+      else
+        body.make_coarse_mesh(part);
+      ++k;
+    };
+    make_meshes(bodies, first_side, guided, triangulation);
+    return all_guided ? 0 : level;
   };
   return all;
 }

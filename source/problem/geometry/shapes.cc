@@ -20,35 +20,24 @@ using numbers::PI;
 namespace {
 constexpr types::manifold_id circle = 0, interior = 1;
 
-/** Returns the steps between n + 1 equidistant positions, of which the nearest one has moved to
- * each of the @p lines; where it is taken, a position is added. */
+/** Returns the steps of a grid from one position to another that has the @p lines among its own:
+ * between two of these they are equal, and close to the n-th part of the whole. */
 std::vector<double> steps_with_lines(const double from, const double to, const unsigned int n,
-                                     const std::vector<double> &lines) {
-  const double h = (to - from) / n;
-  std::vector<double> positions;
-  for (unsigned int i = 0; i <= n; ++i)
-    positions.push_back(i == n ? to : from + i * h);
-  std::vector<bool> taken(positions.size(), false);
-  taken.front() = taken.back() = true;
-  std::vector<double> added;
-  for (const double line : lines) {
-    if (!(line > from && line < to))
-      continue;
-    const auto i = static_cast<std::size_t>(std::lround((line - from) / h));
-    if (taken[i])
-      added.push_back(line);
-    else {
-      positions[i] = line;
-      taken[i] = true;
-    }
-  }
-  positions.insert(positions.end(), added.begin(), added.end());
-  std::sort(positions.begin(), positions.end());
+                                     std::vector<double> lines) {
+  // A line that is given twice, or that lies on a side, is one line.
+  const double same = 1e-10 * (to - from);
+  lines.push_back(to);
+  std::sort(lines.begin(), lines.end());
   std::vector<double> steps;
-  for (std::size_t i = 0; i + 1 < positions.size(); ++i)
-    // A line that is given twice, or that lies on a side, is one line.
-    if (positions[i + 1] - positions[i] > 1e-10 * (to - from))
-      steps.push_back(positions[i + 1] - positions[i]);
+  double last = from;
+  for (const double line : lines) {
+    const double length = line - last;
+    if (length <= same || (line < to && to - line <= same) || line > to)
+      continue;
+    const auto parts = std::max(1L, std::lround(n * length / (to - from)));
+    steps.insert(steps.end(), parts, length / static_cast<double>(parts));
+    last = line;
+  }
   return steps;
 }
 
@@ -85,12 +74,25 @@ Geometry<2> make_rectangle(const Point<2> &lower_left, const Point<2> &upper_rig
   geometry.make_coarse_mesh = [=](Triangulation<2> &triangulation) {
     GridGenerator::subdivided_hyper_rectangle(triangulation, cells, lower_left, upper_right, true);
   };
-  geometry.make_mesh_with_lines = [=](Triangulation<2> &triangulation, const unsigned int level,
-                                      const std::array<std::vector<double>, 2> &lines) {
+  std::array<unsigned int, 2> division = {{1, 1}};
+  const double size[] = {(upper_right[0] - lower_left[0]) / cells[0],
+                         (upper_right[1] - lower_left[1]) / cells[1]};
+  const unsigned int longer = size[0] > size[1] ? 0 : 1;
+  division[longer] = static_cast<unsigned int>(std::lround(size[longer] / size[1 - longer]));
+  geometry.division = division[longer];
+  geometry.make_guided_mesh = [=](Triangulation<2> &triangulation, const unsigned int level,
+                                  const MeshGuides<2> &guides) {
+    auto lines = guides.lines;
+    for (const auto &[side, point] : guides.vertices) {
+      const unsigned int along = side < 2 ? 1 : 0;
+      lines[along].push_back(point[along]);
+    }
     std::vector<std::vector<double>> steps;
     for (unsigned int d = 0; d < 2; ++d)
-      steps.push_back(steps_with_lines(lower_left[d], upper_right[d], cells[d] << level, lines[d]));
+      steps.push_back(steps_with_lines(lower_left[d], upper_right[d],
+                                       (cells[d] * division[d]) << level, lines[d]));
     GridGenerator::subdivided_hyper_rectangle(triangulation, steps, lower_left, upper_right, true);
+    return 0U;
   };
   return geometry;
 }

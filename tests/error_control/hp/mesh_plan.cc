@@ -147,7 +147,7 @@ void lines(Checks &checks) {
       scene_of("Boundary/Clamped = top\nBoundary/Contact = bottom\nContact/Gap = 0\n"
                "Contact/Friction = tresca\n" +
                parameter + " abs(x - 0.3203125) < 0.00234375 ? 4.26667 : 0.001\n");
-    return static_cast<int>(first_plan(scene, 3, 9).lines[0].size());
+    return static_cast<int>(first_plan(scene, 3, 9).guides.lines[0].size());
   };
   checks.near("lines of a side", n_lines("Contact/Friction bound ="), 1, 0.);
   checks.near("lines of the body", n_lines("Contact/Friction bound = 1\nLoad/Body force = 0;"), 2,

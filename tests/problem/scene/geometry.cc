@@ -100,31 +100,44 @@ void test_sides(Checks &checks) {
   }
 }
 
-/** The rectangle (-1, 1) x (0, 2) with 2 x 1 coarse cells, refined once: four intervals between -1
- * and 1, two between 0 and 2. */
+/** Returns the positions of the vertices of the first graded mesh of a rectangle. */
+std::vector<double> positions(const Geometry<2> &rectangle, const MeshGuides<2> &guides,
+                              const unsigned int d) {
+  dealii::Triangulation<2> mesh;
+  rectangle.make_guided_mesh(mesh, 1, guides);
+  std::set<double> found;
+  for (const Point &vertex : mesh.get_vertices())
+    found.insert(vertex[d]);
+  return std::vector<double>(found.begin(), found.end());
+}
+
+/** The rectangle (-1, 1) x (0, 2) with 2 x 1 coarse cells, each divided in two and refined once:
+ * four intervals in both directions. Lines split them evenly. */
 void test_lines(Checks &checks) {
-  const auto positions = [](const std::vector<double> &x, const std::vector<double> &y,
-                            const unsigned int d) {
-    dealii::Triangulation<2> mesh;
-    make_rectangle({-1., 0.}, {1., 2.}, {2, 1}).make_mesh_with_lines(mesh, 1, {{x, y}});
-    std::set<double> found;
-    for (const Point &vertex : mesh.get_vertices())
-      found.insert(vertex[d]);
-    return std::vector<double>(found.begin(), found.end());
-  };
+  const Geometry<2> rectangle = make_rectangle({-1., 0.}, {1., 2.}, {2, 1});
   using Lines = std::vector<double>;
   for (const auto &[name, lines, expected] : std::vector<std::tuple<std::string, Lines, Lines>>{
          {"no lines", {}, {-1., -0.5, 0., 0.5, 1.}},
-         {"the nearest line moves", {0.4}, {-1., -0.5, 0., 0.4, 1.}},
+         {"even parts", {0.4}, {-1., -1. + 1.4 / 3, -1. + 2.8 / 3, 0.4, 1.}},
          {"a line of the mesh stays", {-0.5}, {-1., -0.5, 0., 0.5, 1.}},
-         {"two lines near one position", {0.4, 0.6}, {-1., -0.5, 0., 0.4, 0.6, 1.}},
-         {"in any order", {0.6, -0.3, 0.4}, {-1., -0.3, 0., 0.4, 0.6, 1.}},
-         {"next to a side", {-0.9, 0.99}, {-1., -0.9, -0.5, 0., 0.5, 0.99, 1.}},
+         {"two close lines", {0.4, 0.6}, {-1., -1. + 1.4 / 3, -1. + 2.8 / 3, 0.4, 0.6, 1.}},
+         {"in any order", {0.6, -0.3, 0.4}, {-1., -0.3, 0.4, 0.6, 1.}},
+         {"next to a side", {-0.9, 0.99}, {-1., -0.9, -0.4275, 0.045, 0.5175, 0.99, 1.}},
          {"on the sides and outside", {-1., 1., -3., 1.5}, {-1., -0.5, 0., 0.5, 1.}},
-         {"given twice", {0.3, 0.3}, {-1., -0.5, 0., 0.3, 1.}}})
-    checks.near("lines, " + name, positions(lines, {}, 0), expected, 1e-14);
-  checks.near("lines in both directions", positions({0.4}, {0.9, 1.7}, 1), {0., 0.9, 1.7, 2.},
-              1e-14);
+         {"given twice", {0.5, 0.5}, {-1., -0.5, 0., 0.5, 1.}}})
+    checks.near("lines, " + name, positions(rectangle, {{{lines, {}}}, {}}, 0), expected, 1e-14);
+  checks.near("points of sides",
+              positions(rectangle, {{}, {{1, Point(1., 0.9)}, {2, Point(0.3, 0.)}}}, 1),
+              {0., 0.45, 0.9, 1.45, 2.}, 1e-14);
+  // Long rectangles get square cells, several bodies side by side.
+  const Geometry<2> beam = make_rectangle({0., 0.}, {2., 0.25}, {1, 1});
+  checks.near("square cells", positions(beam, {}, 0).size() - 1., 16., 0.);
+  checks.near("square cells across", positions(beam, {}, 1).size() - 1., 2., 0.);
+  const Geometry<2> both = unite({"beam", "block"}, {beam, rectangle});
+  dealii::Triangulation<2> mesh;
+  checks.near("no refinement is left", both.make_guided_mesh(mesh, 1, {}), 0., 0.);
+  checks.near("cells of both bodies", mesh.n_active_cells(), 16. * 2. + 4. * 4., 0.);
+  checks.near("predicted number", 4. * both.n_coarse_cells * both.division, 48., 1e-12);
 }
 } // namespace
 

@@ -60,16 +60,15 @@ public:
 
   /**
    * Makes a mesh that is refined where @p must_split returns true, until no cell has to be split.
-   * It begins with @p base_level refinements of the coarse mesh; in a rectangle without distortion
-   * the @p lines x_d = lines[d][k] are lines of that mesh. Cells that share an edge differ by at
-   * most one refinement. The maps of curved cells have the degree @p mapping_degree. Serial.
+   * It begins with @p base_level refinements of the coarse mesh, which without distortion follow
+   * the @p guides. Cells that share an edge differ by at most one refinement. The maps of curved
+   * cells have the degree @p mapping_degree. Serial.
    * @param must_split also gets the number of splits of the cell since the first mesh.
    */
   using Splits = std::function<bool(const typename Triangulation<dim>::active_cell_iterator &cell,
                                     unsigned int n_splits)>;
-  Mesh(const Geometry<dim> &geometry, unsigned int base_level,
-       const std::array<std::vector<double>, dim> &lines, const Splits &must_split,
-       unsigned int mapping_degree);
+  Mesh(const Geometry<dim> &geometry, unsigned int base_level, const MeshGuides<dim> &guides,
+       const Splits &must_split, unsigned int mapping_degree);
 
   const Triangulation<dim> &triangulation() const {
     return *triangulation_;

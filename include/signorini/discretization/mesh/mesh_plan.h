@@ -67,7 +67,7 @@ struct CellDemand {
 struct MeshPlan {
   /** The number of refinements of the mesh of the first step. */
   unsigned int base_level = 0;
-  std::array<std::vector<double>, 2> lines;
+  MeshGuides<2> guides;
   /** The size of the cells of the mesh of the first step (length). */
   double base_size = 1.;
   /** The same by body, where there are several. */

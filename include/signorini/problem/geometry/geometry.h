@@ -23,8 +23,18 @@ struct ElasticBody {
   unsigned int first_side = 0;
   /** The lower corner of its bounding box, and the opposite one. */
   Point<dim> lower, upper;
-  /** The number of its cells on level 0. */
-  double n_coarse_cells = 1.;
+  /** The number of cells of its graded meshes before they are refined. */
+  double n_graded_cells = 1.;
+};
+
+/** Lines and points that the first mesh of a graded sequence follows. */
+template <int dim>
+struct MeshGuides {
+  /** In rectangles the lines x_d = lines[d][k] are lines of the mesh; in other bodies vertices of
+   * straight sides lie on them. */
+  std::array<std::vector<double>, dim> lines;
+  /** Points of straight sides that are vertices, with the numbers of these sides. */
+  std::vector<std::pair<unsigned int, Point<dim>>> vertices;
 };
 
 /** The body before it is meshed, or several bodies. */
@@ -34,16 +44,18 @@ struct Geometry {
   std::vector<Side<dim>> sides;
   /** The number of cells on level 0. */
   double n_coarse_cells = 1.;
+  /** The number of cells into which graded meshes divide each of these (mean): those of long
+   * rectangles are divided until they are nearly square. */
+  double division = 1.;
   /** Makes the coarse mesh (level 0), with the manifolds of a curved body. */
   std::function<void(Triangulation<dim> &)> make_coarse_mesh;
   /**
-   * Makes a mesh of a rectangle with 2^level times the coarse cells in each direction, in which
-   * the lines x_d = lines[d][k] are lines of the mesh: the nearest one moves there, or one is
-   * added. Empty for other bodies.
+   * Makes the first mesh of a graded sequence where it has other cells than the coarse one: those
+   * of rectangles are nearly square, with lines through all guides. Empty for other bodies.
+   * @return how many of the @p level refinements are still to be made.
    */
-  std::function<void(Triangulation<dim> &, unsigned int level,
-                     const std::array<std::vector<double>, dim> &lines)>
-    make_mesh_with_lines;
+  std::function<unsigned int(Triangulation<dim> &, unsigned int level, const MeshGuides<dim> &)>
+    make_guided_mesh;
   /** Whether cells are curved. */
   bool curved = false;
   /** Whether the body is one of revolution: x is the distance from its axis, and integrals are
