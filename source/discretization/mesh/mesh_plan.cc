@@ -97,9 +97,13 @@ void level_out(const Mesh<2> &mesh, std::vector<unsigned int> &degrees) {
 }
 } // namespace
 
+bool is_deepest(const Triangulation<2>::active_cell_iterator &cell) {
+  return cell->level() >= max_cell_level;
+}
+
 bool MeshPlan::must_split(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell,
                           const unsigned int n_splits) const {
-  if (cell->level() >= max_cell_level)
+  if (is_deepest(cell))
     return false;
   for (const Singularity &singularity : singularities)
     if (n_splits + 0.5 < singularity.layers && singularity.touches(scene, cell))

@@ -85,6 +85,10 @@ public:
       context_.verify(discretization, progress, solution);
     last_ = {next_, solution.contact.U, solution.contact.P};
     result.is_last = finish(discretization, progress, findings, solution);
+    if (result.is_last && is_too_deep(findings))
+      result.why_last = concatenate("cells at (", findings.deepest[0], ", ", findings.deepest[1],
+                                    "), which cannot be split any more, leave about ",
+                                    100. * findings.unsplit / findings.scale, " %");
     release_unused(problem, solution);
     ++n_steps_;
     return keep_best(std::move(result));
@@ -123,7 +127,7 @@ private:
 
   /** Returns whether no further step is worth solving; else plans the next one. */
   bool cannot_go_on(const StepFindings &findings, const bool has_bound) {
-    return states_differ() || is_out_of_reach(findings.error, has_bound) ||
+    return is_too_deep(findings) || states_differ() || is_out_of_reach(findings.error, has_bound) ||
            takes_too_many(findings) || !plan_next(findings);
   }
 
@@ -182,6 +186,14 @@ private:
   bool states_differ() const {
     constexpr unsigned int patience = 3;
     return n_paths_ >= patience && !examination_.falls();
+  }
+
+  /** Returns whether cells that cannot be split leave more than the target, and most of the error:
+   * next to a corner with a small exponent λ, n splits leave a share of 2^{-nλ}. */
+  static bool is_too_deep(const StepFindings &findings) {
+    constexpr double most = 4.;
+    return findings.has_estimate() && findings.unsplit > findings.target &&
+           findings.error < most * findings.unsplit;
   }
 
   /** Returns whether jumps of the moduli in cells need more unknowns for the target than there may

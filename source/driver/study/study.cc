@@ -136,8 +136,9 @@ private:
     }
     levels.push_back(record);
     result_.verdict = level.is_last ? judge_.verdict(levels) : judge_.unfinished(levels);
-    if (!level.why_again.empty())
-      result_.verdict.accuracy += "; " + level.why_again;
+    for (const std::string &why : {level.why_last, level.why_again})
+      if (!why.empty())
+        result_.verdict.accuracy += "; " + why;
     // In this order: a level with a row in convergence.csv has its answer, whenever the run ends.
     writer_.write_answer(levels, result_.verdict);
     writer_.write_tables(levels, result_.verdict);

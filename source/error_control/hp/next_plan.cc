@@ -325,7 +325,8 @@ MeshPlan next_plan(const MeshPlan &plan, const Scene<2> &scene, const Mesh<2> &m
         next.demands[cell->id()].split = true;
     return next;
   }
-  const double aim = std::max(0.6 * findings.target, findings.error / reduction);
+  const double reachable = std::max(findings.target, findings.unsplit);
+  const double aim = std::max(0.6 * reachable, findings.error / reduction);
   Goal goal = {};
   goal.length = step_length(findings.error, aim);
   goal.error = findings.error > 0. ? total(findings.indicators) * aim / findings.error : 0.;

@@ -128,6 +128,23 @@ double energy_distance(const DisplacedBody<2> &u, const DisplacedBody<2> &v) {
   return std::sqrt(square);
 }
 
+namespace {
+/** Tells the part of the indicators on cells that no plan splits. */
+void add_unsplit(const Mesh<2> &mesh, StepFindings &findings) {
+  double square = 0., largest = 0.;
+  for (const auto &cell : mesh.triangulation().active_cell_iterators()) {
+    const double error = findings.indicators[cell->active_cell_index()].error;
+    if (!is_deepest(cell))
+      continue;
+    square += error * error;
+    if (error > largest)
+      findings.deepest = cell->center();
+    largest = std::max(largest, error);
+  }
+  findings.unsplit = std::sqrt(square);
+}
+} // namespace
+
 StepFindings StepExamination::examine(const Solved<2> &solved, const EnergyScale &scale,
                                       const std::optional<DisplacedBody<2>> &before,
                                       const double planned) {
@@ -140,6 +157,7 @@ StepFindings StepExamination::examine(const Solved<2> &solved, const EnergyScale
   findings.jumps = add_jump_misfit(solved, findings.indicators);
   findings.brackets = zone_brackets(solved.multipliers, solved.P.states());
   findings.missed_contact_cells = missed_contact_cells(solved);
+  add_unsplit(solved.space.mesh(), findings);
   const double indicator = total(findings.indicators);
   findings.scale = scale.of(indicator);
   findings.target = target_ * findings.scale;

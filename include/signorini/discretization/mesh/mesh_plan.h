@@ -88,6 +88,9 @@ struct MeshPlan {
                   unsigned int n_splits) const;
 };
 
+/** Returns whether a cell is as deep as cells can be: no plan splits it. */
+bool is_deepest(const Triangulation<2>::active_cell_iterator &cell);
+
 /** Makes the mesh of a plan. */
 Mesh<2> make_mesh(const MeshPlan &plan, const Scene<2> &scene);
 

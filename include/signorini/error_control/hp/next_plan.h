@@ -15,6 +15,10 @@ struct StepFindings {
   std::vector<ZoneBracket> brackets;
   /** The numbers of the cells with a face on which the body penetrates though nothing presses. */
   std::vector<unsigned int> missed_contact_cells;
+  /** The part of the indicator on cells that cannot be split any more, (force length)^{1/2}, and
+   * the middle of the worst of them. */
+  double unsplit = 0.;
+  Point<2> deepest;
   /** The estimated error, where there is an estimate, and the one that is aimed at, (force
    * length)^{1/2}. */
   double error = 0.;

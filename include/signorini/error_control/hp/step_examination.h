@@ -16,11 +16,13 @@ namespace Signorini {
  * The distance d_k between the solutions of steps k and k - 1 is about the error of step k - 1,
  * which is many times that of step k. Three numbers show by how much: the ratio of the indicators,
  * r = η_k/η_{k-1}; the factor q by which the mesh was planned to reduce the error; and the factor
- * of the step before, d_k/d_{k-1}, as far as the indicators do not contradict:
+ * of the step before, d_k/d_{k-1}, as far as the indicators do not contradict. The last one takes
+ * the place of q as soon as it is known:
  *
- *     estimate_k = 4/3 max(η_k, d_k min(1, max(r, q, min(d_k/d_{k-1}, 4 r)))).
+ *     estimate_k = 4/3 max(η_k, d_k min(1, max(r, min(d_k/d_{k-1}, 4 r)))).
  *
- * It is reliable as long as the error falls in step k as the indicator says, or as planned.
+ * It is reliable as long as the error falls in step k as the indicator says, or as in the step
+ * before.
  */
 class ErrorHistory {
 public:

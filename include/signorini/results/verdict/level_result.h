@@ -40,6 +40,8 @@ struct LevelResult {
   LevelSolution<dim> solution;
   /** Whether the mesh is the finest of the sequence. */
   bool is_last = false;
+  /** Why no further mesh is worth its price, a clause; mostly empty. */
+  std::string why_last;
   /** Why the result of an earlier mesh is given again, as the last one, a clause; mostly empty. */
   std::string why_again;
 
