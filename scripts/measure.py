@@ -16,6 +16,7 @@ import tables.cost
 import tables.multigrid
 import tables.orders
 import tables.paper
+import tables.pairs
 from tables.common import ROOT, TABLES
 
 

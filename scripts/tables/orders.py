@@ -13,11 +13,6 @@ FRICTION = {"T1": "T1 stick, slip, open", "T2": "T2 stick, slip", "T3": "T3 slip
             "TSq": "TSq end of stick at a node", "TS": "TS", "KS": "KS", "KSr": "KSr", "KO": "KO", "KOr": "KOr", "CM": "CM"}
 
 
-@table("scene", "step", "unknowns", "error", "estimated_relative", "bound_relative")
-def graded_pairs():
-    yield from rows_of_test("driver", "study/graded_pairs", "graded_pairs.csv")[1:]
-
-
 @table("scene", "t_bound", "t_total", "share")
 def bound_cost():
     for name, scene, settings in (("a1", "a1", {}), ("b3", "b3", {}),

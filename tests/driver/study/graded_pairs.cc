@@ -3,8 +3,6 @@
 // with exchanged roles.
 
 #include <cmath>
-#include <fstream>
-#include <iomanip>
 
 #include "graded_steps.h"
 #include "study_helpers.h"
@@ -57,41 +55,20 @@ double force_of(const StudyResult<2> &result) {
   return std::abs(result.levels.back().answer.contact_by_side[0].resultant.force[1]);
 }
 
-/** Adds the steps of a run to a table. Of all displacements that a scene admits u has the smallest
- * J, which is ± |||u|||²/2 here: its distance is the square of the error. */
-void add_steps(const Pair &pair, const StudyResult<2> &result, std::ostream &table) {
-  for (const LevelRecord &level : result.levels) {
-    const double square = std::abs(*value(level, "energy") / pair.energy - 1.);
-    table << pair.name << ',' << level.sizes.level << ',' << level.sizes.dofs << ',';
-    if (square > 1e-9) // where the digits of the reference suffice
-      table << std::sqrt(square);
-    for (const char *const column : {"estimated_relative", "bound_relative"}) {
-      table << ',';
-      if (const auto found = value(level, column))
-        table << *found;
-    }
-    table << '\n';
-  }
-}
-
 /** Forces and energies to 1e-8; where both sides are straight, the bound is guaranteed. */
 void test_references(Checks &checks) {
-  std::ofstream table("graded_pairs.csv");
-  table << "scene,step,unknowns,error,estimated_relative,bound_relative\n" << std::setprecision(3);
   for (const Pair &pair : pairs) {
     checks.about(pair.name);
     const StudyResult<2> result = solve_to(pair.shapes + "Material/Young's modulus = " + pair.E +
                                              "\nMaterial/Poisson's ratio = 0.3\n" + "Boundary/" +
                                              pair.boundary + "\nContact/Gap = " + pair.gap + "\n",
                                            "1e-5");
-    add_steps(pair, result, table);
     checks.that("certified", result.verdict.is_certified());
     checks.near("vertical force", force_of(result) / pair.force, 1., 1e-8);
     checks.near("energy", last(result, "energy") / pair.energy, 1., 1e-8);
     if (pair.shapes == ring)
       continue;
     checks.that("the bound is guaranteed", is_guaranteed(result.levels.back()));
-    // At the corners of punches the tractions on cut edges count for too much.
     if (pair.name == "receding strip")
       checks.that("the energy lies in its interval",
                   last(result, "energy_lower") <= pair.energy + 1e-9 * std::abs(pair.energy) &&
