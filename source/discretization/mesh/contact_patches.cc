@@ -273,10 +273,12 @@ std::vector<double> cuts_of(const SideFaces &faces, const std::vector<double> &e
   std::sort(cuts.begin(), cuts.end());
   // Ends that differ by rounding only are the same: no slivers.
   double shortest = faces.upper - faces.lower;
+  const double rounding = 1e-12 * shortest;
   for (const FaceSpan &span : faces.own)
     shortest = std::min(shortest, span.end - span.start);
   cuts.erase(std::unique(cuts.begin(), cuts.end(),
-                         [&](const double a, const double b) { return b - a < 1e-10 * shortest; }),
+                         [sliver = std::max(1e-10 * shortest, rounding)](
+                           const double a, const double b) { return b - a < sliver; }),
              cuts.end());
   return cuts;
 }

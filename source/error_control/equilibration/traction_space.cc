@@ -39,15 +39,20 @@ FullMatrix<double> make_restriction(const unsigned int degree, const double from
 /** Returns the part of an edge that a shared one gives; none where they do not face each other. */
 std::optional<SharedPart> part_of(const TractionEdge &edge, const unsigned int number,
                                   const TractionEdge &shared) {
-  constexpr double sliver = 1e-10;
-  double start = edge.position_of(shared.point(0.)), end = edge.position_of(shared.point(1.));
-  double shared_from = 0., shared_to = 1.;
+  // Points that differ by the rounding of coordinates are the same, also on the smallest cells.
+  const double rounding =
+    1e-10 + 1e-15 * std::max(edge.line.start().norm(), edge.line.end().norm()) / edge.length();
+  const auto position = [&](const double on_shared) {
+    const double s = edge.position_of(shared.point(on_shared));
+    return std::abs(s) < rounding ? 0. : std::abs(s - 1.) < rounding ? 1. : s;
+  };
+  double start = position(0.), end = position(1.), shared_from = 0., shared_to = 1.;
   if (start > end) {
     std::swap(start, end);
     std::swap(shared_from, shared_to);
   }
   const double from = std::max(0., start), to = std::min(1., end);
-  if (to - from < sliver)
+  if (to - from < rounding)
     return {};
   const auto on_shared = [&](const double s) {
     return shared_from + (s - start) / (end - start) * (shared_to - shared_from);
@@ -127,19 +132,24 @@ void TractionSpace::add_shared_edges(const unsigned int carrier, const unsigned 
   const Side<2> &side = sides_[carrier];
   const double a = side.arc_length(sides_[other].start()), b = side.arc_length(sides_[other].end()),
                lower = std::max(0., std::min(a, b)),
-               upper = std::min(side.length(), std::max(a, b));
+               upper = std::min(side.length(), std::max(a, b)),
+               // No piece of contact is shorter than ten of these.
+    sliver = 1e-13 * (upper - lower);
   for (const auto &[start, number] : on_side_[carrier]) {
     const double length = edges_[number].length(), from = std::max(lower, start),
                  to = std::min(upper, start + length);
-    if (to - from < 1e-10 * length)
+    if (to - from < std::max(1e-10 * length, sliver))
       continue;
     TractionEdge shared = edges_[number];
     shared.line = side.between(side.point(from), side.point(to));
     shared.is_shared = true;
-    for (const unsigned int of_side : {carrier, other})
-      for (const auto &entry : on_side_[of_side])
-        if (auto part = part_of(edges_[entry.second], edges_.size(), shared))
-          parts_[entry.second].push_back(std::move(*part));
+    const auto add_part_of = [&](const unsigned int edge) {
+      if (auto part = part_of(edges_[edge], edges_.size(), shared))
+        parts_[edge].push_back(std::move(*part));
+    };
+    add_part_of(number);
+    for (const auto &entry : on_side_[other])
+      add_part_of(entry.second);
     edges_.push_back(shared);
     parts_.emplace_back();
   }
