@@ -27,25 +27,36 @@ constexpr double least_answer = 1e-9;
 
 /** Returns the weights of the squares of the residuals of the balances of cells, three for each,
  * and of the conditions. In a cell the weight is relative to the energies of the softest cell that
- * shares an edge with it: a stiff cell by itself would give way. */
+ * shares an edge with it: a stiff cell by itself would give way. Of a shared edge that is a part of
+ * a side of a cell, the cell feels that part of its energy. */
 Vector weights_of(const Tractions &tractions, const std::vector<CellFit> &fits) {
-  const std::vector<TractionCell> &cells = tractions.space.cells();
-  const auto energy = [&fits](const std::size_t c) {
-    return fits[c].airy->mean_energy() * fits[c].size * fits[c].size;
+  const TractionSpace &space = tractions.space;
+  const std::vector<TractionCell> &cells = space.cells();
+  /** Calls visit(edge, share) for the edges with the unknown tractions of a cell. */
+  const auto visit_edges = [&](const TractionCell &cell, const auto &visit) {
+    for (const TractionSide &side : cell.sides) {
+      for (const SharedPart &part : space.shared_parts(side.edge))
+        visit(part.shared, part.to - part.from);
+      if (space.shared_parts(side.edge).empty())
+        visit(side.edge, 1.);
+    }
   };
-  std::vector<double> on_edge(tractions.space.edges().size(), 0.);
-  for (std::size_t c = 0; c < cells.size(); ++c)
-    for (const TractionSide &side : cells[c].sides)
-      for (const unsigned int edge : tractions.space.sources(side.edge))
-        on_edge[edge] = std::max(on_edge[edge], energy(c));
+  std::vector<double> on_edge(space.edges().size(), 0.);
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    const double energy = fits[c].airy->mean_energy() * fits[c].size * fits[c].size;
+    visit_edges(cells[c], [&](const unsigned int edge, const double share) {
+      on_edge[edge] = std::max(on_edge[edge], share * energy);
+    });
+  }
   Vector weights(3 * cells.size() + tractions.conditions.size());
   for (std::size_t c = 0; c < cells.size(); ++c)
-    for (const TractionSide &side : cells[c].sides)
-      for (const unsigned int edge : tractions.space.sources(side.edge))
-        for (unsigned int i = 0; i < 3; ++i)
-          weights[3 * c + i] = std::max(weights[3 * c + i], penalty * on_edge[edge]);
+    visit_edges(cells[c], [&](const unsigned int edge, const double /*share*/) {
+      for (unsigned int i = 0; i < 3; ++i)
+        weights[3 * c + i] = std::max(weights[3 * c + i], penalty * on_edge[edge]);
+    });
+  const double energy = fits[0].airy->mean_energy() * fits[0].size * fits[0].size;
   for (std::size_t k = 0; k < tractions.conditions.size(); ++k)
-    weights[3 * cells.size() + k] = penalty * energy(0) * tractions.conditions[k].row.size();
+    weights[3 * cells.size() + k] = penalty * energy * tractions.conditions[k].row.size();
   return weights;
 }
 
