@@ -17,21 +17,25 @@ double EquilibratedStress::distance(const std::size_t cell) const {
   return fit.size * std::sqrt(fit.rest * fit.rest + std::max(0., y * fit.airy->multiply(y)));
 }
 
-double EquilibratedStress::oscillation(const std::size_t cell) const {
+double EquilibratedStress::oscillation(const std::size_t cell, const bool of_pairs) const {
   AssertIndexRange(cell, fits.size());
   const TractionCell &edges_of_cell = tractions.space.cells()[cell];
   const CellFit &fit = fits[cell];
-  const std::vector<double> &normal = tractions.rests[0], &shear = tractions.rests[1];
-  if (fit.load_rest == 0. && std::none_of(edges_of_cell.sides.begin(), edges_of_cell.sides.end(),
-                                          [&](const TractionSide &side) {
-                                            return normal[side.edge] + shear[side.edge] > 0.;
-                                          }))
+  const auto &[normal, shear] = tractions.rests;
+  std::vector<unsigned int> sides;
+  for (unsigned int k = 0; k < 4; ++k)
+    if (const unsigned int edge = edges_of_cell.sides[k].edge;
+        normal[edge].norm + shear[edge].norm > 0. &&
+        (of_pairs || tractions.space.shared_parts(edge).empty()))
+      sides.push_back(k);
+  if (fit.load_rest == 0. && sides.empty())
     return 0.;
   const OscillationConstants constants(edges_of_cell.shape, fit.airy->degree() - 1);
   double sum = constants.body * fit.load_rest;
-  for (unsigned int k = 0; k < 4; ++k)
-    sum += constants.normal[k] * normal[edges_of_cell.sides[k].edge] +
-           constants.edge[k] * shear[edges_of_cell.sides[k].edge];
+  for (const unsigned int k : sides) {
+    const unsigned int edge = edges_of_cell.sides[k].edge;
+    sum += constants.normal(k, normal[edge]) + constants.edge[k] * shear[edge].norm;
+  }
   return sum / std::sqrt(fit.min_eigenvalue);
 }
 

@@ -168,9 +168,13 @@ bool EquilibrationMesh::refine(const std::vector<Cell> &cells, const bool by_deg
   return splits || rises;
 }
 
-unsigned int EquilibrationMesh::inner_degree(const Cell &cell) const {
+unsigned int EquilibrationMesh::boundary_degree(const Cell &cell) const {
   const auto raised = raised_.find(cell->id());
-  return std::max(2U, degree(cell)) + (raised == raised_.end() ? 0 : raised->second);
+  return degree(cell) + (raised == raised_.end() ? 0 : raised->second);
+}
+
+unsigned int EquilibrationMesh::inner_degree(const Cell &cell) const {
+  return std::max(2U, degree(cell)) + boundary_degree(cell) - degree(cell);
 }
 
 unsigned int EquilibrationMesh::degree(const Cell &cell) const {

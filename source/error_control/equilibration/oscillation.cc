@@ -58,13 +58,22 @@ double depth(const CellShape &shape, const unsigned int k) {
   return std::min(cross(along, left), cross(along, right));
 }
 
-/** Returns the constant of Airy's function on a rectangle. */
-double beam_constant(const double L, const double max_depth) {
-  const double d = std::min(max_depth, 0.73 * L);
-  return std::sqrt(13. / 35. * d + 12. / (5. * d) * L * L / (4. * PI * PI) +
-                   12. / std::pow(d, 3) * std::pow(L, 4) / 500.56);
-}
 } // namespace
+
+TractionRest TractionRest::of_norm(const double norm, const double length) {
+  return {norm, length / (2. * PI) * norm, length * length / std::sqrt(500.56) * norm};
+}
+
+double OscillationConstants::normal(const unsigned int k, const TractionRest &rest) const {
+  const double in_any_direction = edge[k] * rest.norm;
+  if (depths_[k] == 0. || rest.norm == 0.)
+    return in_any_direction;
+  const double a = 13. / 35. * rest.norm * rest.norm, b = 12. / 5. * rest.slope * rest.slope,
+               c = 12. * rest.primitive * rest.primitive,
+               best = std::sqrt((b + std::sqrt(b * b + 12. * a * c)) / (2. * a)),
+               d = std::min(best, depths_[k]);
+  return std::min(in_any_direction, std::sqrt(a * d + b / d + c / (d * d * d)));
+}
 
 OscillationConstants::OscillationConstants(const CellShape &shape, const unsigned int degree) {
   // The better of two centres.
@@ -88,8 +97,7 @@ OscillationConstants::OscillationConstants(const CellShape &shape, const unsigne
     edge[k] = korn * (shape.has_arcs() ? trace_constant(a, b, shape.crossing)
                                        : std::min(trace_constant(a, b, x[(k + 2) % 4]),
                                                   trace_constant(a, b, x[(k + 3) % 4])));
-    const double d = shape.has_arcs() ? 0. : depth(shape, k);
-    normal[k] = d > 0. ? std::min(edge[k], beam_constant(a.distance(b), d)) : edge[k];
+    depths_[k] = shape.has_arcs() ? 0. : depth(shape, k);
   }
 }
 } // namespace Signorini

@@ -73,18 +73,6 @@ std::optional<SharedPart> part_of(const TractionEdge &edge, const unsigned int n
 }
 } // namespace
 
-double SharedPart::square(const std::vector<double> &q) const {
-  const QGauss<1> gauss(q.size());
-  double sum = 0.;
-  for (unsigned int k = 0; k < gauss.size(); ++k) {
-    const std::vector<double> L =
-      legendre_values(q.size() - 1, shared_from + gauss.point(k)[0] * (shared_to - shared_from));
-    sum += gauss.weight(k) * (to - from) *
-           std::pow(std::inner_product(L.begin(), L.end(), q.begin(), 0.), 2);
-  }
-  return sum;
-}
-
 TractionSpace::TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scene)
   : on_side_(scene.geometry.sides.size())
   , sides_(scene.geometry.sides)
@@ -101,7 +89,8 @@ TractionSpace::TractionSpace(const EquilibrationMesh &mesh, const Scene<2> &scen
       if (added.shape.centres[k])
         added.shape.directions[k] = edges_[added.sides[k].edge].direction;
       unsigned int &on_edge = edges_[added.sides[k].edge].degree;
-      on_edge = std::max(on_edge, degree);
+      on_edge = std::max(on_edge, cell->at_boundary(face_in_circle[k]) ? mesh.boundary_degree(cell)
+                                                                       : degree);
     }
   }
   parts_.resize(edges_.size());

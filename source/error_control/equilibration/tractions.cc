@@ -7,10 +7,12 @@
 #include <signorini/error_control/equilibration/tractions.h>
 #include <signorini/problem/scene/functions.h>
 
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/mapping_q1.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace Signorini {
 namespace {
@@ -21,6 +23,36 @@ double norm_of_rest(const double square, const double of_projection) {
   const double rest = square - of_projection;
   return rest > 1e-14 * square ? std::sqrt(rest) : 0.;
 }
+
+/** A polynomial on an interval by its coefficients of Legendre's P_k. */
+struct LocalPolynomial {
+  /** Returns its integral, which has the value @p start at the start. */
+  LocalPolynomial integral(const double start) const {
+    LocalPolynomial result = {width, std::vector<double>(legendre.size() + 1)};
+    for (std::size_t k = 0; k < legendre.size(); ++k) {
+      const double part = 0.5 * width * legendre[k] / (2. * k + 1.);
+      result.legendre[k + 1] += part;
+      if (k > 0)
+        result.legendre[k - 1] -= part;
+    }
+    result.legendre[0] = start;
+    for (std::size_t k = 1; k < result.legendre.size(); ++k)
+      result.legendre[0] -= (k % 2 == 0 ? 1. : -1.) * result.legendre[k];
+    return result;
+  }
+  double end() const {
+    return std::accumulate(legendre.begin(), legendre.end(), 0.);
+  }
+  double square() const {
+    double sum = 0.;
+    for (std::size_t k = 0; k < legendre.size(); ++k)
+      sum += width * legendre[k] * legendre[k] / (2. * k + 1.);
+    return sum;
+  }
+
+  double width;
+  std::vector<double> legendre;
+};
 } // namespace
 
 Tractions::Tractions(const BoundData &data, const EquilibrationMesh &mesh)
@@ -58,7 +90,9 @@ void Tractions::project_given(const BoundData &data) {
   FaceValues<2> values(StaticMappingQ1<2>::mapping, data.space, data.scene.kinks, n_points,
                        update_quadrature_points | update_JxW_values | update_normal_vectors);
   Vector t(2);
-  rests.fill(std::vector<double>(space.edges().size(), 0.));
+  std::array<std::vector<double>, 2> squares;
+  squares.fill(std::vector<double>(space.edges().size(), 0.));
+  rests.fill(std::vector<TractionRest>(space.edges().size()));
   for (const auto &cell : data.space.mesh().triangulation().active_cell_iterators())
     for (const unsigned int f : cell->face_indices()) {
       if (!is_loaded(cell->face(f)))
@@ -76,7 +110,7 @@ void Tractions::project_given(const BoundData &data) {
           {n[0] * t[0] + n[1] * t[1], n[0] * t[1] - n[1] * t[0]}};
         const auto L = legendre_values(edge.degree, edge.position_of(rule.quadrature_point(q)));
         for (unsigned int c = 0; c < 2; ++c) {
-          rests[c][number] += measure_at(rule, q) * parts[c] * parts[c];
+          squares[c][number] += measure_at(rule, q) * parts[c] * parts[c];
           for (unsigned int i = 0; i <= edge.degree; ++i)
             x[edge.position(c, i)] += measure_at(rule, q) / edge.length() * L[i] * parts[c];
         }
@@ -84,12 +118,61 @@ void Tractions::project_given(const BoundData &data) {
     }
   for (unsigned int c = 0; c < 2; ++c)
     for (std::size_t number = 0; number < space.edges().size(); ++number)
-      if (double &rest = rests[c][number]; rest > 0.) {
+      if (const double square = squares[c][number]; square > 0.) {
+        const double length = space.edges()[number].length();
         double of_projection = 0.;
         for (const double coefficient : on_edge(number, c))
-          of_projection += space.edges()[number].length() * coefficient * coefficient;
-        rest = norm_of_rest(rest, of_projection);
+          of_projection += length * coefficient * coefficient;
+        rests[c][number] = TractionRest::of_norm(norm_of_rest(square, of_projection), length);
       }
+}
+
+TractionRest Tractions::rest_of_pair(const unsigned int number, const unsigned int c) const {
+  const std::vector<double> own = on_edge(number, c);
+  const std::vector<SharedPart> &parts = space.shared_parts(number);
+  std::vector<double> cuts = {0., 1.};
+  unsigned int degree = own.size() - 1;
+  for (const SharedPart &part : parts) {
+    cuts.insert(cuts.end(), {part.from, part.to});
+    degree = std::max(degree, space.edges()[part.shared].degree);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  const QGauss<1> gauss(degree + 1);
+  double size = 0., norm = 0., slope = 0., primitive = 0., first = 0., second = 0.;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    const double from = cuts[i], width = cuts[i + 1] - from, middle = from + 0.5 * width;
+    if (width == 0.)
+      continue;
+    const auto part = std::find_if(parts.begin(), parts.end(), [middle](const SharedPart &part) {
+      return part.from < middle && middle < part.to;
+    });
+    const std::vector<double> q =
+      part == parts.end() ? std::vector<double>(1, 0.) : on_edge(part->shared, c);
+    LocalPolynomial r = {width, legendre_projection(degree, gauss, [&](const double s) {
+                           const double at = from + s * width;
+                           const double on_shared =
+                             part == parts.end() ? 0. : part->position_on_shared(at);
+                           const std::vector<double> L = legendre_values(own.size() - 1, at),
+                                                     M = legendre_values(q.size() - 1, on_shared);
+                           return std::inner_product(M.begin(), M.end(), q.begin(), 0.) -
+                                  std::inner_product(L.begin(), L.end(), own.begin(), 0.);
+                         })};
+    for (std::size_t k = 0; k < r.legendre.size(); ++k)
+      r.legendre[k] *= std::sqrt(2. * k + 1.);
+    const LocalPolynomial F_1 = r.integral(first), F = F_1.integral(second);
+    first = F_1.end();
+    second = F.end();
+    norm += r.square();
+    slope += F_1.square();
+    primitive += F.square();
+    size += width * std::inner_product(q.begin(), q.end(), q.begin(), 0.);
+  }
+  const double length = space.edges()[number].length();
+  constexpr double rounding = 1e-13;
+  if (norm <= rounding * rounding * size)
+    return {};
+  return {std::sqrt(length * norm), std::pow(length, 1.5) * std::sqrt(slope),
+          std::pow(length, 2.5) * std::sqrt(primitive)};
 }
 
 void Tractions::project_shared() {
@@ -100,14 +183,12 @@ void Tractions::project_shared() {
         continue;
       const TractionEdge &edge = space.edges()[number];
       Vector own(edge.degree + 1);
-      double square = 0.;
       for (const SharedPart &part : parts) {
         const std::vector<double> q = on_edge(part.shared, c);
         part.R.vmult_add(own, Vector(q.begin(), q.end()));
-        square += part.square(q);
       }
       std::copy(own.begin(), own.end(), x.begin() + edge.position(c, 0));
-      rests[c][number] = norm_of_rest(edge.length() * square, edge.length() * own.norm_sqr());
+      rests[c][number] = rest_of_pair(number, c);
     }
 }
 

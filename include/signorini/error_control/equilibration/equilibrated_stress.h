@@ -15,8 +15,9 @@ namespace Signorini {
 struct EquilibratedStress {
   /** Returns ‖σ(u_h) - τ‖_K or ‖τ‖_K. */
   double distance(std::size_t cell) const;
-  /** Returns a bound of the norm of a stress that balances f - f_K and t - t_h. */
-  double oscillation(std::size_t cell) const;
+  /** Returns a bound of the norm of a stress that balances f - f_K and t - t_h. @param of_pairs
+   * whether q - t_h on the sides of pairs counts: it is known exactly. */
+  double oscillation(std::size_t cell, bool of_pairs = true) const;
   /** Returns the part of f - f_K in it. */
   double load_oscillation(std::size_t cell) const;
   /** Returns the sum of the squares of either, over all cells. */

@@ -48,8 +48,10 @@ public:
   const Triangulation<2> &triangulation() const {
     return own_ ? *own_ : data_.space.mesh().triangulation();
   }
-  /** Returns the degree of tractions on the sides of a cell, and that of stresses in it. */
+  /** Returns the degree of tractions on the sides of a cell, that on the boundary, where it rises
+   * with the degree of stresses in the cell, and this one. */
   unsigned int degree(const Cell &cell) const;
+  unsigned int boundary_degree(const Cell &cell) const;
   unsigned int inner_degree(const Cell &cell) const;
   /** Splits cells that are larger than those of an aligned mesh of u_h, and raises the degree of
    * stresses in others if @p by_degree. @return whether there is a change. */

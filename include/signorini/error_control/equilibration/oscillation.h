@@ -11,6 +11,16 @@
 #include <vector>
 
 namespace Signorini {
+/** A traction r on an edge that has neither force nor moment: its norm, and those of F' and F,
+ * where F'' = r along the edge and F = F' = 0 at both ends. */
+struct TractionRest {
+  double norm = 0., slope = 0., primitive = 0.;
+
+  /** Returns a rest of which the norm alone is known, on an edge of this length: by Wirtinger ‖F'‖
+   * ≤ L/(2 π) ‖r‖, and by the clamped beam ‖F‖² ≤ L⁴/500.56 ‖r‖². */
+  static TractionRest of_norm(double norm, double length);
+};
+
 /**
  * The constants for loads r on a cell K and r_e on its edges that have neither force nor moment.
  * There is, with Hooke's tensor E, a stress τ_r on K with div τ_r + r = 0 and the tractions r_e
@@ -48,9 +58,13 @@ namespace Signorini {
  * along e, y inwards and a rectangle [0,L] x [0,d] in K, Airy's function F(x) ψ(y/d) with F'' =
  * r_e, ψ(s) = (1 - s)² (1 + 2 s) has F = F' = 0 at both ends, as r_e has neither force nor
  * moment; its stress (F ψ''/d², F'' ψ, -F' ψ'/d) has the traction r_e n on e and none on the
- * three other edges of the rectangle, outside of which it is continued by zero. By the clamped beam
- * ‖F‖² ≤ L⁴/500.56 ‖r_e‖² and by Wirtinger ‖F'‖ ≤ L/(2 π) ‖r_e‖, so that its square is at most
- * (13/35 d + 12/(5 d) L²/(4 π²) + 12/d³ L⁴/500.56) ‖r_e‖². The best d is close to 0.73 L.
+ * three other edges of the rectangle, outside of which it is continued by zero. The square of its
+ * norm is
+ *
+ *     13/35 d ‖r_e‖² + 12/(5 d) ‖F'‖² + 12/d³ ‖F‖²,
+ *
+ * of which the best d is known. What jumps or is singular within the edge has much smaller F' and F
+ * than a wave as long as the edge.
  */
 struct OscillationConstants {
   /** @param degree n: the body force is orthogonal to polynomials up to this degree. */
@@ -58,7 +72,13 @@ struct OscillationConstants {
 
   double korn;
   double body;
-  /** The constants for tractions in any direction, and for normal ones. */
-  std::array<double, 4> edge, normal;
+  /** The constants for tractions in any direction. */
+  std::array<double, 4> edge;
+  /** Returns the norm for a normal traction on an edge. */
+  double normal(unsigned int k, const TractionRest &rest) const;
+
+private:
+  /** The depths of the largest rectangles on the edges, zero where there is none. */
+  std::array<double, 4> depths_;
 };
 } // namespace Signorini

@@ -97,8 +97,10 @@ struct SharedPart {
    * the edge is of length one. */
   FullMatrix<double> R;
 
-  /** Returns ∫ q² over the part of an edge of length one. */
-  double square(const std::vector<double> &q) const;
+  /** Returns the position on the shared edge at one on the edge. */
+  double position_on_shared(const double s) const {
+    return shared_from + (s - from) / (to - from) * (shared_to - shared_from);
+  }
 };
 
 /** A side of a cell, a whole edge or half of it: the positions of corner k and k + 1 on the edge.

@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/error_control/equilibration/bound_data.h>
+#include <signorini/error_control/equilibration/oscillation.h>
 #include <signorini/error_control/equilibration/traction_space.h>
 
 #include <array>
@@ -35,13 +36,15 @@ struct Tractions {
 
   TractionSpace space;
   Vector x;
-  /** The norms of t - t_h by component and edge; on the sides of pairs, those of q - t_h. */
-  std::array<std::vector<double>, 2> rests;
+  /** The rests t - t_h by component and edge; on the sides of pairs, q - t_h. */
+  std::array<std::vector<TractionRest>, 2> rests;
   /** The forces and moments on plates. */
   std::vector<TractionCondition> conditions;
 
 private:
   void project_given(const BoundData &data);
+  /** Returns q - t_h on an edge of a side of a pair. */
+  TractionRest rest_of_pair(unsigned int edge, unsigned int component) const;
   void add_plates(const Scene<2> &scene);
 };
 } // namespace Signorini
