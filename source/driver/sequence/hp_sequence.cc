@@ -119,8 +119,7 @@ private:
       // Loads that stresses do not balance exactly count, too.
       AssertDimension(findings.indicators.size(), solution.bound_fields.oscillation.size());
       for (std::size_t cell = 0; cell < findings.indicators.size(); ++cell)
-        findings.indicators[cell].error =
-          std::hypot(findings.indicators[cell].error, solution.bound_fields.oscillation[cell]);
+        findings.indicators[cell].oscillation = solution.bound_fields.oscillation[cell];
     }
     return cannot_go_on(findings, has_bound);
   }

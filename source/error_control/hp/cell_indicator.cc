@@ -112,7 +112,7 @@ std::vector<CellIndicator> indicate(const DisplacedBody<2> &body) {
 double total(const std::vector<CellIndicator> &indicators) {
   double square = 0.;
   for (const CellIndicator &indicator : indicators)
-    square += indicator.error * indicator.error;
+    square += std::pow(indicator.error, 2) + std::pow(indicator.oscillation, 2);
   return std::sqrt(square);
 }
 } // namespace Signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Layers and bumps between the points of the first mesh.
 
+#include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/discretization/space/cell_stiffness.h>
 #include <signorini/error_control/equilibration/arc_lift.h>
 #include <signorini/error_control/equilibration/cell_shape.h>
@@ -66,32 +67,83 @@ bool is_too_bent(const Scene<2> &scene, const Triangulation<2>::active_cell_iter
   return false;
 }
 
-/** Returns whether data of the body or of a side hides in a cell. A few boxes hide nothing from
- * elements of higher degree. Where none of the smallest boxes shows its data, small cells would not
- * either. */
-bool is_rough(const Scene<2> &scene, const Triangulation<2>::active_cell_iterator &cell) {
-  constexpr unsigned int few = 6;
-  for (const Kinks<2> *const kinks : {&scene.kinks, &scene.law_kinks})
-    if (kinks->boxes().divides(cell->bounding_box(), few) &&
-        kinks->boxes().shows_some(cell->bounding_box()))
-      return true;
-  for (const auto &face : cell->face_iterators())
-    if (face->at_boundary() && scene.kinks.has_breaks(face->vertex(0), face->vertex(1)))
-      return true;
-  return false;
+/** Returns |K|^{1/2} ‖f - c‖_K, c the mean of f on a cell K, and ∫_K |f|. */
+std::pair<double, double> variation_and_sum(const Scene<2> &scene,
+                                            const Triangulation<2>::active_cell_iterator &cell) {
+  constexpr unsigned int n_points = 2;
+  const PlaneRule rule = cut_rule(scene.kinks, corners_of(cell), n_points);
+  std::vector<dealii::Vector<double>> f(rule.points.size(), dealii::Vector<double>(2));
+  scene.body_force->vector_value_list(rule.points, f);
+  Tensor<1, 2> force;
+  double area = 0., sum = 0., square = 0.;
+  for (std::size_t q = 0; q < f.size(); ++q) {
+    const Tensor<1, 2> f_q({f[q][0], f[q][1]});
+    area += rule.weights[q];
+    sum += rule.weights[q] * f_q.norm();
+    force += rule.weights[q] * f_q;
+    square += rule.weights[q] * f_q.norm_square();
+  }
+  return {std::sqrt(std::max(0., area * square - force.norm_square())), sum};
 }
+
+/** Finds the cells in which data hides from elements of the first degree. */
+class HidingCells {
+public:
+  HidingCells(const Scene<2> &scene, const MeshPlan &plan)
+    : scene_(scene) {
+    if (scene.body_force == nullptr)
+      return;
+    const Mesh<2> mesh(
+      scene.geometry, plan.base_level, plan.lines, [](const auto &, unsigned int) { return false; },
+      1);
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      force_ += variation_and_sum(scene, cell).second;
+  }
+
+  bool contain(const Triangulation<2>::active_cell_iterator &cell) const {
+    for (const auto &face : cell->face_iterators())
+      if (face->at_boundary() && scene_.kinks.has_breaks(face->vertex(0), face->vertex(1)))
+        return true;
+    return is_divided(scene_.law_kinks, cell) || hides_force(cell);
+  }
+
+private:
+  /** Returns whether a cell has many boxes. A few hide nothing from elements of higher degree.
+   * Where none of the smallest boxes shows its data, small cells would not either. */
+  static bool is_divided(const Kinks<2> &kinks,
+                         const Triangulation<2>::active_cell_iterator &cell) {
+    constexpr unsigned int few = 6;
+    return kinks.boxes().divides(cell->bounding_box(), few) &&
+           kinks.boxes().shows_some(cell->bounding_box());
+  }
+
+  /** Returns whether much of the body force is concentrated on a small part of a cell, or some of
+   * it varies in many boxes. */
+  bool hides_force(const Triangulation<2>::active_cell_iterator &cell) const {
+    constexpr double much = 0.1, some = 1e-5;
+    if (!(force_ > 0.) || !varies_fast(scene_.kinks, cell))
+      return false;
+    const double share = variation_and_sum(scene_, cell).first / force_;
+    return share > much || (share > some && is_divided(scene_.kinks, cell));
+  }
+
+  const Scene<2> &scene_;
+  /** ∫ |f|. */
+  double force_ = 0.;
+};
 } // namespace
 
 void resolve_hidden_data(const Scene<2> &scene, MeshPlan &plan) {
   constexpr unsigned int max_splits = 6, max_split_cells = 2000;
   unsigned int n_split = 0;
+  const HidingCells hiding_cells(scene, plan);
   const Mesh<2> mesh(
     scene.geometry, plan.base_level, plan.guides,
     [&](const Triangulation<2>::active_cell_iterator &cell, const unsigned int n_splits) {
       if (plan.must_split(scene, cell, n_splits))
         return true;
       if (n_splits >= max_splits || n_split >= max_split_cells ||
-          !(is_rough(scene, cell) || is_too_bent(scene, cell)))
+          !(hiding_cells.contain(cell) || is_too_bent(scene, cell)))
         return false;
       ++n_split;
       return plan.demands[cell->id()].split = true;

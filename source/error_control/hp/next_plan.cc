@@ -192,12 +192,13 @@ void demand(const Scene<2> &scene, const Mesh<2> &mesh, const std::vector<unsign
     const unsigned int planned =
       std::max(degree, planned_degree(next, mesh, scene.geometry.body_of(cell), cell));
     const double predicted = indicator.error * std::pow(indicator.decay, planned - degree);
-    if (predicted <= margin * goal.per_cell)
+    const bool oscillates = indicator.oscillation > goal.per_cell;
+    if (!oscillates && predicted <= margin * goal.per_cell)
       continue;
     const double missing =
       std::ceil(std::log(predicted / goal.per_cell) / std::log(1. / indicator.decay));
     CellDemand &demand = next.demands[cell->id()];
-    if (indicator.decay < slow_decay && planned + missing <= next.max_element_degree)
+    if (!oscillates && indicator.decay < slow_decay && planned + missing <= next.max_element_degree)
       demand.degree = std::max(demand.degree, planned + static_cast<unsigned int>(missing));
     else {
       demand.split = true;

@@ -299,6 +299,22 @@ void poor_formula(Checks &checks) {
   }
 }
 
+/** Smooth forces of which hardly anything is left in most of the body, or that turn fast: the first
+ * mesh is as coarse as without them, and the bound reaches the usual aim. */
+void narrow_and_fast_forces(Checks &checks) {
+  const std::string text = "Geometry/Shape = half disc\nBoundary/Clamped = flat\n"
+                           "Boundary/Contact = arc\nContact/Gap = 1\nLoad/Body force = 0; ",
+                    narrow = "exp(-50*(x^2+(y+0.5)^2))\n",
+                    fast = "sin(8*(x^2+(y+1)^2)+3*x)*exp(-0.5*(x-y-1)^2)\n";
+  for (const std::string &force : {narrow, fast}) {
+    checks.about("force " + force);
+    const StudyResult<2> found = solve(text + force, {"Discretization/Strategy=hp"});
+    checks.between("cells of the first mesh", value(found.levels.front(), "cells").value(), 64,
+                   100);
+    checks.that("a guaranteed bound", bound_of(found.levels.back()).value_or(1.) < 1e-3);
+  }
+}
+
 /** A ring that a plate in its bore presses onto a plane, by a force and by the travel that it
  * makes: the bounds of J on coarse meshes contain those on finer ones, and J of the travel is that
  * of the force without its work. */
@@ -330,5 +346,5 @@ void moved_bore(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {equilibrium, least_energies, degrees, half_disc, prescribed, corners_of_arcs,
-                    thin_bodies, poor_formula, moved_bore});
+                    thin_bodies, poor_formula, narrow_and_fast_forces, moved_bore});
 }

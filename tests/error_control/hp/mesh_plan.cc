@@ -166,13 +166,23 @@ std::size_t n_split_for(const std::string &modulus) {
 }
 
 /** No cell is split for moduli that no box shows; along a curve small cells help. A smooth force
- * hides nothing, and one that is singular at a point asks for layers there alone. */
+ * hides nothing, also where hardly anything of it is left; one that is singular at a point asks for
+ * layers there alone. A force on a small patch is seen, oblique ones too, and one that fills half
+ * of the body needs no small cells along its edge. */
 void hidden_data(Checks &checks) {
   const auto n_split_in = [](const std::string &file) {
     return n_split(make_scene<2>(read_parameters(SOURCE_DIR "/prm/" + file, {}), named_scenes()));
   };
   checks.near("splits of a smooth force", n_split_in("smooth_contact_two_ends.prm"), 0, 0.);
-  checks.between("splits around a singular point", n_split_in("described_b1.prm"), 4, 24);
+  checks.between("splits around a singular point", n_split_in("described_b1.prm"), 2, 24);
+  const auto n_split_for_force = [](const std::string &force) {
+    return n_split(scene_of(square + "Load/Body force = 0; " + force + "\n"));
+  };
+  checks.between("splits of a narrow smooth force",
+                 n_split_for_force("exp(-150*((x - 0.4)^2 + (y - 0.5)^2))"), 0, 8);
+  checks.between("splits around a patch",
+                 n_split_for_force("abs(x+y-0.7)<0.002 && abs(x-y+0.1)<0.003 ? 1 : 0"), 6, 40);
+  checks.near("splits along an edge", n_split_for_force("x + 1.3*y > 1.1 ? 1 : 0"), 0, 0.);
   checks.near("splits where no box shows the moduli", n_split_for("cos(6000*pi*x) < 0"), 0, 0.);
   checks.between("splits around a strip in which no box does",
                  n_split_for("cos(6000*pi*x) < 0 && x > 0.3"), 0, 600);

@@ -14,6 +14,9 @@ struct CellIndicator {
   /** The factor by which the error falls when the degree grows by one: near 0 where u is analytic,
    * near 1 where it is singular. */
   double decay = 0.;
+  /** The part of a bound that comes from loads which no stress on the cell balances exactly,
+   * whatever its degree; zero as long as there is no bound. */
+  double oscillation = 0.;
 };
 
 /**
@@ -28,6 +31,6 @@ struct CellIndicator {
  */
 std::vector<CellIndicator> indicate(const DisplacedBody<2> &body);
 
-/** Returns the root of the sum of the squares of the errors. */
+/** Returns the root of the sum of the squares of errors and oscillations. */
 double total(const std::vector<CellIndicator> &indicators);
 } // namespace Signorini
