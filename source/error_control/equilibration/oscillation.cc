@@ -52,12 +52,12 @@ double depth(const CellShape &shape, const unsigned int k) {
   const auto &a = shape.corners[k], &b = shape.corners[(k + 1) % 4];
   const Tensor<1, 2> along = (b - a) / a.distance(b);
   const Tensor<1, 2> left = shape.corners[(k + 3) % 4] - a, right = shape.corners[(k + 2) % 4] - b;
-  constexpr double rounding = 1e-12;
-  if (left * along > rounding * left.norm() || right * along < -rounding * right.norm())
+  // Corners of the smallest cells are as far off as coordinates round.
+  const double rounding = 1e-12 * a.distance(b) + 1e-15 * std::max(a.norm(), b.norm());
+  if (left * along > rounding || right * along < -rounding)
     return 0.;
   return std::min(cross(along, left), cross(along, right));
 }
-
 } // namespace
 
 TractionRest TractionRest::of_norm(const double norm, const double length) {
