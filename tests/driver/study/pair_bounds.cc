@@ -8,6 +8,9 @@
 #include <fstream>
 #include <iomanip>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "study_helpers.h"
 #include "tests.h"
@@ -104,6 +107,7 @@ void bounds_of_steps(Checks &checks) {
   std::ofstream table("bound_pairs.csv");
   table << "scene,unknowns,error,bound,ratio,mesh,oscillation,contact\n" << std::setprecision(3);
   constexpr unsigned int n_rows = 3;
+  constexpr double digits = 5e-9; // of energies by another program
   for (const BlockPair &pair : checks.rows(pairs_of_blocks, n_rows)) {
     checks.about(pair.name);
     const BoundedSteps run(pair);
@@ -114,8 +118,8 @@ void bounds_of_steps(Checks &checks) {
       checks.that("there is an interval", bound.energy_lower && bound.energy_upper);
       if (pair.energy)
         checks.that("the energy of another program lies in it",
-                    *bound.energy_lower <= *pair.energy * (1. + 1e-9) &&
-                      *pair.energy * (1. - 1e-9) <= *bound.energy_upper);
+                    *bound.energy_lower <= *pair.energy * (1. + digits) &&
+                      *pair.energy * (1. - digits) <= *bound.energy_upper);
       if (&step == &run.steps.back())
         continue;
       const double error = run.error(step), ratio = *bound.absolute / error;
