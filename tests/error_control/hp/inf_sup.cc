@@ -109,9 +109,8 @@ void gram_matrices(Checks &checks) {
     plan.base_size = 0.5 * length;
     plan.singularities = {end_of_contact({0.3, 0.}, 2, 0.3, 0.31, 3.)};
     plan.rise = 4.;
-    const GradedLevel level(square + "Geometry/Cells = 1, 1\nGeometry/Upper right = " +
-                              std::to_string(length) + ", " + std::to_string((length + 3) / 4),
-                            plan);
+    const std::string size = std::to_string(length);
+    const GradedLevel level(square + "Geometry/Upper right = " + size + ", " + size, plan);
     const auto gram = cosine_kernel::gram_matrix(level.multipliers());
     auto difference = series(level.multipliers(), 8192);
     difference.add(-1., gram);
