@@ -9,6 +9,7 @@
 #include <deal.II/dofs/dof_tools.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Signorini {
@@ -17,37 +18,24 @@ double NodalForces::largest() const {
 }
 
 namespace {
-/** The displacement V = U without the translation of the whole body, and the size of that. */
-struct Deformation {
-  Displacement V;
-  /** NodalForces::translation. */
-  double translation = 1.;
-};
-
-/** Computes U without the translation, which is the middle of the range of each component. */
+/** Returns NodalForces::translation: the size of U against that without the translation, which is
+ * the middle of the range of each component. */
 template <int dim>
-Deformation deformation(const DisplacementSpace<dim> &space, const Displacement &U) {
-  Deformation result = {U};
+double translation_of(const DisplacementSpace<dim> &space, const Displacement &U) {
   double range = 0.;
   const std::vector<IndexSet> components = DoFTools::locally_owned_dofs_per_component(space.dofs());
   for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d) {
-    const IndexSet &rows = components[d];
     double low = std::numeric_limits<double>::max(), high = -low;
-    for (const auto i : rows) {
+    for (const auto i : components[d]) {
       low = std::min(low, U(i));
       high = std::max(high, U(i));
     }
     low = Utilities::MPI::min(low, space.mesh().communicator());
     high = Utilities::MPI::max(high, space.mesh().communicator());
     range = std::max(range, 0.5 * (high - low));
-    for (const auto i : rows)
-      result.V(i) -= 0.5 * (low + high);
   }
-  result.V.update_ghost_values();
   const double size = U.linfty_norm();
-  if (range < size)
-    result.translation = size / std::max(range, std::numeric_limits<double>::epsilon() * size);
-  return result;
+  return range < size ? size / std::max(range, std::numeric_limits<double>::epsilon() * size) : 1.;
 }
 } // namespace
 
@@ -65,9 +53,9 @@ NodalForces nodal_forces(const BodyInContact<dim> &body, const DualVector &loads
   forces.residual -= forces.contact;
   body.space.carry_to_masters(forces.residual);
   forces.magnitude = internal.magnitudes.l2_norm();
-  const Deformation deformed = deformation(body.space, body.U);
-  forces.strain_energy = 0.5 * (deformed.V * forces.internal);
-  forces.translation = deformed.translation;
+  // Products of forces and displacements would contain the rounding of every cell's motion.
+  forces.strain_energy = 0.5 * std::pow(internal.energy_norm, 2);
+  forces.translation = translation_of(body.space, body.U);
   forces.energy = {internal.energy_norm, norm_of_rigid_motion(body)};
   return forces;
 }

@@ -24,10 +24,10 @@ struct Energies {
   double J() const {
     return strain - loads - opening - plates;
   }
-  /** Returns J(u_h, p_H) of the body alone, whose plates are held where they have moved: without
-   * the work of their forces, and with the normal part of Pᵀ W only. */
+  /** Returns J(u_h) = a(u_h, u_h)/2 - f(u_h) of the body alone, whose plates are held where they
+   * have moved. */
   double J_without_plates() const {
-    return J() + plates - dissipation;
+    return strain - loads;
   }
 };
 
