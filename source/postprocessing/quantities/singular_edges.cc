@@ -39,16 +39,19 @@ void add_if_singular(const SingularEdge<dim> &edge, const Scene<dim> &scene,
     edges.push_back(edge);
 }
 
-/** Returns the unknown of a contact side that is nearest to a point; none on other sides. */
+/** Returns the unknown that is nearest to a point, of one side or of all; none where there are
+ * none.
+ */
 template <int dim>
-std::optional<unsigned int> nearest_unknown(const Point<dim> &x, const unsigned int side,
+std::optional<unsigned int> nearest_unknown(const Point<dim> &x,
+                                            const std::optional<unsigned int> side,
                                             const MultiplierSpace<dim> &multipliers) {
   const ContactSurface<dim> &surface = multipliers.surface();
   double smallest = std::numeric_limits<double>::max();
   std::optional<unsigned int> nearest;
   for (unsigned int k = 0; k < multipliers.n_multipliers(); ++k) {
     const Patch<dim> &patch = surface.patches()[multipliers.patch_of(k)];
-    if (patch.side != side)
+    if (side && patch.side != *side)
       continue;
     const double distance = surface.side(patch).point(multipliers.node(k)).distance(x);
     if (distance < smallest) {
@@ -82,9 +85,39 @@ template <int dim>
 double present_exponent(const SingularEdge<dim> &edge, const Point<dim> &x,
                         const MultiplierSpace<dim> &multipliers, const Multiplier &multiplier) {
   const Point<dim> nearest = edge.nearest(x);
-  return corner_exponent(edge.layers,
-                         present_condition(nearest, edge.sides[0], multipliers, multiplier),
-                         present_condition(nearest, edge.sides[1], multipliers, multiplier));
+  double exponent = 1.;
+  if (edge.of_pair < 1.)
+    if (const auto k = nearest_unknown<dim>(nearest, {}, multipliers); k && multiplier.presses(*k))
+      exponent = edge.of_pair;
+  return std::min(
+    exponent,
+    corner_exponent(edge.layers, present_condition(nearest, edge.sides[0], multipliers, multiplier),
+                    present_condition(nearest, edge.sides[1], multipliers, multiplier)));
+}
+
+/** Adds the corners of bodies that press into others, and the points across from them. */
+void add_paired_corners(const Scene<2> &scene, std::vector<SingularEdge<2>> &edges) {
+  for (const PairedCorner &paired : paired_corners(scene)) {
+    if (paired.exponent >= max_singular_exponent)
+      continue;
+    const Corner &corner = paired.corner;
+    const Side<2> &other = scene.geometry.sides[paired.side];
+    const Point<2> across = other.point(paired.s);
+    const double radius =
+      share_of_sides * std::min({scene.geometry.sides[corner.sides[0]].length(),
+                                 scene.geometry.sides[corner.sides[1]].length(), other.length()});
+    edges.push_back({{{corner.position, corner.position}},
+                     corner.sides,
+                     layers_at(scene, corner),
+                     radius,
+                     paired.exponent});
+    if (!paired.meets_corner)
+      edges.push_back({{{across, across}},
+                       {{paired.side, paired.side}},
+                       {make_layer(scene.material->relative_hooke(across), PI)},
+                       radius,
+                       paired.exponent});
+  }
 }
 
 /** Returns the block of Hooke's tensor in the plane of two axes. */
@@ -143,6 +176,7 @@ std::vector<SingularEdge<2>> singular_edges(const Scene<2> &scene) {
                           share_of_sides * shortest},
                          scene, edges);
   }
+  add_paired_corners(scene, edges);
   return edges;
 }
 

@@ -31,9 +31,9 @@ struct GrowthEdge {
   }
 };
 
-/** A corner of a 2-D body, an end of an interface of materials on its boundary, or an edge of a
- * box, at which stresses behave like r^{λ - 1} with λ < 1 (corner_exponent()) in at least one state
- * of contact. */
+/** A corner of a 2-D body, the point of another body across from one, an end of an interface of
+ * materials on its boundary, or an edge of a box, at which stresses behave like r^{λ - 1} with λ <
+ * 1 (corner_exponent()) in at least one state of contact. */
 template <int dim>
 struct SingularEdge {
   /** The ends of the edge; equal in 2-D. */
@@ -44,6 +44,9 @@ struct SingularEdge {
   /** A tenth of the shortest side that meets here, or of the distance to the next corner where that
    * is shorter (length). It is the same on all levels. */
   double radius;
+  /** The smallest exponent of two elastic bodies that press each other here; 1 where there is one
+   * body. */
+  double of_pair = 1.;
 
   /** Returns the point of the edge that is nearest to @p x. */
   Point<dim> nearest(const Point<dim> &x) const;
