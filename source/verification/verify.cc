@@ -67,11 +67,10 @@ void add_errors(const Parameters &parameters, const Discretization<dim> &discret
       record.endpoint_error = contact_end_error(multipliers, scene, P);
   }
   if constexpr (dim == 2)
-    if (record.tangential &&
-        scene.boundary[scene.contact_sides().front()].exact_tangential != nullptr)
+    if (record.tangential && scene.contacts.front().exact_tangential != nullptr)
       record.tangential->l2_error =
         compute_pressure_errors(multipliers, contact.P.tangential()[0], n_points,
-                                &BoundaryCondition<2>::exact_tangential)
+                                &ContactCondition<2>::exact_tangential)
           .l2;
   if (pressure != nullptr)
     record.dual_norm_errors = pressure->errors(multipliers, P);

@@ -6,7 +6,6 @@
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/problem/scene/contact_pair.h>
-#include <signorini/problem/scene/facing.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/geometry_info.h>
@@ -225,15 +224,15 @@ void sort_into(const std::vector<NumberedSpan> &found, const Side<2> &side, cons
   }
 }
 
-/** Returns the faces of a side, and those of the side that it touches. */
-SideFaces faces_of_side(const std::vector<FaceInterval> &all, const unsigned int number,
-                        const Scene<2> &scene) {
-  const Side<2> &side = scene.geometry.sides[number];
-  const std::optional<unsigned int> opposite = scene.boundary[number].opposite;
+/** Returns the faces of the side of a contact, and those of the side that it touches. */
+SideFaces faces_of(const ContactCondition<2> &contact, const std::vector<FaceInterval> &all,
+                   const Scene<2> &scene) {
+  const Side<2> &side = scene.geometry.sides[contact.side];
+  const std::optional<unsigned int> &opposite = contact.opposite;
   SideFaces faces;
   std::vector<NumberedSpan> own, other;
   for (unsigned int f = 0; f < all.size(); ++f)
-    if (all[f].face.side == number)
+    if (all[f].face.side == contact.side)
       own.emplace_back(all[f].span, f);
     else if (opposite && all[f].face.side == *opposite)
       if (const FaceSpan span = span_of(all[f].face, side);
@@ -242,9 +241,8 @@ SideFaces faces_of_side(const std::vector<FaceInterval> &all, const unsigned int
   faces.lower = own.front().first.start;
   faces.upper = own.back().first.end;
   if (opposite) {
-    const FacingPart overlap = overlap_of(side, scene.geometry.sides[*opposite]);
-    faces.lower = overlap.from;
-    faces.upper = overlap.to;
+    faces.lower = contact.from;
+    faces.upper = contact.to;
   }
   sort_into(own, side, faces, faces.own, faces.own_numbers);
   sort_into(other, side, faces, faces.opposite, faces.opposite_numbers);
@@ -299,23 +297,25 @@ void ContactSurface<2>::divide(const Partition &partition) {
   std::sort(all.begin(), all.end(), [](const auto &a, const auto &b) {
     return std::tie(a.face.side, a.span.start) < std::tie(b.face.side, b.span.start);
   });
-  for (const unsigned int side : scene_.contact_sides()) {
-    const SideFaces faces = faces_of_side(all, side, scene_);
-    const ContactPair<2> pair(scene_, side);
-    const std::vector<FaceSpan> &of_carrier = pair.carrier() == side ? faces.own : faces.opposite;
+  for (const ContactPair<2> &pair : contact_pairs(scene_)) {
+    const SideFaces faces = faces_of(pair.data(), all, scene_);
+    const Side<2> &side = scene_.geometry.sides[pair.side()];
+    const std::vector<FaceSpan> &of_carrier =
+      pair.carrier() == pair.side() ? faces.own : faces.opposite;
     if (!partition.by_carrier)
-      require_two_faces(faces, pair, scene_.geometry.sides[side]);
-    const ContactDirections &directions = scene_.boundary[side].directions;
+      require_two_faces(faces, pair, side);
+    const ContactDirections &directions = pair.data().directions;
     const std::vector<double> ends =
       partition.by_carrier
-        ? ends_of_faces(of_carrier, faces, scene_.geometry.sides[side])
-        : ends_of_patches(faces, scene_.geometry.sides[side], directions, partition.ratio,
-                          partition.patches_by_side.empty() ? 0 : partition.patches_by_side[side]);
+        ? ends_of_faces(of_carrier, faces, side)
+        : ends_of_patches(
+            faces, side, directions, partition.ratio,
+            partition.patches_by_contact.empty() ? 0 : partition.patches_by_contact[pair.number()]);
     const unsigned int first_patch = patches_.size();
     for (std::size_t t = 0, k = 0; t + 1 < ends.size(); ++t) {
       const double length = ends[t + 1] - ends[t], near = 1e-9 * length;
-      patches_.push_back({side, Point<1>(ends[t]), Point<1>(ends[t + 1]), length,
-                          directions.change_between(ends[t] + near, ends[t + 1] - near)});
+      patches_.push_back({pair.number(), pair.side(), Point<1>(ends[t]), Point<1>(ends[t + 1]),
+                          length, directions.change_between(ends[t] + near, ends[t + 1] - near)});
       if (partition.by_carrier) {
         k = containing(of_carrier, k, 0.5 * (ends[t] + ends[t + 1]));
         patches_.back().share = std::min(1., length / (of_carrier[k].end - of_carrier[k].start));
@@ -405,8 +405,11 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece, const unsigned int
 
 template <>
 void ContactSurface<3>::divide(const Partition &partition) {
-  // The number of the patch by its side, column and row.
+  // The number of the patch by its contact, column and row.
   std::map<std::array<unsigned int, 3>, unsigned int> numbers;
+  std::map<unsigned int, unsigned int> contacts;
+  for (unsigned int i = 0; i < scene_.contacts.size(); ++i)
+    contacts[scene_.contacts[i].side] = i;
   for (unsigned int f = 0; f < faces_.size(); ++f) {
     const ContactFace<3> &face = faces_[f];
     const Side<3> &side = scene_.geometry.sides[face.side];
@@ -415,7 +418,7 @@ void ContactSurface<3>::divide(const Partition &partition) {
       corners.push_back(side.coordinates(vertex));
     Piece<3> piece = {f, 0, {}, {}, {0., 0.}, {1., 1.}, {}};
     std::tie(piece.lower, piece.upper) = BoundingBox<2>(corners).get_boundary_points();
-    std::array<unsigned int, 3> group_key = {{face.side, 0, 0}};
+    std::array<unsigned int, 3> group_key = {{contacts.at(face.side), 0, 0}};
     for (unsigned int d = 0; d < 2; ++d) {
       const double edge = piece.upper[d] - piece.lower[d];
       const long n_faces = std::lround(side.lengths()[d] / edge);
@@ -425,7 +428,7 @@ void ContactSurface<3>::divide(const Partition &partition) {
     }
     const auto [group, is_new] = numbers.emplace(group_key, patches_.size());
     if (is_new)
-      patches_.push_back({face.side, piece.lower, piece.upper, 0.});
+      patches_.push_back({group_key[0], face.side, piece.lower, piece.upper, 0.});
     piece.patch = group->second;
     Patch<3> &patch = patches_[piece.patch];
     const std::vector<Point<2>> both = {patch.lower, patch.upper, piece.lower, piece.upper};

@@ -55,9 +55,10 @@ template <int dim>
 std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches) {
   std::vector<PatchGrid> grids;
   for (std::size_t first = 0, last = 0; first < patches.size(); first = last) {
-    while (last < patches.size() && patches[last].side == patches[first].side)
+    while (last < patches.size() && patches[last].contact == patches[first].contact)
       ++last;
     PatchGrid grid;
+    grid.contact = patches[first].contact;
     grid.side = patches[first].side;
     for (unsigned int d = 0; d < dim - 1; ++d)
       grid.ends[d] = ends_of(patches, first, last, d);
@@ -93,7 +94,7 @@ std::vector<Neighbours<dim>> ContactSurface<dim>::neighbours() const {
             // Beyond a corner, the pressure is that of another direction.
             const double end = grid.ends[0][step < 0 ? i : i + 1], near = 1e-9 * side.length();
             if (side.has_corner(end) ||
-                scene_.boundary[grid.side].directions.change_between(end - near, end + near))
+                scene_.contacts[grid.contact].directions.change_between(end - near, end + near))
               continue;
             if (n > 1 && (next < 0 || next == n) &&
                 goes_round(side, grid.ends[0].front(), grid.ends[0].back())) {
@@ -119,7 +120,7 @@ std::vector<ContactFace<dim>> find_own_faces(const Mesh<dim> &mesh, const Scene<
     for (const unsigned int f : cell->face_indices())
       if (cell->face(f)->at_boundary()) {
         const unsigned int side = cell->face(f)->boundary_id();
-        if (!may_touch(scene.boundary[side].role))
+        if (scene.boundary[side].role != Role::contact)
           continue;
         faces.push_back({cell, f, side, {}});
         for (const unsigned int v : cell->face(f)->vertex_indices())
@@ -279,7 +280,8 @@ void ContactSurface<dim>::complete(const Piece<dim> &piece, SurfaceRule<dim> &ru
 template <int dim>
 const ContactFace<dim> &ContactSurface<dim>::face_of_carrier(const Piece<dim> &piece) const {
   const ContactFace<dim> &own = faces_[piece.face];
-  return piece.opposite && ContactPair<dim>(scene_, own.side).carrier() != own.side
+  return piece.opposite &&
+             ContactPair<dim>(scene_, patches_[piece.patch].contact).carrier() != own.side
            ? faces_[piece.opposite->first]
            : own;
 }

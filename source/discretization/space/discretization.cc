@@ -159,10 +159,10 @@ void Discretization<dim>::assemble(const Parameters &parameters, const Scene<dim
 
 template <int dim>
 dealii::Vector<double> Discretization<dim>::assemble_gap_of(const Scene<dim> &scene) const {
-  dealii::Vector<double> G = moments_of(scene, &BoundaryCondition<dim>::data);
+  dealii::Vector<double> G = moments_of(scene, &ContactCondition<dim>::gap);
   if (scene.contact_law.has_tangential_part())
     for (const Component tangent : tangents<dim>())
-      G = join(G, moments_of(scene, &BoundaryCondition<dim>::shift, tangent));
+      G = join(G, moments_of(scene, &ContactCondition<dim>::shift, tangent));
   return G;
 }
 
@@ -175,9 +175,9 @@ dealii::Vector<double> Discretization<dim>::gap_residual(const Displacement &U) 
 
 template <int dim>
 dealii::Vector<double> Discretization<dim>::moments_of(
-  const Scene<dim> &scene, FunctionPointer<dim> BoundaryCondition<dim>::*const data,
+  const Scene<dim> &scene, FunctionPointer<dim> ContactCondition<dim>::*const data,
   const Component component) const {
-  return assemble_gap(multipliers, scene.boundary, n_gap_points, gap_grading, data, component);
+  return assemble_gap(multipliers, scene.contacts, n_gap_points, gap_grading, data, component);
 }
 
 std::vector<unsigned int> degrees_of(const DisplacementSpace<2> &space) {

@@ -94,7 +94,7 @@ std::vector<PinCandidate> pin_candidates(const DoFHandler<2> &dofs, const Scene<
     for (const unsigned int v : cell->vertex_indices())
       weights[cell->vertex_index(v)] = 1.;
   for (const auto &face : dofs.get_triangulation().active_face_iterators())
-    if (face->at_boundary() && may_touch(scene.boundary[face->boundary_id()].role))
+    if (face->at_boundary() && scene.boundary[face->boundary_id()].role == Role::contact)
       for (const unsigned int v : {0, 1})
         if (const auto vertex = weights.find(face->vertex_index(v)); vertex != weights.end())
           vertex->second = 1e-3;

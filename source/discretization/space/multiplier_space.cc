@@ -132,13 +132,13 @@ Tensor<1, 3> direction_of(const Component component, const Tensor<1, 3> &normal)
 
 template <int dim>
 dealii::Vector<double> assemble_gap(const MultiplierSpace<dim> &space,
-                                    const std::vector<BoundaryCondition<dim>> &boundary,
+                                    const std::vector<ContactCondition<dim>> &contacts,
                                     const unsigned int n_points, const Grading grading,
-                                    FunctionPointer<dim> BoundaryCondition<dim>::*const data,
+                                    FunctionPointer<dim> ContactCondition<dim>::*const data,
                                     const Component component) {
   const auto gap_on = [&](const Piece<dim> &piece, const SurfaceRule<dim> &rule) {
     std::vector<double> g(rule.size());
-    const auto &given = boundary[space.surface().patches()[piece.patch].side].*data;
+    const auto &given = contacts[space.surface().patches()[piece.patch].contact].*data;
     if (given != nullptr && given->n_components == 1)
       given->value_list(rule.points, g);
     else if (given != nullptr)

@@ -60,7 +60,24 @@ std::string motion_of(const Plate &plate) {
          (plate.turns ? ", turning" : "");
 }
 
-/** Returns the data of a side: "gap 0 to 0.1, friction coefficient 0.3". */
+/** Returns the data of a contact: "gap 0 to 0.1, friction coefficient 0.3". */
+template <int dim>
+std::string data_of(const ContactPair<dim> &pair, const Scene<dim> &scene,
+                    const std::vector<Point<dim>> &points) {
+  const ContactCondition<dim> &contact = pair.data();
+  std::string text = "gap " + range<dim>(contact.gap, points);
+  if (pair.other_side())
+    text += ", with " + pair.other_name();
+  for (const auto &limit : scene.contact_law.limits())
+    text += std::string(", ") + limit.name + " " + range<dim>(contact.*limit.data, points);
+  if (contact.shift != nullptr)
+    text += ", foundation moves " + (contact.shift->n_components == 1
+                                       ? range<dim>(contact.shift, points)
+                                       : ranges<dim>(contact.shift, points));
+  return text;
+}
+
+/** Returns the data of a side. */
 template <int dim>
 std::string data_of(const Scene<dim> &scene, const unsigned int side,
                     const std::vector<Point<dim>> &points) {
@@ -70,16 +87,13 @@ std::string data_of(const Scene<dim> &scene, const unsigned int side,
   const BoundaryCondition<dim> &condition = scene.boundary[side];
   if (condition.role != Role::contact)
     return condition.data == nullptr ? "" : ranges<dim>(condition.data, points);
-  std::string text = "gap " + range<dim>(condition.data, points);
-  if (const ContactPair<dim> pair(scene, side); pair.other_side())
-    text += ", with " + pair.other_name();
-  for (const auto &limit : scene.contact_law.limits())
-    text += std::string(", ") + limit.name + " " + range<dim>(condition.*limit.data, points);
-  if (condition.shift != nullptr)
-    text += ", foundation moves " + (condition.shift->n_components == 1
-                                       ? range<dim>(condition.shift, points)
-                                       : ranges<dim>(condition.shift, points));
-  return text;
+  std::vector<std::string> texts;
+  for (const ContactPair<dim> &pair : contact_pairs(scene))
+    if (pair.side() == side)
+      texts.push_back(data_of(pair, scene, points));
+    else if (pair.other_side() == side)
+      texts.push_back("with " + scene.geometry.sides[pair.side()].name());
+  return join(texts, "; ");
 }
 
 /** Prints a line for every side. */
@@ -127,10 +141,10 @@ SceneNotes notes_on(const Parameters &parameters, const Scene<dim> &scene, const
   SceneNotes notes;
   if (scene.contact_law.has_tangential_part()) {
     std::string line = "Friction: " + scene.contact_law.name();
-    for (const unsigned int i : scene.contact_sides()) {
-      line += ", " + scene.geometry.sides[i].name();
+    for (const ContactPair<dim> &pair : contact_pairs(scene)) {
+      line += ", " + scene.geometry.sides[pair.side()].name();
       for (const auto &limit : scene.contact_law.limits())
-        line += " " + range<dim>(scene.boundary[i].*limit.data, sample_side(scene, i).points);
+        line += " " + range<dim>(pair.data().*limit.data, sample_side(scene, pair.side()).points);
     }
     notes.lines.push_back(line);
   }

@@ -86,7 +86,7 @@ void add_consequences(const BoundData &data, const Consequences &known, const Co
   result.energy_lower = known.energy.lower - data.energies.plates;
   result.energy_upper = known.energy.upper - data.energies.plates;
   // The contact force is that of one pair.
-  if (data.scene.has_pairs() && data.scene.contact_sides().size() > 1)
+  if (data.scene.has_pairs() && data.scene.contacts.size() > 1)
     return;
   if (const auto unit_lift = norm_of_unit_lift(data, lift.trace))
     result.force_error = contact_force_bound(known.stress_error, *unit_lift) + std::abs(change);
@@ -216,7 +216,7 @@ LocatedBound sum_up(const BoundData &data, const BestStress &best) {
   result.is_conditional = data.P.is_coupled();
   add_guaranteed(data, best, lift, scale, result);
   result.largest_cell = name_of_worst_cell(stress_data, data.space);
-  if (!data.scene.contact_sides().empty())
+  if (!data.scene.contacts.empty())
     result.worst_face = name_of(contact.dominant_part, data.scene);
   located.fields = {stress_data.misfit, stress_data.oscillation, roots(contact.cell_energies),
                     roots(contact.face_terms)};

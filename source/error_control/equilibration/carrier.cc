@@ -6,7 +6,7 @@
 namespace Signorini {
 bool is_carrier(const Scene<2> &scene, const unsigned int side) {
   AssertIndexRange(side, scene.boundary.size());
-  return may_touch(scene.boundary[side].role) && pair_with(scene, side).carrier() == side;
+  return scene.boundary[side].role == Role::contact && pair_with(scene, side).carrier() == side;
 }
 
 Point<2> point_of_data(const Scene<2> &scene, const unsigned int side, const Point<2> &x) {

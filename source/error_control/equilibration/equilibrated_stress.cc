@@ -65,8 +65,7 @@ double EquilibratedStress::oscillation_square() const {
 double EquilibratedStress::contact_force(const Scene<2> &scene) const {
   double force = 0.;
   for (const TractionEdge &edge : tractions.space.edges())
-    if (edge.side != TractionEdge::no_side && !edge.is_shared &&
-        scene.boundary[edge.side].role == Role::contact)
+    if (edge.side != TractionEdge::no_side && !edge.is_shared && scene.has_contact_on(edge.side))
       force += edge.length() * tractions.x[edge.position(0, 0)];
   return force;
 }

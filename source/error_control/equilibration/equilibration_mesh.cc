@@ -29,26 +29,26 @@ std::vector<Point<2>> singular_points(const BoundData &data) {
     for (const double s : side.corners())
       points.push_back(side.point(s));
   }
-  for (std::size_t i = 0; i < data.scene.boundary.size(); ++i)
-    for (const double s : data.scene.boundary[i].directions.changes())
-      points.push_back(data.scene.geometry.sides[i].point(s));
+  for (const ContactCondition<2> &contact : data.scene.contacts)
+    for (const double s : contact.directions.changes())
+      points.push_back(data.scene.geometry.sides[contact.side].point(s));
   const std::vector<NodeState> states = patch_states(data.multipliers, data.P);
   const auto &patches = data.multipliers.surface().patches();
-  const auto add = [&](const unsigned int number, const double s) {
+  const auto add = [&](const ContactPair<2> &pair, const double s) {
     const std::vector<Side<2>> &sides = data.scene.geometry.sides;
-    const Point<2> &x = points.emplace_back(sides[number].point(s));
-    if (const auto &other = ContactPair<2>(data.scene, number).other_side())
+    const Point<2> &x = points.emplace_back(sides[pair.side()].point(s));
+    if (const auto &other = pair.other_side())
       points.push_back(sides[*other].point(sides[*other].arc_length(Point<2>(x))));
   };
   for (std::size_t i = 0; i < patches.size(); ++i) {
-    const unsigned int side = patches[i].side;
-    const bool is_last = i + 1 == patches.size() || patches[i + 1].side != side,
-               is_first = i == 0 || patches[i - 1].side != side;
-    const bool is_of_bodies = ContactPair<2>(data.scene, side).other_side().has_value();
+    const ContactPair<2> pair(data.scene, patches[i].contact);
+    const bool is_last = i + 1 == patches.size() || patches[i + 1].contact != pair.number(),
+               is_first = i == 0 || patches[i - 1].contact != pair.number();
+    const bool is_of_bodies = pair.other_side().has_value();
     if (is_first && is_of_bodies)
-      add(side, patches[i].lower[0]);
+      add(pair, patches[i].lower[0]);
     if (is_last ? is_of_bodies : states[i] != states[i + 1])
-      add(side, patches[i].upper[0]);
+      add(pair, patches[i].upper[0]);
   }
   return points;
 }

@@ -101,7 +101,7 @@ public:
       const double d = depths[q],
                    p = body_.multipliers.value(body_.P.normal(), piece.patch, rule.on_side[q]),
                    weight = d > 0. || p < threshold_ ? rule.weights[q] : 0.;
-      const Stretch point = {dim == 2 ? surface.patches()[piece.patch].side : piece.patch,
+      const Stretch point = {dim == 2 ? surface.patches()[piece.patch].contact : piece.patch,
                              n_corners,
                              dim == 2 ? rule.on_side[q][0] : 0.,
                              d > 0.,

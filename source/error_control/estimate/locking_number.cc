@@ -60,8 +60,8 @@ double locking_number(const Mesh<dim> &mesh, const Scene<dim> &scene) {
     return 0.;
   bool presses_on_arc = false;
   if constexpr (dim == 2)
-    for (const unsigned int side : scene.contact_sides())
-      presses_on_arc = presses_on_arc || !scene.geometry.sides[side].is_flat();
+    for (const ContactCondition<2> &contact : scene.contacts)
+      presses_on_arc = presses_on_arc || !scene.geometry.sides[contact.side].is_flat();
   return ratio * std::pow(mesh.longest_edge() / mesh.size(), presses_on_arc ? 1 : 2);
 }
 

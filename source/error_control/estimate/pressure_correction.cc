@@ -38,7 +38,7 @@ std::optional<dealii::Vector<double>> solve_on(const MultiplierSpace<dim> &multi
   if (condensed_D.empty_column(given.space.mesh().communicator()))
     return {};
   FreeState free;
-  free.F = assemble_gap(multipliers, multipliers.surface().scene().boundary, given.n_points);
+  free.F = assemble_gap(multipliers, multipliers.surface().scene().contacts, given.n_points);
   free.F -= D.transpose_product(dual.free.U);
   if (free.nothing_touches(AdmissibleSet::nonpositive(free.F.size())))
     return dealii::Vector<double>(multipliers.n_multipliers());

@@ -63,15 +63,19 @@ Singularity on_side(const Singularity::Kind kind, const ZoneBracket &part, const
  * is singular on both. */
 std::vector<ZoneBracket> on_both_sides(const ZoneBracket &part, const Scene<2> &scene) {
   std::vector<ZoneBracket> parts = {part};
-  if (const auto &number = ContactPair<2>(scene, part.side).other_side()) {
-    const Side<2> &side = scene.geometry.sides[part.side], &other = scene.geometry.sides[*number];
+  for (const ContactPair<2> &pair : contact_pairs(scene)) {
+    if (pair.side() != part.side || !pair.other_side() ||
+        !pair.contains(0.5 * (part.from + part.to)))
+      continue;
+    const Side<2> &side = scene.geometry.sides[part.side],
+                  &other = scene.geometry.sides[*pair.other_side()];
     const auto across = [&](const double s) {
       return other.arc_length(other.across(side.point(s), side.normal(s)));
     };
     double from = across(part.from), to = across(part.to);
     if (other.is_closed()) // Both ends lie on one turn.
       to += other.length() * std::round((from - to) / other.length());
-    parts.push_back({*number, std::min(from, to), std::max(from, to)});
+    parts.push_back({*pair.other_side(), std::min(from, to), std::max(from, to)});
   }
   return parts;
 }
@@ -246,11 +250,12 @@ void add_first_touch(const ContactPair<2> &pair, const Scene<2> &scene, MeshPlan
   if (first.is_flat() && second.is_flat())
     return;
   for (const FacingPart &part : facing_parts(first, second, grazing))
-    for (const ZoneBracket &point :
-         on_both_sides({pair.side(), part.nearest, part.nearest}, scene)) {
-      plan.singularities.push_back(on_side(Singularity::Kind::first_touch, point, scene));
-      plan.singularities.back().layers = layers_to_see_contact;
-    }
+    if (pair.contains(part.nearest))
+      for (const ZoneBracket &point :
+           on_both_sides({pair.side(), part.nearest, part.nearest}, scene)) {
+        plan.singularities.push_back(on_side(Singularity::Kind::first_touch, point, scene));
+        plan.singularities.back().layers = layers_to_see_contact;
+      }
 }
 
 /** Adds a corner of a body that may touch another one: u is singular in both, in the other one at
@@ -305,7 +310,7 @@ MeshPlan first_plan(const Scene<2> &scene, const unsigned int base_level,
   for (const Corner &corner : corners(scene.geometry))
     add_corner(corner, scene, plan);
   for (unsigned int side = 0; side < scene.boundary.size(); ++side)
-    if (scene.boundary[side].role == Role::contact || !scene.material->is_constant())
+    if (scene.has_contact_on(side) || !scene.material->is_constant())
       add_kinks(side, scene, plan);
   for (const PairedCorner &paired : paired_corners(scene))
     add_paired_corner(paired, scene, plan);

@@ -14,9 +14,14 @@ std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
   std::vector<SideNodes> sides;
   for (unsigned int k = 0; k < states.size(); ++k) {
     const Patch<2> &patch = surface.patches()[multipliers.patch_of(k)];
-    if (sides.empty() || sides.back().number != patch.side)
-      sides.push_back(
-        {patch.side, surface.side(patch).length(), patch.lower[0], patch.upper[0], false, {}});
+    if (sides.empty() || sides.back().contact != patch.contact)
+      sides.push_back({patch.contact,
+                       patch.side,
+                       surface.side(patch).length(),
+                       patch.lower[0],
+                       patch.upper[0],
+                       false,
+                       {}});
     sides.back().to = patch.upper[0];
     sides.back().closed = goes_round(surface.side(patch), sides.back().from, sides.back().to);
     sides.back().nodes.push_back({multipliers.node(k)[0], states[k]});
@@ -63,7 +68,7 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side) {
   if (std::none_of(side.nodes.begin(), side.nodes.end(), presses))
     return {};
   if (std::all_of(side.nodes.begin(), side.nodes.end(), presses))
-    return {{side.number, {side.from, 0.}, {side.to, 0.}}};
+    return {{side.contact, side.number, {side.from, 0.}, {side.to, 0.}}};
   std::vector<Change> changes;
   for (const std::vector<SideNode> &run : alternations(side))
     if (run.front().state != run.back().state)
@@ -84,7 +89,7 @@ std::vector<PressedInterval> intervals_of(const SideNodes &side) {
   std::vector<PressedInterval> intervals;
   for (std::size_t i = 0; i + 1 < changes.size(); i += 2) {
     const double turn = side.closed && changes[i].end.s >= side.length ? side.length : 0.;
-    intervals.push_back({side.number, changes[i].end, changes[i + 1].end});
+    intervals.push_back({side.contact, side.number, changes[i].end, changes[i + 1].end});
     intervals.back().start.s -= turn;
     intervals.back().end.s -= turn;
   }

@@ -41,8 +41,9 @@ Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Pat
   const std::vector<PatchGrid> given = patch_grids(from.patches);
   Pressure transferred(to.size());
   for (const PatchGrid &grid : patch_grids(to)) {
-    const auto known = std::find_if(
-      given.begin(), given.end(), [&](const PatchGrid &other) { return other.side == grid.side; });
+    const auto known = std::find_if(given.begin(), given.end(), [&](const PatchGrid &other) {
+      return other.contact == grid.contact;
+    });
     if (known == given.end())
       continue;
     const auto columns = overlaps(known->ends[0], grid.ends[0]);
@@ -63,13 +64,14 @@ Pressure transfer_pressure(const MultiplierSpace<2> &from, const Pressure &P,
   Pressure transferred(to.n_multipliers());
   std::size_t patch = 0;
   for (unsigned int k = 0; k < transferred.size(); ++k) {
-    const unsigned int side = to.surface().patches()[to.patch_of(k)].side;
+    const unsigned int contact = to.surface().patches()[to.patch_of(k)].contact;
     const Point<1> s = to.node(k);
-    // Patches and nodes are sorted by side and arc length.
-    while (patch + 1 < known.size() && (known[patch].side < side || (known[patch].side == side &&
-                                                                     known[patch].upper[0] < s[0])))
+    // Patches and nodes are sorted by contact and arc length.
+    while (patch + 1 < known.size() &&
+           (known[patch].contact < contact ||
+            (known[patch].contact == contact && known[patch].upper[0] < s[0])))
       ++patch;
-    if (known[patch].side == side)
+    if (known[patch].contact == contact)
       transferred[k] = std::clamp(from.value(P, patch, s), allowed.lower, allowed.upper);
   }
   return transferred;

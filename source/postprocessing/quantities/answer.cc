@@ -103,8 +103,8 @@ void remove_moments(Answer &answer) {
     force.through.reset();
   };
   remove(answer.contact_force);
-  for (std::vector<SideForce> *const forces :
-       {&answer.contact_by_side, &answer.reactions, &answer.zone_forces})
+  std::for_each(answer.reactions.begin(), answer.reactions.end(), remove);
+  for (std::vector<ContactForce> *const forces : {&answer.contact_by_side, &answer.zone_forces})
     std::for_each(forces->begin(), forces->end(), remove);
 }
 } // namespace
@@ -115,15 +115,8 @@ Answer compute_answer(const BodyInContact<dim> &body, const NodalForces &forces)
   Answer answer;
   answer.dimension = dim;
   answer.size = scene.geometry.diameter();
-  for (const ContactPair<dim> &pair : contact_pairs(scene)) {
-    answer.contact_by_side.push_back(contact_force(multipliers, {pair.side()}, multiplier));
-    if (pair.other_side()) {
-      answer.contact_by_side.push_back(
-        contact_force(multipliers, {pair.side()}, multiplier, PairSide::second));
-      answer.contact_by_side.back().side = pair.other_name();
-    }
-  }
-  answer.contact_force = contact_force(multipliers, sides_of_contact_force(scene), multiplier);
+  answer.contact_by_side = contact_forces(multipliers, multiplier);
+  answer.contact_force = contact_force(multipliers, contacts_of_contact_force(scene), multiplier);
   answer.contact_force.side.clear();
   answer.reactions = reactions(body.space, scene, forces);
   if constexpr (dim == 2) {

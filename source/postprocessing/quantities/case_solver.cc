@@ -122,9 +122,9 @@ CaseResult CaseSolver::solve(const LoadCase &load_case) {
   if (!result.escape.empty())
     return result;
   const ContactSurface<2> &surface = discretization_.surface;
-  const std::vector<unsigned int> sides = sides_of_contact_force(scene_);
+  const std::vector<unsigned int> contacts = contacts_of_contact_force(scene_);
   for (const Piece<2> &piece : surface.pieces())
-    if (std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0)
+    if (std::count(contacts.begin(), contacts.end(), surface.patches()[piece.patch].contact) > 0)
       result.contact += PairedPiece<2>(surface, piece).resultant(discretization_.multipliers, P_);
   if (const auto peak = peak_pressure(discretization_.multipliers, P_.normal()))
     result.peak_pressure = peak->value;

@@ -107,12 +107,13 @@ ZoneEnd end_of_run(const Side<2> &side, const std::vector<PatchMean> &patches, c
   return {point_on(side, s), holder.upper - holder.lower};
 }
 
-/** Adds the zones of a side, where multipliers are constants. */
-void add_zones(const Side<2> &side, const std::vector<PatchMean> &patches, const bool is_round,
-               std::vector<ContactZone> &zones) {
+/** Adds the zones of a contact, where multipliers are constants. */
+void add_zones(const PatchGrid &grid, const Side<2> &side, const std::vector<PatchMean> &patches,
+               const bool is_round, std::vector<ContactZone> &zones) {
   const auto presses = [](const PatchMean &patch) { return patch.presses; };
   if (is_round && std::all_of(patches.begin(), patches.end(), presses)) {
-    zones.push_back({{point_on(side, 0.), 0.}, {point_on(side, side.length()), 0.}, side.length()});
+    zones.push_back(
+      {{point_on(side, 0.), 0.}, {point_on(side, side.length()), 0.}, side.length(), grid.contact});
     return;
   }
   const int n_turns = is_round ? 3 : 1, n = patches.size() / n_turns;
@@ -125,6 +126,7 @@ void add_zones(const Side<2> &side, const std::vector<PatchMean> &patches, const
       zone.length = zone.end.at.arc_length - zone.start.at.arc_length;
       if (zone.length < 0.) // It contains the start of a closed side.
         zone.length += side.length();
+      zone.contact = grid.contact;
       zones.push_back(zone);
     }
 }
@@ -139,14 +141,15 @@ std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
     for (const PatchGrid &grid : patch_grids(surface.patches())) {
       const Side<2> &side = sides[grid.side];
       const bool is_round = goes_round(side, grid.ends[0].front(), grid.ends[0].back());
-      add_zones(side, patches_on(grid, surface, states, P, is_round), is_round, zones);
+      add_zones(grid, side, patches_on(grid, surface, states, P, is_round), is_round, zones);
     }
   else
     for (const PressedInterval &interval : pressed_intervals(multipliers, states)) {
       const auto end_at = [&](const PressedInterval::End &end) {
         return ZoneEnd{point_on(sides[interval.side], end.s), end.uncertainty};
       };
-      zones.push_back({end_at(interval.start), end_at(interval.end), interval.length()});
+      zones.push_back(
+        {end_at(interval.start), end_at(interval.end), interval.length(), interval.contact});
     }
   return zones;
 }

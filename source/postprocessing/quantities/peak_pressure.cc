@@ -206,7 +206,8 @@ private:
 template <int dim>
 std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<dim> &multipliers,
                                              const Pressure &P,
-                                             const std::vector<SingularEdge<dim>> &outside_of) {
+                                             const std::vector<SingularEdge<dim>> &outside_of,
+                                             const std::function<bool(unsigned int)> &belong) {
   // Of equal peaks (a symmetric body may have two) the first one is taken, independent of rounding.
   constexpr double larger = 1. + 1e-9;
   const bool is_polynomial = !multipliers.is_piecewise_constant();
@@ -215,7 +216,7 @@ std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<dim> &multipl
   std::optional<PressureMaximum> peak;
   for (const PatchGrid &grid : patch_grids(surface.patches()))
     for (const unsigned int tau : grid.patches) {
-      if (!candidates.presses(tau))
+      if (!candidates.presses(tau) || (belong && !belong(tau)))
         continue;
       const Patch<dim> &patch = surface.patches()[tau];
       const Side<dim> &side = surface.side(patch);

@@ -39,14 +39,14 @@ SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
 }
 
 template <int dim>
-std::vector<unsigned int> sides_of_contact_force(const Scene<dim> &scene) {
-  std::vector<unsigned int> sides;
+std::vector<unsigned int> contacts_of_contact_force(const Scene<dim> &scene) {
+  std::vector<unsigned int> contacts;
   for (const ContactPair<dim> &pair : contact_pairs(scene))
     if (!pair.other_side())
-      sides.push_back(pair.side());
-  if (sides.empty())
-    sides.push_back(scene.contact_sides().front());
-  return sides;
+      contacts.push_back(pair.number());
+  if (contacts.empty())
+    contacts.push_back(0);
+  return contacts;
 }
 
 namespace {
@@ -92,38 +92,71 @@ double distance_from(const ContactZone &zone, const double s, const Side<2> &sid
 
 template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,
-                        const std::vector<unsigned int> &sides, const Multiplier &multiplier,
+                        const std::vector<unsigned int> &contacts, const Multiplier &multiplier,
                         const PairSide acts_on) {
   const ContactSurface<dim> &surface = multipliers.surface();
-  const std::string name =
-    sides.size() == 1 ? surface.scene().geometry.sides[sides[0]].name() : std::string();
+  const Scene<dim> &scene = surface.scene();
+  const std::string name = contacts.size() == 1
+                             ? scene.geometry.sides[scene.contacts[contacts[0]].side].name()
+                             : std::string();
   return force_of_pieces(name, multipliers, multiplier, acts_on, [&](const Piece<dim> &piece) {
-    return std::count(sides.begin(), sides.end(), surface.patches()[piece.patch].side) > 0;
+    return std::count(contacts.begin(), contacts.end(), surface.patches()[piece.patch].contact) > 0;
   });
 }
 
-std::vector<SideForce> zone_forces(const MultiplierSpace<2> &multipliers,
-                                   const Multiplier &multiplier,
-                                   const std::vector<ContactZone> &zones) {
-  const ContactSurface<2> &surface = multipliers.surface();
-  std::vector<std::size_t> zone_of;
-  for (const Piece<2> &piece : surface.pieces()) {
-    const Side<2> &side = surface.side(surface.patches()[piece.patch]);
-    const double s = 0.5 * (piece.lower[0] + piece.upper[0]);
-    double least = std::numeric_limits<double>::max();
-    zone_of.push_back(zones.size());
-    for (std::size_t i = 0; i < zones.size(); ++i)
-      if (zones[i].start.at.side == side.name())
-        if (const double distance = distance_from(zones[i], s, side); distance < least) {
-          least = distance;
-          zone_of.back() = i;
-        }
+template <int dim>
+std::vector<ContactForce> contact_forces(const MultiplierSpace<dim> &multipliers,
+                                         const Multiplier &multiplier) {
+  const ContactSurface<dim> &surface = multipliers.surface();
+  std::vector<ContactForce> forces;
+  for (const ContactPair<dim> &pair : contact_pairs(surface.scene())) {
+    forces.push_back(
+      {contact_force(multipliers, {pair.number()}, multiplier), pair.other_name(), PairSide::first,
+       peak_pressure<dim>(multipliers, multiplier.normal(), {}, [&](const unsigned int patch) {
+         return surface.patches()[patch].contact == pair.number();
+       })});
+    if (!pair.other_side())
+      continue;
+    const std::string own = forces.back().side;
+    forces.push_back({contact_force(multipliers, {pair.number()}, multiplier, PairSide::second),
+                      own, PairSide::second});
+    forces.back().side = pair.other_name();
   }
-  std::vector<SideForce> forces;
+  return forces;
+}
+
+std::vector<ContactForce> zone_forces(const MultiplierSpace<2> &multipliers,
+                                      const Multiplier &multiplier,
+                                      const std::vector<ContactZone> &zones) {
+  const ContactSurface<2> &surface = multipliers.surface();
+  // The zone at a part of a patch.
+  const auto zone_at = [&](const unsigned int patch, const double s) {
+    double least = std::numeric_limits<double>::max();
+    std::size_t nearest = zones.size();
+    for (std::size_t i = 0; i < zones.size(); ++i)
+      if (zones[i].contact == surface.patches()[patch].contact)
+        if (const double distance =
+              distance_from(zones[i], s, surface.side(surface.patches()[patch]));
+            distance < least) {
+          least = distance;
+          nearest = i;
+        }
+    return nearest;
+  };
+  std::vector<std::size_t> of_pieces, of_patches;
+  for (const Piece<2> &piece : surface.pieces())
+    of_pieces.push_back(zone_at(piece.patch, 0.5 * (piece.lower[0] + piece.upper[0])));
+  for (unsigned int k = 0; k < surface.patches().size(); ++k)
+    of_patches.push_back(zone_at(k, surface.patches()[k].centre()[0]));
+  std::vector<ContactForce> forces;
   for (std::size_t i = 0; i < zones.size(); ++i)
-    forces.push_back(force_of_pieces(
-      zones[i].start.at.side, multipliers, multiplier, PairSide::first,
-      [&](const Piece<2> &piece) { return zone_of[&piece - surface.pieces().data()] == i; }));
+    forces.push_back(
+      {force_of_pieces(
+         zones[i].start.at.side, multipliers, multiplier, PairSide::first,
+         [&](const Piece<2> &piece) { return of_pieces[&piece - surface.pieces().data()] == i; }),
+       ContactPair<2>(surface.scene(), zones[i].contact).other_name(), PairSide::first,
+       peak_pressure<2>(multipliers, multiplier.normal(), {},
+                        [&](const unsigned int patch) { return of_patches[patch] == i; })});
   return forces;
 }
 
@@ -265,7 +298,8 @@ ReactionFunctionals::of(const Displacement &U, const DualVector &forces) const {
 }
 
 INSTANTIATE_FUNCTION(side_force);
-INSTANTIATE_FUNCTION(sides_of_contact_force);
+INSTANTIATE_FUNCTION(contacts_of_contact_force);
 INSTANTIATE_FUNCTION(contact_force);
+INSTANTIATE_FUNCTION(contact_forces);
 INSTANTIATE_FUNCTION(reactions);
 } // namespace Signorini

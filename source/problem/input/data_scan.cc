@@ -308,12 +308,16 @@ void Scan::halve(const Curve &curve, const Data &data, const Interval &whole,
 
 void Scan::scan_side(const unsigned int number, std::vector<Point<2>> &breaks) {
   const Side<2> &side = scene_.geometry.sides[number];
-  const BoundaryCondition<2> &condition = scene_.boundary[number];
   std::vector<Expression<2>> formulas;
-  append(condition.data, formulas);
-  for (const auto &limit : scene_.contact_law.limits())
-    append(condition.*limit.data, formulas);
-  append(condition.shift, formulas);
+  append(scene_.boundary[number].data, formulas);
+  for (const ContactCondition<2> &contact : scene_.contacts) {
+    if (contact.side != number)
+      continue;
+    append(contact.gap, formulas);
+    for (const auto &limit : scene_.contact_law.limits())
+      append(contact.*limit.data, formulas);
+    append(contact.shift, formulas);
+  }
   const Data data = data_of(formulas, &side);
   const unsigned int n_first = side.n_pieces() > 16 ? 1 : 4;
   for (unsigned int k = 0; k < side.n_pieces() * n_first && !data.empty(); ++k) {

@@ -10,9 +10,7 @@
 #include <signorini/problem/scene/functions.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
-#include <set>
 
 #include "input.h"
 
@@ -109,89 +107,6 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
   return make_piecewise(materials, geometry.region_at, geometry.inner_point());
 }
 
-/** Gives each pair of sides to one of them, its owner, which holds the data of the pair. A side
- * owns one pair at most; it may be the other side of any number of them. */
-class PairOwners {
-public:
-  /** Adds a pair. Its owner is @p first where that owns none. @return whether all pairs have
-   * owners.
-   */
-  bool add(const unsigned int first, const unsigned int second) {
-    pairs_.push_back({{first, second}});
-    std::set<unsigned int> asked;
-    return find_owner(pairs_.size() - 1, asked);
-  }
-  /** Returns the owners, and the other side of each pair. */
-  std::map<unsigned int, unsigned int> others() const {
-    std::map<unsigned int, unsigned int> others;
-    for (const auto &[side, i] : owned_)
-      others[side] = pairs_[i][0] == side ? pairs_[i][1] : pairs_[i][0];
-    return others;
-  }
-
-private:
-  /** Makes a side of pair i its owner. A side that owns a pair hands that to the other side of it
-   * if need be. @param asked the sides that need not be asked again. */
-  bool find_owner(const std::size_t i, std::set<unsigned int> &asked) {
-    for (const unsigned int side : pairs_[i])
-      if (owned_.try_emplace(side, i).second)
-        return true;
-    for (const unsigned int side : pairs_[i])
-      if (asked.insert(side).second && find_owner(owned_.at(side), asked)) {
-        owned_[side] = i;
-        return true;
-      }
-    return false;
-  }
-
-  std::vector<std::array<unsigned int, 2>> pairs_;
-  /** The pairs by their owners. */
-  std::map<unsigned int, std::size_t> owned_;
-};
-
-/** Gives the sides of Boundary/Contact their roles: single ones, and pairs with the word 'with'.
- * @param assign gives a side a role, @param assign_all the sides of a list. */
-template <int dim, typename Assign, typename AssignAll>
-void read_contact(const Given<std::string> &contact, const Assign &assign,
-                  const AssignAll &assign_all, Scene<dim> &scene) {
-  PairOwners pairs;
-  std::set<unsigned int> paired;
-  std::set<std::pair<unsigned int, unsigned int>> known;
-  for (const std::string &part : split_list(contact, '|')) {
-    const std::vector<std::string> words = split_words(part);
-    if (std::count(words.begin(), words.end(), "with") == 0) {
-      assign_all(part, Role::contact, contact);
-      continue;
-    }
-    if (dim == 3 || words.size() < 3 || words[1] != "with")
-      throw error_at(contact, "found ", quote(part),
-                     ", allowed for a pair, in the plane: the name of a side, the word 'with' and "
-                     "the names of the sides that it may touch; pairs and other sides are "
-                     "separated by '|'.");
-    for (const std::string &name : words)
-      if (const unsigned int side = scene.geometry.find_side(name);
-          name != "with" && paired.count(side) == 0) {
-        assign(name, Role::opposite, contact);
-        paired.insert(side);
-      }
-    const unsigned int first = scene.geometry.find_side(words[0]);
-    for (std::size_t i = 2; i < words.size(); ++i) {
-      const unsigned int second = scene.geometry.find_side(words[i]);
-      if (first == second || !known.insert(std::minmax(first, second)).second)
-        throw error_at(contact, "found ", quote(part),
-                       ", allowed: two different sides, and each pair once.");
-      if (!pairs.add(first, second))
-        throw error_at(contact, "the sides in ", quote(part),
-                       " are in more pairs than there are sides, allowed: as many pairs as sides "
-                       "that touch each other; divide a side into two.");
-    }
-  }
-  for (const auto &[side, other] : pairs.others()) {
-    scene.boundary[side].role = Role::contact;
-    scene.boundary[side].opposite = other;
-  }
-}
-
 /** Gives sides their roles; a side has one role only. */
 template <int dim>
 void read_boundary(const BoundaryParameters &given, const LoadParameters &load, Scene<dim> &scene) {
@@ -221,7 +136,15 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load, 
   };
   assign_all(given.clamped, Role::clamped, given.clamped);
   assign_all(given.rollers, Role::roller, given.rollers);
-  read_contact(given.contact, assign, assign_all, scene);
+  for (const std::string &part : split_list(given.contact, '|'))
+    if (const auto words = split_words(part); std::count(words.begin(), words.end(), "with") == 0)
+      assign_all(part, Role::contact, given.contact);
+  for (unsigned int side = 0; side < sides.size(); ++side)
+    if (scene.boundary[side].role == Role::contact)
+      scene.contacts.emplace_back().side = side;
+  const std::vector<SidePair> pairs =
+    read_pairs(given.contact, dim, sides,
+               [&](const std::string &name) { assign(name, Role::contact, given.contact); });
   for (const auto &[list, role] :
        {std::pair{&given.displacement, Role::displacement}, {&given.traction, Role::traction}})
     for (const auto &[name, text] : read_side_list(list->value, list->where(), sides))
@@ -232,14 +155,16 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load, 
       assign(sides[plate.side], Role::displacement, given.plates).data =
         plate_displacement(plate, PlateMotion{plate.travel, 0., 0.});
   }
-  if constexpr (dim == 2)
+  if constexpr (dim == 2) {
     hold_on_axis(entries, scene);
-  if (scene.contact_sides().empty())
+    add_pairs(pairs, given.contact, scene);
+  }
+  if (scene.contacts.empty())
     throw error_at(given.contact, "no contact side is given, allowed: one or more of ", join(sides),
                    ".");
 }
 
-/** Reads the gaps of all contact sides: rigid obstacles or expressions. */
+/** Reads the gaps of all contacts: rigid obstacles or expressions. */
 template <int dim>
 void read_gaps(const Parameters &parameters, Scene<dim> &scene) {
   const ContactParameters &given = parameters.contact;
@@ -249,16 +174,16 @@ void read_gaps(const Parameters &parameters, Scene<dim> &scene) {
     read_foundation(given, moves, scene);
     gaps = gaps_without_foundation(given, scene);
   } else
-    gaps = read_list_for(contact_side_names(scene), given.gap.value, given.gap.where(),
-                         scene.geometry.side_names());
-  for (const auto &[side, text] : gaps)
-    scene.boundary[scene.geometry.find_side(side)].data =
+    gaps = read_list_for(contact_names(scene), given.gap.value, given.gap.where(),
+                         names_with_contacts(scene));
+  for (const auto &[name, text] : gaps)
+    scene.contacts[find_contact(name, scene)].gap =
       std::make_shared<GapFunction<dim>>(read_components<dim>(text, 1, given.gap));
   if constexpr (dim == 2)
     close_pairs(parameters.boundary.contact.where(), scene);
 }
 
-/** Reads the law of friction of all contact sides: one expression for all, or one per side. */
+/** Reads the law of friction of all contacts: one expression for all, or one for each. */
 template <int dim>
 void read_friction(const Parameters &parameters, Scene<dim> &scene) {
   const ContactParameters &given = parameters.contact;
@@ -278,27 +203,27 @@ void read_friction(const Parameters &parameters, Scene<dim> &scene) {
   if (limits.empty())
     return;
   const auto read = [&](const Given<std::string> &entry,
-                        FunctionPointer<dim> BoundaryCondition<dim>::*const data,
+                        FunctionPointer<dim> ContactCondition<dim>::*const data,
                         const unsigned int n_components) {
     if (entry.value.empty())
       throw error_at(entry, "found nothing with ", found,
                      ", allowed: an expression for all contact sides, or one per side.");
-    for (const auto &[side, text] : read_contact_list(entry, scene))
-      scene.boundary[side].*data = read_function<dim>(text, n_components, entry);
+    for (const auto &[contact, text] : read_contact_list(entry, scene))
+      scene.contacts[contact].*data = read_function<dim>(text, n_components, entry);
   };
   for (const FrictionLimit<dim> &limit : limits)
     read(given.*limit.entry, limit.data, 1);
   if (!given.foundation_shift.value.empty())
-    read(given.foundation_shift, &BoundaryCondition<dim>::shift, dim == 2 ? 1 : dim);
+    read(given.foundation_shift, &ContactCondition<dim>::shift, dim == 2 ? 1 : dim);
 }
 
-/** Reads one expression for all contact sides, or one per side. */
+/** Reads one expression for all contacts, or one for each. */
 template <int dim>
 void read_exact_pressure(const Given<std::string> &given, Scene<dim> &scene) {
   if (given.value.empty())
     return;
-  for (const auto &[side, text] : read_contact_list(given, scene))
-    scene.boundary[side].exact_pressure = std::make_shared<ExpressionFunction<dim>>(
+  for (const auto &[contact, text] : read_contact_list(given, scene))
+    scene.contacts[contact].exact_pressure = std::make_shared<ExpressionFunction<dim>>(
       read_components<dim>(text, 1, given), std::vector<Expression<dim>>());
 }
 

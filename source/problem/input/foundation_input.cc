@@ -141,7 +141,7 @@ bool can_touch(const Obstacle &obstacle, const Side<2> &side, const Tensor<1, 2>
   });
 }
 
-/** Returns the obstacles of each contact side. */
+/** Returns the obstacles of each contact. */
 std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::string> &given,
                                                              const Scene<2> &scene,
                                                              const FoundationUse &use) {
@@ -150,12 +150,12 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
   if (texts.size() > max_obstacles)
     throw error_at(given, "found ", texts.size(), " things, allowed: at most ", max_obstacles, ".");
   const double reach = max_gap * geometry.diameter();
-  const std::vector<std::string> names = contact_side_names(scene);
+  const std::vector<std::string> names = contact_names(scene);
   // An obstacle without a side is for those that touch no other body.
   std::vector<std::string> rigid;
   for (const ContactPair<2> &pair : contact_pairs(scene))
     if (!pair.other_side())
-      rigid.push_back(geometry.sides[pair.side()].name());
+      rigid.push_back(names[pair.number()]);
   std::map<unsigned int, std::vector<Obstacle>> obstacles;
   for (const std::string &text : texts) {
     SideTexts entries;
@@ -167,10 +167,10 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
     const Obstacle obstacle = ObstacleReader(given, geometry).read(entries.front().second);
     bool touches = false;
     for (const auto &entry : entries) {
-      const unsigned int side = geometry.find_side(entry.first);
-      obstacles[side].push_back(obstacle);
-      touches =
-        touches || can_touch(obstacle, geometry.sides[side], scene.foundation_position, reach, use);
+      const unsigned int contact = find_contact(entry.first, scene);
+      obstacles[contact].push_back(obstacle);
+      touches = touches || can_touch(obstacle, geometry.sides[scene.contacts[contact].side],
+                                     scene.foundation_position, reach, use);
     }
     if (!touches)
       throw error_at(given, "found ", quote(text),
@@ -192,31 +192,29 @@ void read_foundation(const ContactParameters &given, const bool moves, Scene<2> 
   }
   scene.foundation_position = ObstacleReader(given.foundation_position, scene.geometry)
                                 .vector({"", trim(given.foundation_position)});
-  const auto of_sides = read_obstacles(given.foundation, scene, {given.direction, moves});
-  for (const auto &[number, obstacles] : of_sides) {
-    BoundaryCondition<2> &condition = scene.boundary[number];
-    const Side<2> &side = scene.geometry.sides[number];
-    condition.foundation =
+  const auto of_contacts = read_obstacles(given.foundation, scene, {given.direction, moves});
+  for (const auto &[number, obstacles] : of_contacts) {
+    ContactCondition<2> &contact = scene.contacts[number];
+    const Side<2> &side = scene.geometry.sides[contact.side];
+    contact.foundation =
       std::make_shared<Foundation>(obstacles, max_gap * scene.geometry.diameter());
     if (given.direction == ContactDirection::foundation)
-      condition.directions =
-        ContactDirections(side, *condition.foundation, scene.foundation_position);
-    condition.data =
-      foundation_gap(side, condition.foundation, scene.foundation_position, condition.directions);
+      contact.directions = ContactDirections(side, *contact.foundation, scene.foundation_position);
+    contact.gap =
+      foundation_gap(side, contact.foundation, scene.foundation_position, contact.directions);
   }
 }
 
 SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2> &scene) {
   const Given<std::string> &gap = given.gap;
-  const std::vector<std::string> all = scene.geometry.side_names();
+  const std::vector<std::string> all = names_with_contacts(scene), names = contact_names(scene);
   SideTexts named;
   if (begins_with_a_name(gap.value))
     named = read_side_list(gap.value, gap.where(), all);
   std::vector<std::string> with, without, rigid;
   for (const ContactPair<2> &pair : contact_pairs(scene)) {
-    const std::string &side = all[pair.side()];
-    const bool has_foundation = scene.boundary[pair.side()].foundation != nullptr,
-               is_rigid = !pair.other_side(),
+    const std::string &side = names[pair.number()];
+    const bool has_foundation = pair.data().foundation != nullptr, is_rigid = !pair.other_side(),
                has_text = std::any_of(named.begin(), named.end(),
                                       [&](const auto &entry) { return entry.first == side; });
     if (has_foundation)
@@ -238,19 +236,18 @@ SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2>
 }
 
 void close_pairs(const std::string &where, Scene<2> &scene) {
-  const double small = 0.01 * scene.geometry.diameter(), least = std::cos(numbers::PI / 6.);
-  for (const ContactPair<2> &of_sides : contact_pairs(scene)) {
-    if (!of_sides.other_side())
+  const double small = small_overlap * scene.geometry.diameter();
+  for (ContactCondition<2> &contact : scene.contacts) {
+    if (!contact.opposite)
       continue;
-    BoundaryCondition<2> &condition = scene.boundary[of_sides.side()];
-    const Side<2> &first = scene.geometry.sides[of_sides.side()],
-                  &second = scene.geometry.sides[*of_sides.other_side()];
+    const Side<2> &first = scene.geometry.sides[contact.side],
+                  &second = scene.geometry.sides[*contact.opposite];
     const std::string pair = "'" + first.name() + "' with '" + second.name() + "'";
-    if (condition.foundation != nullptr)
+    if (contact.foundation != nullptr)
       throw input_error(where, ": the pair ", pair,
                         " has a Contact/Foundation, allowed: a Gap, in addition to the distance of "
                         "the two sides.");
-    const std::vector<FacingPart> parts = facing_parts(first, second, least);
+    const std::vector<FacingPart> parts = seen_parts(first, second, facing, scene.geometry);
     if (parts.empty())
       throw input_error(where, ": the sides of the pair ", pair,
                         " do not face each other, allowed: sides of which some part has a normal "
@@ -261,10 +258,14 @@ void close_pairs(const std::string &where, Scene<2> &scene) {
                           " at (", first.point(part.nearest),
                           "), allowed: bodies that lie apart or touch as they are drawn, and a "
                           "negative Gap for interference.");
-    if (condition.data == nullptr)
-      condition.data = std::make_shared<Functions::ZeroFunction<2>>();
-    condition.directions = ContactDirections(first, second);
-    condition.data = gap_of_pair(first, second, condition.directions, condition.data);
+    if (!(contact.to > contact.from))
+      throw input_error(where, ": the pair ", pair,
+                        " lies behind other pairs of its sides, allowed: partners beside each "
+                        "other.");
+    if (contact.gap == nullptr)
+      contact.gap = std::make_shared<Functions::ZeroFunction<2>>();
+    contact.directions = ContactDirections(first, second);
+    contact.gap = gap_of_pair(first, second, contact.directions, contact.gap);
   }
 }
 } // namespace Signorini

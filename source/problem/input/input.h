@@ -5,8 +5,11 @@
 #include <signorini/problem/formulas/expression.h>
 #include <signorini/problem/geometry/geometry.h>
 #include <signorini/problem/parameters/parameters.h>
-#include <signorini/problem/scene/scene.h>
+#include <signorini/problem/scene/contact_pair.h>
 
+#include <algorithm>
+#include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,7 +36,7 @@ struct Phrase {
 };
 
 /** Returns the side of this name, or the sides name.1, name.2, ... that a name of a mesh file has
- * become; empty if there is none. */
+ * become, or the contacts "name with ..." on it; empty if there is none. */
 std::vector<std::string> sides_called(const std::string &name,
                                       const std::vector<std::string> &sides);
 
@@ -53,11 +56,53 @@ void revolve(const Given<PlaneState> &given, Geometry<2> &geometry);
  * that leave the axis. */
 void hold_on_axis(const std::vector<const Entry *> &entries, Scene<2> &scene);
 
+/** Two sides that may touch each other, the second one given by its name or by '*'. */
+struct SidePair {
+  unsigned int first;
+  std::optional<unsigned int> second;
+
+  bool has(const unsigned int side) const {
+    return side == first || side == second;
+  }
+};
+
+/** Reads the pairs of Boundary/Contact. @param sides their names. @param assign gives a side its
+ * role. @throws InputError */
+std::vector<SidePair> read_pairs(const Given<std::string> &given, unsigned int dimension,
+                                 const std::vector<std::string> &sides,
+                                 const std::function<void(const std::string &)> &assign);
+
+/** Adds the contacts of pairs behind those that the scene has, with the parts on which they lie:
+ * where one lies behind another one, the nearer partner counts. Partners of '*' are all sides of
+ * other bodies without another role that the side sees. @throws InputError */
+void add_pairs(const std::vector<SidePair> &pairs, const Entry &entry, Scene<2> &scene);
+
+/** The smallest -m.n that two sides must have somewhere: 30 degrees. */
+constexpr double facing = 0.8660254037844386;
+
+/** The share of the body's size by which bodies may overlap as they are drawn. */
+constexpr double small_overlap = 0.01;
+
+/** Returns the names by which entries call the contacts: that of the side, or "side with other"
+ * where Γ_c of several lies on it. */
 template <int dim>
-std::vector<std::string> contact_side_names(const Scene<dim> &scene) {
+std::vector<std::string> contact_names(const Scene<dim> &scene) {
   std::vector<std::string> names;
-  for (const unsigned int side : scene.contact_sides())
-    names.push_back(scene.geometry.sides[side].name());
+  for (const ContactPair<dim> &pair : contact_pairs(scene)) {
+    const auto n = std::count_if(scene.contacts.begin(), scene.contacts.end(),
+                                 [&](const auto &other) { return other.side == pair.side(); });
+    names.push_back(n > 1 ? pair.name() : scene.geometry.sides[pair.side()].name());
+  }
+  return names;
+}
+
+/** Returns these names in place of their sides, and the names of all other sides. */
+template <int dim>
+std::vector<std::string> names_with_contacts(const Scene<dim> &scene) {
+  std::vector<std::string> names = contact_names(scene);
+  for (unsigned int side = 0; side < scene.geometry.sides.size(); ++side)
+    if (!scene.has_contact_on(side))
+      names.push_back(scene.geometry.sides[side].name());
   return names;
 }
 
@@ -69,14 +114,22 @@ std::vector<std::string> contact_side_names(const Scene<dim> &scene) {
 SideTexts read_list_for(const std::vector<std::string> &called, const std::string &text,
                         const std::string &where, const std::vector<std::string> &sides);
 
-/** Reads the same for the contact sides. @return their numbers, with their texts. */
+/** Returns the number of the contact with a name of contact_names(). */
+template <int dim>
+unsigned int find_contact(const std::string &name, const Scene<dim> &scene) {
+  const std::vector<std::string> names = contact_names(scene);
+  return std::find(names.begin(), names.end(), name) - names.begin();
+}
+
+/** Reads the same for the contacts; the name of a side is that of all contacts on it. @return their
+ * numbers, with their texts. */
 template <int dim>
 std::vector<std::pair<unsigned int, std::string>> read_contact_list(const Given<std::string> &given,
                                                                     const Scene<dim> &scene) {
   std::vector<std::pair<unsigned int, std::string>> texts;
-  for (const auto &[name, text] : read_list_for(contact_side_names(scene), given.value,
-                                                given.where(), scene.geometry.side_names()))
-    texts.emplace_back(scene.geometry.find_side(name), text);
+  for (const auto &[name, text] :
+       read_list_for(contact_names(scene), given.value, given.where(), names_with_contacts(scene)))
+    texts.emplace_back(find_contact(name, scene), text);
   return texts;
 }
 
@@ -94,7 +147,7 @@ std::vector<Plate> read_plates(const Given<std::string> &given, const LoadParame
 void read_foundation(const ContactParameters &given, bool moves, Scene<2> &scene);
 
 /**
- * Returns the contact sides that read_foundation() left without a gap, with their texts in
+ * Returns the contacts that read_foundation() left without a gap, with their texts in
  * Contact/Gap; without those of pairs that this does not name.
  * @throws InputError if a side has both, or one on rigid ground neither.
  */

@@ -21,12 +21,12 @@ constexpr unsigned int max_cases = 100000;
 /** Returns why a number of load cases could change nothing; empty if it could. */
 std::string uselessness(const CaseFactor &factor, const Scene<2> &scene) {
   if (factor.name.rfind("shift", 0) == 0)
-    for (const unsigned int side : scene.contact_sides())
-      if (scene.boundary[side].foundation == nullptr)
-        return "the side '" + scene.geometry.sides[side].name() +
+    for (const ContactCondition<2> &contact : scene.contacts)
+      if (contact.foundation == nullptr)
+        return "the side '" + scene.geometry.sides[contact.side].name() +
                "' has no Contact/Foundation that could be moved";
-  const bool slides = std::any_of(scene.boundary.begin(), scene.boundary.end(),
-                                  [](const auto &condition) { return condition.shift != nullptr; });
+  const bool slides = std::any_of(scene.contacts.begin(), scene.contacts.end(),
+                                  [](const auto &contact) { return contact.shift != nullptr; });
   const bool acts = factor.kind ? has_load(scene, *factor.kind) : factor.name != "slide" || slides;
   return acts ? "" : "the scene has " + factor.missing_data;
 }

@@ -35,10 +35,10 @@ void refuse_description(const Parameters &parameters) {
 /** Returns whether anything could press the body onto the foundation. */
 bool is_loaded(const Scene<2> &scene) {
   constexpr unsigned int n_samples = 64;
-  for (const unsigned int i : scene.contact_sides())
+  for (const ContactCondition<2> &contact : scene.contacts)
     for (unsigned int k = 0; k < n_samples; ++k) {
-      const Side<2> &side = scene.geometry.sides[i];
-      if (scene.boundary[i].data->value(side.point((k + 0.5) / n_samples * side.length())) < 0.)
+      const Side<2> &side = scene.geometry.sides[contact.side];
+      if (contact.gap->value(side.point((k + 0.5) / n_samples * side.length())) < 0.)
         return true;
     }
   return has_load(scene, LoadKind::force) || has_load(scene, LoadKind::weight) ||
@@ -114,15 +114,15 @@ unsigned int dimension_of(const Parameters &parameters, const NamedScenes &known
            : parameters.dimension.value;
 }
 
-/** Reads the number of equal patches of all contact sides, or of each of them. */
+/** Reads the number of equal patches of all contacts, or of each of them. */
 static void read_patches(const Given<std::string> &given, Scene<2> &scene) {
-  for (const auto &[side, text] : read_contact_list(given, scene)) {
+  for (const auto &[contact, text] : read_contact_list(given, scene)) {
     constexpr double most = 16384.;
     std::vector<double> n;
     if (!read_numbers(given, text, n) || n.size() != 1 || !(n[0] >= 0. && n[0] <= most) ||
         n[0] != std::floor(n[0]))
       throw error_at(given, "found ", quote(text), ", allowed: an integer from 0 to ", most, ".");
-    scene.boundary[side].n_patches = static_cast<unsigned int>(n[0]);
+    scene.contacts[contact].n_patches = static_cast<unsigned int>(n[0]);
   }
 }
 
@@ -138,8 +138,8 @@ Scene<2> make_scene(const Parameters &parameters, const NamedScenes &known) {
   scene.kinks = scene.kinks.with_lines(
     lines_at<2>({{discretization.kinks_at_x.value, discretization.kinks_at_y.value}}));
   scan_data(scene);
-  for (const unsigned int side : scene.contact_sides())
-    scene.kinks.add_ends_on(scene.geometry.sides[side]);
+  for (const ContactCondition<2> &contact : scene.contacts)
+    scene.kinks.add_ends_on(scene.geometry.sides[contact.side]);
   scene.load_cases = read_load_cases(parameters.load_cases, scene);
   scene.probes = read_probes(parameters.output.report, scene.geometry);
   return scene;

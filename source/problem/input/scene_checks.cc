@@ -139,14 +139,14 @@ void check_exact_gradient(const ExactSolutionParameters &exact, const Scene<dim>
     }
 }
 
-/** Returns u.n of the body that touches a side, at the point across from @p x, for the normal n of
+/** Returns u.n of the other body of a contact, at the point across from @p x, for the normal n of
  * the side; zero where there is none. */
 template <int dim, typename Displacement>
-double motion_across(const Scene<dim> &scene, const unsigned int i, const Point<dim> &x,
+double motion_across(const Scene<dim> &scene, const ContactPair<dim> &pair, const Point<dim> &x,
                      const Displacement &u) {
   if constexpr (dim == 2)
-    if (const auto &other = ContactPair<dim>(scene, i).other_side()) {
-      const Side<2> &side = scene.geometry.sides[i];
+    if (const auto &other = pair.other_side()) {
+      const Side<2> &side = scene.geometry.sides[pair.side()];
       const Tensor<1, 2> n = side.normal(side.coordinates(x));
       if (const auto distance = scene.geometry.sides[*other].distance_along(x, n))
         return u(x + *distance * n) * n;
@@ -184,7 +184,6 @@ void check_exact_on_side(const ExactSolutionParameters &exact, const Scene<dim> 
                    name + " = " + number_text(found) + " on the side " + side.name(), x, allowed);
     };
     const Tensor<1, dim> u = u_at(x);
-    const double u_n = u * scene.contact_direction(i, x);
     if (condition.role == Role::clamped || condition.role == Role::displacement)
       for (unsigned int c = 0; c < dim; ++c) {
         const double given = condition.data == nullptr ? 0. : condition.data->value(x, c);
@@ -192,13 +191,17 @@ void check_exact_on_side(const ExactSolutionParameters &exact, const Scene<dim> 
           refuse("u" + std::to_string(c + 1), u[c],
                  number_text(given) + ", which is prescribed there");
       }
-    if (condition.role == Role::roller && !(std::abs(u_n) <= share * size))
+    if (const double u_n = u * side.normal(side.coordinates(x));
+        condition.role == Role::roller && !(std::abs(u_n) <= share * size))
       refuse("u.n", u_n, "0 on rollers");
-    if (condition.role != Role::contact)
-      continue;
-    const double gap = condition.data->value(x), closing = u_n - motion_across(scene, i, x, u_at);
-    if (!(closing <= gap + share * size))
-      refuse("u.n", closing, "at most the gap " + number_text(gap));
+    for (const ContactPair<dim> &pair : contact_pairs(scene)) {
+      if (pair.side() != i || (pair.other_side() && !pair.contains(side.coordinates(x)[0])))
+        continue;
+      const double gap = pair.gap(x),
+                   closing = u * pair.direction(x) - motion_across(scene, pair, x, u_at);
+      if (!(closing <= gap + share * size))
+        refuse("u.n", closing, "at most the gap " + number_text(gap));
+    }
   }
 }
 } // namespace
@@ -231,14 +234,18 @@ void check_described_scene(const Parameters &parameters, const Scene<dim> &scene
     const BoundaryCondition<dim> &condition = scene.boundary[i];
     const Side<dim> &side = scene.geometry.sides[i];
     check_finite(condition.data, sample_side(side, condition.role != Role::traction), "");
+    check_exact_on_side(exact, scene, i, sample_side(side, false));
+  }
+  for (const ContactCondition<dim> &contact : scene.contacts) {
+    const Side<dim> &side = scene.geometry.sides[contact.side];
     const Points<dim> inside = sample_side(side, false);
-    check_exact_on_side(exact, scene, i, inside);
+    check_finite(contact.gap, sample_side(side, true), "");
     for (const auto &limit : scene.contact_law.limits())
-      check_sign(condition.*limit.data, inside, (parameters.contact.*limit.entry).where(), -1., 0.,
+      check_sign(contact.*limit.data, inside, (parameters.contact.*limit.entry).where(), -1., 0.,
                  "the negative value ", "0 or more on the whole side");
-    check_finite(condition.shift, inside, "");
+    check_finite(contact.shift, inside, "");
     // Contact cannot pull.
-    check_sign(condition.exact_pressure, inside, exact.pressure.where(), 1., 1e-6, "the tension ",
+    check_sign(contact.exact_pressure, inside, exact.pressure.where(), 1., 1e-6, "the tension ",
                "p = sigma_n <= 0, negative in compression");
   }
 }

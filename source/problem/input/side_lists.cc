@@ -48,8 +48,9 @@ std::vector<std::string> sides_called(const std::string &name,
   for (const std::string &side : sides) {
     if (side == name)
       return {name};
-    if (side.rfind(name + ".", 0) == 0 && side.size() > name.size() + 1 &&
-        side.find_first_not_of("0123456789", name.size() + 1) == std::string::npos)
+    const bool is_part = side.rfind(name + ".", 0) == 0 && side.size() > name.size() + 1 &&
+                         side.find_first_not_of("0123456789", name.size() + 1) == std::string::npos;
+    if (is_part || side.rfind(name + " with ", 0) == 0)
       parts.push_back(side);
   }
   return parts;

@@ -21,9 +21,20 @@ unsigned int ContactPair<dim>::carrier() const {
   constexpr double rounding = 1e-10;
   if constexpr (dim == 2)
     if (const auto &other = other_side();
-        other && stiffness(scene_, side_) > (1. + rounding) * stiffness(scene_, *other))
+        other && stiffness(scene_, side()) > (1. + rounding) * stiffness(scene_, *other))
       return *other;
-  return side_;
+  return side();
+}
+
+template <int dim>
+bool ContactPair<dim>::contains(const double s) const {
+  const Side<dim> &on = scene_.geometry.sides[side()];
+  if constexpr (dim == 2)
+    for (const int turn : {-1, 0, 1})
+      if (const double moved = s + turn * on.length();
+          (turn == 0 || on.is_closed()) && moved >= data().from && moved <= data().to)
+        return true;
+  return false;
 }
 
 template class ContactPair<2>;

@@ -122,14 +122,14 @@ bool penetrates(const Scene<dim> &scene, const double closing, const double gap,
  * @param size the largest prescribed displacement. */
 template <int dim>
 std::string contradiction_to_foundation(const Scene<dim> &scene, const Point<dim> &x,
-                                        const unsigned int side, const unsigned int contact,
+                                        const unsigned int side, const ContactPair<dim> &contact,
                                         const double size) {
-  const Side<dim> &touching = scene.geometry.sides[contact];
+  const Side<dim> &touching = scene.geometry.sides[contact.side()];
   const std::optional<double> u_n =
     given_along(scene, side, x, touching.normal(touching.coordinates(x)));
   if (!u_n)
     return "";
-  const double g = ContactPair<dim>(scene, contact).gap(x);
+  const double g = contact.gap(x);
   return !penetrates(scene, *u_n, g, size)
            ? ""
            : "the side '" + scene.geometry.sides[side].name() +
@@ -146,15 +146,13 @@ template <int dim>
 std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const unsigned int i,
                              const unsigned int j, const double size) {
   const Role role = scene.boundary[j].role;
-  if (role == Role::contact && !ContactPair<dim>(scene, j).other_side())
-    return contradiction_to_foundation(scene, x, i, j, size);
   const bool second_holds_all = prescribes_all(role);
   if (!prescribes_all(scene.boundary[i].role) || !(second_holds_all || role == Role::roller))
     return "";
   const auto name = [&](const unsigned int k) {
     return "'" + scene.geometry.sides[k].name() + "'";
   };
-  const Tensor<1, dim> n = scene.contact_direction(j, x);
+  const Tensor<1, dim> n = scene.geometry.sides[j].normal(scene.geometry.sides[j].coordinates(x));
   const auto held_part = [&](const Tensor<1, dim> &u) {
     return second_holds_all ? u : (u * n) * n;
   };
@@ -181,16 +179,12 @@ using Meeting = std::pair<Point<dim>, std::array<unsigned int, 2>>;
 
 /** Returns why the bodies of a pair would overlap at a common point of a side and a contact side,
  * or nothing: where the other body is held, too, at the point across. Elsewhere that gives way. */
-std::string contradiction_of_pair(const Scene<2> &scene, const Meeting<2> &meeting,
-                                  const unsigned int side, const unsigned int contact,
-                                  const std::vector<Meeting<2>> &all, const double size) {
-  const ContactPair<2> pair(scene, contact);
-  if (!pair.other_side())
-    return "";
+std::string contradiction_of_pair(const Scene<2> &scene, const Point<2> &x, const unsigned int side,
+                                  const ContactPair<2> &pair, const std::vector<Meeting<2>> &all,
+                                  const double size) {
   const auto &sides = scene.geometry.sides;
-  const Point<2> &x = meeting.first;
-  const Tensor<1, 2> n = sides[contact].normal(sides[contact].arc_length(x)),
-                     m = scene.contact_direction(contact, x);
+  const Side<2> &first = sides[pair.side()];
+  const Tensor<1, 2> n = first.normal(first.arc_length(x)), m = pair.direction(x);
   const Side<2> &second = sides[*pair.other_side()];
   const Point<2> y = second.across(x, n);
   const std::optional<double> u_n = given_along(scene, side, x, m);
@@ -203,13 +197,30 @@ std::string contradiction_of_pair(const Scene<2> &scene, const Meeting<2> &meeti
           const double g = pair.gap(x);
           if (penetrates(scene, *u_n - *v_n, g, size))
             return "the sides '" + sides[side].name() + "' and '" + sides[held].name() +
-                   "' close the gap " + number_text(g) + " of the pair '" + sides[contact].name() +
+                   "' close the gap " + number_text(g) + " of the pair '" + first.name() +
                    "' with '" + pair.other_name() + "' by " + number_text(*u_n - *v_n) + " at " +
                    vector_text(x) +
                    ", and no displacement of finite energy keeps the bodies apart; allowed: a "
                    "closing of at most the gap where both are held";
         }
   return "";
+}
+
+/** Returns why a side contradicts the contacts of another one where both meet, or nothing. */
+template <int dim>
+std::string contradiction_to_contacts(const Scene<dim> &scene, const Point<dim> &x,
+                                      const unsigned int side, const unsigned int touching,
+                                      const std::vector<Meeting<dim>> &all, const double size) {
+  std::string contradiction;
+  for (const ContactPair<dim> &pair : contact_pairs(scene)) {
+    if (pair.side() != touching || !contradiction.empty())
+      continue;
+    if (!pair.other_side())
+      contradiction = contradiction_to_foundation(scene, x, side, pair, size);
+    else if constexpr (dim == 2)
+      contradiction = contradiction_of_pair(scene, x, side, pair, all, size);
+  }
+  return contradiction;
 }
 } // namespace
 
@@ -226,9 +237,8 @@ std::string find_contradiction(const Scene<dim> &scene) {
                                std::pair{meeting.second[1], meeting.second[0]}}) {
       if (contradiction.empty())
         contradiction = contradiction_at(scene, meeting.first, i, j, size);
-      if constexpr (dim == 2)
-        if (contradiction.empty())
-          contradiction = contradiction_of_pair(scene, meeting, i, j, all, size);
+      if (contradiction.empty())
+        contradiction = contradiction_to_contacts(scene, meeting.first, i, j, all, size);
     }
   return contradiction;
 }

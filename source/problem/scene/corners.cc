@@ -185,21 +185,24 @@ std::vector<EdgeCondition> possible_conditions(const Scene<dim> &scene, const un
                                                const Point<dim> &x) {
   AssertIndexRange(side, scene.boundary.size());
   AssertIndexRange(side, scene.boundary.size());
-  const BoundaryCondition<dim> &condition = scene.boundary[side];
-  const Role role = condition.role;
+  const Role role = scene.boundary[side].role;
   if (role == Role::clamped || role == Role::displacement)
     return {{EdgeSupport::held}};
   if (role == Role::roller)
     return {{EdgeSupport::sliding}};
-  if (!may_touch(role))
+  if (role != Role::contact)
     return {{EdgeSupport::free}};
   std::vector<EdgeCondition> conditions = {{EdgeSupport::free}, {EdgeSupport::sliding}};
-  if (role == Role::contact && scene.contact_law.has_tangential_part())
+  const auto found = std::find_if(scene.contacts.begin(), scene.contacts.end(),
+                                  [side](const auto &contact) { return contact.side == side; });
+  if (found == scene.contacts.end())
+    return conditions;
+  if (scene.contact_law.has_tangential_part())
     conditions.push_back({EdgeSupport::held});
   for (const auto &limit : scene.contact_law.limits())
-    if (role == Role::contact && limit.follows_pressure && dim == 2)
+    if (limit.follows_pressure && dim == 2)
       for (const int sign : {1, -1})
-        conditions.push_back({EdgeSupport::sliding, sign * (condition.*limit.data)->value(x)});
+        conditions.push_back({EdgeSupport::sliding, sign * ((*found).*limit.data)->value(x)});
   return conditions;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The parts of a side that face another side.
 
+#include <signorini/problem/geometry/inside.h>
 #include <signorini/problem/scene/facing.h>
 
 #include <algorithm>
@@ -16,23 +17,24 @@ bool is_circular(const Curve &piece) {
 }
 
 /** The point at which a line meets a segment or an arc that faces it, continued beyond the ends:
- * its distance, and m.n. */
+ * its distance, and m.n; and whether the line meets the circle nowhere nearer. */
 struct Hit {
   double distance, cosine;
+  bool is_nearest;
 };
 
 /** Returns it; where the line x + t n misses the circle, the nearest value. */
 Hit hit(const Curve &piece, const Point<2> &x, const Tensor<1, 2> &n) {
   if (!is_circular(piece)) {
     const Tensor<1, 2> m = piece.normal(0.);
-    return {(piece.start() - x) * m / (m * n), m * n};
+    return {(piece.start() - x) * m / (m * n), m * n, true};
   }
   const Tensor<1, 2> arm = piece.centre_of_circle() - x;
   const double orientation =
                  piece.normal(0.) * (piece.start() - piece.centre_of_circle()) > 0. ? 1. : -1.,
                beside = arm * cross_product_2d(n), r = piece.radius(),
                root = std::sqrt(std::max(0., (r - beside) * (r + beside)));
-  return {arm * n - orientation * root, -root / r};
+  return {arm * n - orientation * root, -root / r, orientation * (arm * n) >= 0.};
 }
 
 /** Adds the arc lengths of a piece at which its normal is parallel to a direction; none on a
@@ -69,9 +71,14 @@ std::vector<double> breaks_of(const Curve &piece, const Curve &other, const doub
     add_through(piece, centre, breaks);
     if (is_circular(piece)) {
       const Tensor<1, 2> between = centre - piece.centre_of_circle();
-      if (const double d = between.norm(); d > h)
-        for (const double sign : {-1., 1.})
+      const double d = between.norm();
+      for (const double sign : {-1., 1.}) {
+        if (d > h)
           add_parallel(piece, turned(between, sign * std::asin(h / d)), breaks);
+        // Both points at which the line meets the circle are equally far.
+        if (d > piece.radius())
+          add_parallel(piece, turned(between, sign * std::acos(piece.radius() / d)), breaks);
+      }
     } else
       for (const double sign : {-1., 1.})
         breaks.push_back(piece.arc_length(centre) + sign * h);
@@ -99,7 +106,7 @@ void add_parts(const Curve &first, const unsigned int k, const Curve &other, con
     const Tensor<1, 2> n = piece.normal(middle);
     const Hit found = hit(other, x, n);
     const double s = other.arc_length(x + found.distance * n);
-    if (!(found.cosine < -least && s >= 0. && s <= other.length()))
+    if (!(found.cosine < -least && found.is_nearest && s >= 0. && s <= other.length()))
       continue;
     FacingPart part = {start + from, start + to, found.distance, start + middle};
     // Between two breaks the distance rises or falls.
@@ -144,8 +151,65 @@ std::vector<FacingPart> facing_parts(const Curve &first, const Curve &second, co
   return parts;
 }
 
-FacingPart overlap_of(const Curve &first, const Curve &second) {
-  const std::vector<FacingPart> parts = facing_parts(first, second, grazing);
+namespace {
+/** Returns the nearest point at which the line x + t n meets a piece of a curve that faces it; x
+ * where there is none. */
+Point<2> facing_point(const Curve &curve, const Point<2> &x, const Tensor<1, 2> &n,
+                      const double least) {
+  double nearest = HUGE_VAL;
+  for (unsigned int k = 0; k < curve.n_pieces(); ++k) {
+    const Curve &piece = curve.piece(k);
+    const Hit found = hit(piece, x, n);
+    const double s = piece.arc_length(x + found.distance * n), slack = sliver * curve.length();
+    if (found.cosine < -least && found.is_nearest && s >= -slack && s <= piece.length() + slack &&
+        std::abs(found.distance) < std::abs(nearest))
+      nearest = found.distance;
+  }
+  return std::isfinite(nearest) ? Point<2>(x + nearest * n) : x;
+}
+
+/** Returns whether a segment outside of the body that it leaves meets a side, or lies in a body
+ * that touches both of its ends. */
+bool is_crossed(const Point<2> &x, const Point<2> &y, const bool leaves,
+                const Geometry<2> &geometry) {
+  const double length = x.distance(y);
+  if (!(length > 0.))
+    return false;
+  const std::vector<Side<2>> &sides = geometry.sides;
+  const Tensor<1, 2> along = (y - x) / length, across = cross_product_2d(along);
+  const bool meets = std::any_of(sides.begin(), sides.end(), [&](const Side<2> &side) {
+    const double rounding = sliver * (length + side.length());
+    const std::vector<double> met = side.crossings(across, across * x, 0., side.length());
+    return std::any_of(met.begin(), met.end(), [&](const double s) {
+      const double at = (side.point(s) - x) * along;
+      return at > rounding && at < length - rounding;
+    });
+  });
+  return meets || (leaves &&
+                   distance_from_body(geometry, x + 0.5 * (y - x)) < -sliver * geometry.diameter());
+}
+} // namespace
+
+std::vector<FacingPart> seen_parts(const Curve &first, const Curve &second, const double least,
+                                   const Geometry<2> &geometry) {
+  std::vector<FacingPart> parts = facing_parts(first, second, least);
+  const auto is_hidden = [&](const FacingPart &part) {
+    constexpr unsigned int n_samples = 9;
+    std::vector<double> samples = {part.nearest};
+    for (unsigned int i = 0; i < n_samples; ++i)
+      samples.push_back(part.from + (i + 0.5) / n_samples * (part.to - part.from));
+    return std::all_of(samples.begin(), samples.end(), [&](const double s) {
+      const Point<2> x = first.point(s);
+      const Tensor<1, 2> n = first.normal(s);
+      const Point<2> y = facing_point(second, x, n, least);
+      return is_crossed(x, y, (y - x) * n > 0., geometry);
+    });
+  };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), is_hidden), parts.end());
+  return parts;
+}
+
+FacingPart hull_of(const Curve &first, const std::vector<FacingPart> &parts) {
   Assert(!parts.empty(), ExcMessage("The curves face each other."));
   // Around a closed curve, all but the longest gap.
   std::size_t begin = 0;

@@ -46,9 +46,9 @@ std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions) {
 /** Returns the scene with contact sides that can neither open nor close, with friction nor slide.
  */
 Scene<2> with_sliding_contact(Scene<2> scene) {
-  for (BoundaryCondition<2> &condition : scene.boundary)
-    if (condition.role == Role::contact)
-      condition.role = scene.contact_law.has_tangential_part() ? Role::clamped : Role::roller;
+  for (const ContactCondition<2> &contact : scene.contacts)
+    scene.boundary[contact.side].role =
+      scene.contact_law.has_tangential_part() ? Role::clamped : Role::roller;
   return scene;
 }
 

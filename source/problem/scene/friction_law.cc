@@ -16,12 +16,12 @@ namespace {
 /** Returns the limits of all laws. */
 template <int dim>
 const std::map<Friction, std::vector<FrictionLimit<dim>>> &all_laws() {
-  using Side = BoundaryCondition<dim>;
+  using Contact = ContactCondition<dim>;
   using Entries = ContactParameters;
-  static const FrictionLimit<dim> bound = {"friction bound", &Side::bound, false,
+  static const FrictionLimit<dim> bound = {"friction bound", &Contact::bound, false,
                                            &Entries::friction_bound};
-  static const FrictionLimit<dim> coefficient = {"friction coefficient", &Side::coefficient, true,
-                                                 &Entries::friction_coefficient};
+  static const FrictionLimit<dim> coefficient = {"friction coefficient", &Contact::coefficient,
+                                                 true, &Entries::friction_coefficient};
   static const std::map<Friction, std::vector<FrictionLimit<dim>>> laws = {
     {Friction::none, {}}, {Friction::tresca, {bound}}, {Friction::coulomb, {coefficient}}};
   return laws;
@@ -34,11 +34,11 @@ const std::vector<FrictionLimit<dim>> &FrictionLaw<dim>::limits() const {
 }
 
 template <int dim>
-double FrictionLaw<dim>::bound(const BoundaryCondition<dim> &side, const Point<dim> &x,
+double FrictionLaw<dim>::bound(const ContactCondition<dim> &contact, const Point<dim> &x,
                                const double p) const {
   double bound = std::numeric_limits<double>::infinity();
   for (const FrictionLimit<dim> &limit : limits()) {
-    const double given = (side.*limit.data)->value(x);
+    const double given = (contact.*limit.data)->value(x);
     bound = std::min(bound, limit.follows_pressure ? given * std::abs(p) : given);
   }
   return bound;

@@ -47,23 +47,22 @@ Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case) {
   scene.body_force = scale(scene.body_force, load_case.weight);
   scene.plates = plates_of_case(std::move(scene.plates), load_case);
   scene.foundation_position += load_case.shift();
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
-    BoundaryCondition<2> &condition = scene.boundary[i];
-    condition.exact_pressure = condition.exact_tangential = nullptr;
+  for (BoundaryCondition<2> &condition : scene.boundary) {
     if (condition.role == Role::traction)
       condition.data = scale(condition.data, load_case.force);
     if (condition.role == Role::displacement)
       condition.data = scale(condition.data, load_case.travel);
-    if (condition.role == Role::contact) {
-      if (condition.foundation != nullptr && load_case.shift().norm() > 0.)
-        condition.data = foundation_gap(scene.geometry.sides[i], condition.foundation,
-                                        scene.foundation_position, condition.directions);
-      condition.data = scale(condition.data, load_case.gap);
-      condition.shift = scale(condition.shift, load_case.slide);
-      if (scene.contact_law.has_tangential_part() && load_case.shift().norm() > 0.)
-        condition.shift = slide_along(scene.geometry.sides[i], condition.directions,
-                                      condition.shift, load_case.shift());
-    }
+  }
+  for (ContactCondition<2> &contact : scene.contacts) {
+    const Side<2> &side = scene.geometry.sides[contact.side];
+    contact.exact_pressure = contact.exact_tangential = nullptr;
+    if (contact.foundation != nullptr && load_case.shift().norm() > 0.)
+      contact.gap =
+        foundation_gap(side, contact.foundation, scene.foundation_position, contact.directions);
+    contact.gap = scale(contact.gap, load_case.gap);
+    contact.shift = scale(contact.shift, load_case.slide);
+    if (scene.contact_law.has_tangential_part() && load_case.shift().norm() > 0.)
+      contact.shift = slide_along(side, contact.directions, contact.shift, load_case.shift());
   }
   return scene;
 }

@@ -85,23 +85,33 @@ public:
   double size;
 };
 
-/** Adds the conditions of a side; two points suffice for a segment, three for a circle. */
+/** Adds the conditions of a side, as a contact one of it where there is one; two points suffice for
+ * a segment, three for a circle. */
 void add_side_conditions(const Scene<2> &scene, const unsigned int number,
-                         Conditions<2> &conditions) {
+                         const ContactCondition<2> &contact, Conditions<2> &conditions) {
   const Geometry<2> &geometry = scene.geometry;
-  const BoundaryCondition<2> &condition = scene.boundary[number];
   const Side<2> &side = geometry.sides[number];
   std::optional<unsigned int> other;
-  if (const auto &second = ContactPair<2>(scene, number).other_side())
-    other = geometry.body_of_side(*second);
+  if (contact.opposite)
+    other = geometry.body_of_side(*contact.opposite);
   for (unsigned int k = 0; k < side.n_pieces(); ++k)
     for (const double share : {0., 1. / 3., 2. / 3., 1.}) {
       const double s = share * side.piece(k).length();
       const Point<2> x = side.piece(k).point(s);
-      conditions.forbid(condition.role, x,
-                        condition.directions.at(side.start_of(k) + s, x, side.piece(k).normal(s)),
+      conditions.forbid(scene.boundary[number].role, x,
+                        contact.directions.at(side.start_of(k) + s, x, side.piece(k).normal(s)),
                         1. / side.n_pieces(), geometry.body_of_side(number), other);
     }
+}
+
+/** Adds the conditions of a side, in each of its contacts. */
+void add_side_conditions(const Scene<2> &scene, const unsigned int number,
+                         Conditions<2> &conditions) {
+  for (const ContactCondition<2> &contact : scene.contacts)
+    if (contact.side == number)
+      add_side_conditions(scene, number, contact, conditions);
+  if (!scene.has_contact_on(number))
+    add_side_conditions(scene, number, {}, conditions);
 }
 
 void add_side_conditions(const Side<3> &side, const Role role, Conditions<3> &conditions) {

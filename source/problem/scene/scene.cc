@@ -12,50 +12,34 @@ std::string word_for(const Role role) {
   static const std::map<Role, std::string> words = {
     {Role::free, "free"},         {Role::clamped, "clamped"},
     {Role::roller, "rollers"},    {Role::displacement, "displacement"},
-    {Role::traction, "traction"}, {Role::contact, "contact"},
-    {Role::opposite, "opposite"}};
+    {Role::traction, "traction"}, {Role::contact, "contact"}};
   return words.at(role);
 }
 
 template <int dim>
-std::vector<unsigned int> Scene<dim>::contact_sides() const {
-  std::vector<unsigned int> numbers;
-  for (unsigned int i = 0; i < boundary.size(); ++i)
-    if (boundary[i].role == Role::contact)
-      numbers.push_back(i);
-  return numbers;
-}
-
-template <int dim>
 bool Scene<dim>::has_pairs() const {
-  return std::any_of(boundary.begin(), boundary.end(),
-                     [](const auto &condition) { return condition.opposite.has_value(); });
-}
-
-template <int dim>
-Tensor<1, dim> Scene<dim>::contact_direction(const unsigned int side, const Point<dim> &x) const {
-  AssertIndexRange(side, boundary.size());
-  const auto s = geometry.sides[side].coordinates(x);
-  const Tensor<1, dim> n = geometry.sides[side].normal(s);
-  if constexpr (dim == 2)
-    return boundary[side].directions.at(s[0], x, n);
-  return n;
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [](const auto &contact) { return contact.opposite.has_value(); });
 }
 
 template <int dim>
 std::vector<unsigned int> Scene<dim>::given_patches() const {
   std::vector<unsigned int> n;
-  for (const BoundaryCondition<dim> &condition : boundary)
-    n.push_back(condition.n_patches);
+  for (const ContactCondition<dim> &contact : contacts)
+    n.push_back(contact.n_patches);
   return n;
 }
 
 template <int dim>
+bool Scene<dim>::has_contact_on(const unsigned int side) const {
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [side](const auto &contact) { return contact.side == side; });
+}
+
+template <int dim>
 bool Scene<dim>::has_exact_pressure() const {
-  for (const unsigned int i : contact_sides())
-    if (boundary[i].exact_pressure == nullptr)
-      return false;
-  return true;
+  return std::none_of(contacts.begin(), contacts.end(),
+                      [](const auto &contact) { return contact.exact_pressure == nullptr; });
 }
 
 template <int dim>

@@ -57,9 +57,12 @@ public:
     , level_(summary.level)
     , size_(level_.answer.size)
     , scale_(level_.contact.normal_force) {
-    for (const auto *const forces : {&level_.answer.contact_by_side, &level_.answer.reactions})
-      for (const SideForce &force : *forces)
-        scale_ = std::max(scale_, force.resultant.force.norm());
+    const auto count = [this](const SideForce &force) {
+      scale_ = std::max(scale_, force.resultant.force.norm());
+    };
+    const Answer &answer = level_.answer;
+    std::for_each(answer.contact_by_side.begin(), answer.contact_by_side.end(), count);
+    std::for_each(answer.reactions.begin(), answer.reactions.end(), count);
   }
 
   /** Prints a line "label  text", broken where it is full: at commas and semicolons, or at blanks
@@ -91,8 +94,8 @@ public:
     add("Contact force", force_text(answer.contact_force) +
                            (rounded(error, scale_) > 0. ? ", error at most " + digits(error) : ""));
     if (answer.contact_by_side.size() > 1)
-      for (const SideForce &force : answer.contact_by_side)
-        add("  on " + force.side, force_text(force));
+      for (const ContactForce &force : answer.contact_by_side)
+        add("  on " + name_of(force), force_text(force));
     for (const SideForce &force : answer.reactions)
       add("Reaction of " + force.side, force_text(force));
   }
@@ -154,14 +157,17 @@ public:
     const bool in_space = level_.answer.dimension == 3;
     if (in_space)
       add("Contact area", digits(level_.contact.length));
-    // A zone that is alone on its side has the force of the side.
+    // A zone that is alone has the force and the peak of all contact.
     const std::vector<ContactZone> &zones = level_.answer.zones;
     for (std::size_t i = 0; i < zones.size(); ++i) {
       add_zones("Contact zone", {zones[i]});
-      if (std::count_if(zones.begin(), zones.end(), [&](const ContactZone &zone) {
-            return zone.start.at.side == zones[i].start.at.side;
-          }) > 1)
-        add("  its force", force_text(level_.answer.zone_forces[i]));
+      if (zones.size() == 1)
+        continue;
+      const ContactForce &force = level_.answer.zone_forces[i];
+      add("  its force", force_text(force));
+      if (force.peak)
+        add("  its peak",
+            digits(force.peak->value) + " at " + scaled_text(force.peak->at.point, size_));
     }
     if (!level_.tangential)
       return;
@@ -250,13 +256,20 @@ private:
            "these zones lose uniqueness at " + digits(*critical) + " times the coefficient";
   }
   void add_zones(const std::string &label, const std::vector<ContactZone> &zones) {
-    for (const auto &[start, end, length] : zones) {
+    for (const auto &[start, end, length, contact] : zones) {
       const std::string side = start.at.side;
       const bool all_around = start.at.point.distance(end.at.point) < 1e-10 * length;
       add(label, (all_around ? "all around " + side
                              : side + " from " + end_text(start) + " to " + end_text(end)) +
                    ", length " + digits(length));
     }
+  }
+  /** Returns the name of the side, with the other one where the side is in several contacts. */
+  std::string name_of(const ContactForce &force) const {
+    const std::vector<ContactForce> &all = level_.answer.contact_by_side;
+    const auto n = std::count_if(
+      all.begin(), all.end(), [&](const ContactForce &other) { return other.side == force.side; });
+    return force.side + (n > 1 ? " by " + force.other : "");
   }
   std::string force_text(const SideForce &given) const {
     const auto &[force, moment] = given.resultant;

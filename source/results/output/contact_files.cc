@@ -131,8 +131,8 @@ public:
 
   std::vector<ContactPoint<dim>> trace(const Piece<dim> &piece,
                                        const std::vector<Point<dim - 1>> &positions) {
-    const BoundaryCondition<dim> &condition =
-      body_.scene.boundary[surface_.patches()[piece.patch].side];
+    const ContactCondition<dim> &condition =
+      body_.scene.contacts[surface_.patches()[piece.patch].contact];
     const SurfaceRule<dim> rule = surface_.at(piece, positions);
     const PairedPiece<dim> pair(surface_, piece);
     const auto u = pair.displacements(rule, body_.U, traces_);
@@ -167,7 +167,7 @@ private:
                                 Tensor<1, dim> slip) const {
     const unsigned int patch = piece.patch;
     const ContactPair<dim> pair = PairedPiece<dim>(surface_, piece).in(body_.scene);
-    const auto &exact = body_.scene.boundary[pair.side()].exact_tangential;
+    const auto &exact = pair.data().exact_tangential;
     const Tensor<1, dim> &m = at.direction;
     const auto &[multipliers, P] = std::tie(body_.multipliers, body_.P);
     TangentialPoint point;
@@ -215,6 +215,7 @@ static ContactPiece<dim> trace_piece(ContactTracer<dim> &tracer,
   const std::vector<ContactPoint<dim>> points = tracer.trace(piece, positions);
   const auto middle = points.begin() + rows.size();
   return {surface.side(patch).name(),
+          patch.contact,
           patch.side,
           piece.face,
           piece.patch,
@@ -237,8 +238,9 @@ TracedContact<dim> trace_contact(const BodyInContact<dim> &body) {
   if (!body.space.mesh().is_shared())
     return contact;
   contact = collect(contact, surface.communicator());
-  std::stable_sort(contact.begin(), contact.end(),
-                   [](const auto &a, const auto &b) { return a.face < b.face; });
+  std::stable_sort(contact.begin(), contact.end(), [](const auto &a, const auto &b) {
+    return std::tie(a.contact, a.face) < std::tie(b.contact, b.face);
+  });
   return contact;
 }
 

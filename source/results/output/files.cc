@@ -161,7 +161,7 @@ bool is_name_of_result(const std::string &name) {
     "contact-[0-9]{2}\\.csv|(solution|contact)-[0-9]{2}(\\.[0-9]{4})?\\.p?vtu|"
     "(mesh-[0-9]{2}|pressure(-case-[0-9]{6})?|deformed|bound|scene|convergence|travel)\\."
     "(svg|png|pdf)|"
-    "[ABCDFGKPbcfqs]-[0-9]{2}\\.mtx|cases\\.csv|contact-case-[0-9]{6}\\.csv|"
+    "[ABCDFGKPbcfqs]-[0-9]{2}\\.mtx|(cases|contacts)\\.csv|contact-case-[0-9]{6}\\.csv|"
     "(solution|contact)-case-[0-9]{6}\\.vtu|line-[0-9]+\\.csv");
   return std::regex_match(name, names) || name == parameters_name || name == certificate_name;
 }

@@ -42,6 +42,20 @@ static void to_json(Json &json, const SideForce &force) {
   json["through"] = force.through;
 }
 
+static void to_json(Json &json, const PressureMaximum &peak) {
+  json = {{"value", peak.value}};
+  json.update(Json(peak.at));
+  json["mean"] = peak.mean;
+}
+
+static void to_json(Json &json, const ContactForce &force) {
+  json = Json(static_cast<const SideForce &>(force));
+  if (!force.other.empty())
+    json["with"] = force.other;
+  if (force.peak)
+    json["peak_pressure"] = *force.peak;
+}
+
 static void to_json(Json &json, const ZoneEnd &end) {
   json = end.at;
   json["uncertainty"] = end.uncertainty;
@@ -58,12 +72,6 @@ static void to_json(Json &json, const TangentialSummary &part) {
           {"open_length", part.open_length},           {"critical_factor", part.critical_factor},
           {"fixed_point_rate", part.fixed_point_rate}, {"regular", part.is_regular},
           {"stick_zones", part.stick_zones},           {"slip_zones", part.slip_zones}};
-}
-
-static void to_json(Json &json, const PressureMaximum &peak) {
-  json = {{"value", peak.value}};
-  json.update(Json(peak.at));
-  json["mean"] = peak.mean;
 }
 
 static void to_json(Json &json, const FieldMaximum &stress) {

@@ -218,6 +218,7 @@ void ResultsWriter::write_answer(const std::vector<LevelRecord> &levels,
   write("answer.json",
         [&](std::ostream &stream) { Signorini::write_answer(stream, levels, verdict); });
   const Answer &answer = levels.back().answer;
+  write("contacts.csv", [&](std::ostream &stream) { write_contacts_csv(stream, answer); });
   for (std::size_t i = 0; i < answer.reports.size(); ++i)
     if (answer.reports[i].rows.size() > 1)
       write("line-" + std::to_string(i + 1) + ".csv", [&](std::ostream &stream) {

@@ -33,7 +33,10 @@ std::vector<Point<2>> coordinates_on(const Side<3> &side) {
 template <int dim>
 SideSamples<dim> sample_side(const Scene<dim> &scene, const unsigned int side) {
   AssertIndexRange(side, scene.boundary.size());
-  const FunctionPointer<dim> &data = scene.boundary[side].data;
+  FunctionPointer<dim> data = scene.boundary[side].data;
+  for (const ContactCondition<dim> &contact : scene.contacts)
+    if (contact.side == side && data == nullptr)
+      data = contact.gap;
   SideSamples<dim> samples;
   for (const auto &s : coordinates_on(scene.geometry.sides[side])) {
     samples.points.push_back(scene.geometry.sides[side].point(s));
@@ -58,14 +61,25 @@ void write_scene_json(std::ostream &stream, const Scene<2> &scene,
     const SideSamples<2> samples = sample_side(scene, i);
     Json side = {{"name", scene.geometry.sides[i].name()},
                  {"role", word_for(scene.boundary[i].role)}};
-    if (const ContactPair<2> pair(scene, i); pair.other_side())
-      side["opposite"] = pair.other_name();
+    std::vector<std::string> opposite;
+    const ContactPair<2> *first = nullptr;
+    const std::vector<ContactPair<2>> pairs = contact_pairs(scene);
+    for (const ContactPair<2> &pair : pairs) {
+      if (pair.side() == i && pair.other_side())
+        opposite.push_back(pair.other_name());
+      if (pair.other_side() == i)
+        opposite.push_back(scene.geometry.sides[pair.side()].name());
+      if (pair.side() == i && first == nullptr)
+        first = &pair;
+    }
+    if (!opposite.empty())
+      side["opposite"] = opposite;
     for (std::size_t k = 0; k < samples.points.size(); ++k) {
       side["points"].push_back(AnswerVector(samples.points[k]));
       side["normals"].push_back(AnswerVector(samples.normals[k]));
       side["values"].push_back(samples.values[k]);
-      if (!scene.boundary[i].directions.are_normals())
-        side["directions"].push_back(AnswerVector(scene.contact_direction(i, samples.points[k])));
+      if (first != nullptr && !first->data().directions.are_normals())
+        side["directions"].push_back(AnswerVector(first->direction(samples.points[k])));
     }
     for (const Plate &plate : scene.plates)
       if (plate.side == i)

@@ -12,6 +12,17 @@
 
 namespace Signorini {
 namespace {
+/** Returns "roller.arc with upper.bottom lower.top", or the name of a side alone on a foundation;
+ * nothing where Γ_c lies on the partners. */
+template <int dim>
+std::string contacts_on(const Scene<dim> &scene, const unsigned int side) {
+  std::string text;
+  for (const ContactPair<dim> &pair : contact_pairs(scene))
+    if (pair.side() == side)
+      text += text.empty() ? pair.name() : " " + pair.other_name();
+  return text;
+}
+
 /** Returns "clamped top; contact bottom; ..." in the order of the roles. */
 template <int dim>
 std::string describe_boundary(const Scene<dim> &scene) {
@@ -25,10 +36,10 @@ std::string describe_boundary(const Scene<dim> &scene) {
     std::vector<std::string> names;
     for (unsigned int i = 0; i < scene.boundary.size(); ++i)
       if (scene.boundary[i].role == role) {
-        const ContactPair<dim> pair(scene, i);
-        (has_plate(i) ? plates : names)
-          .push_back(scene.geometry.sides[i].name() +
-                     (pair.other_side() ? " with " + pair.other_name() : ""));
+        if (role != Role::contact)
+          (has_plate(i) ? plates : names).push_back(scene.geometry.sides[i].name());
+        else if (const std::string name = contacts_on(scene, i); !name.empty())
+          names.push_back(name);
       }
     if (!names.empty())
       parts.push_back(word_for(role) + " " + join(names, " "));

@@ -82,10 +82,12 @@ void multiply_forces(const double thickness, LevelRecord &record, std::vector<Ca
   };
   multiply(thickness, record.contact.normal_force, record.certificate.energy,
            answer.contact_force.resultant.force, answer.contact_force.resultant.moment);
-  for (std::vector<SideForce> *const forces :
-       {&answer.contact_by_side, &answer.reactions, &answer.zone_forces})
-    for (SideForce &force : *forces)
-      multiply(thickness, force.resultant.force, force.resultant.moment);
+  const auto multiply_side = [&](SideForce &force) {
+    multiply(thickness, force.resultant.force, force.resultant.moment);
+  };
+  std::for_each(answer.reactions.begin(), answer.reactions.end(), multiply_side);
+  for (std::vector<ContactForce> *const forces : {&answer.contact_by_side, &answer.zone_forces})
+    std::for_each(forces->begin(), forces->end(), multiply_side);
   for (PlateRecord &plate : record.motions.plates)
     multiply(thickness, plate.force, plate.cross_force, plate.moment);
   multiply_tangential(record.tangential);

@@ -128,7 +128,7 @@ Vector scaling_of(const ContactSurface<dim> &surface) {
   return scaling;
 }
 
-/** Returns the patches of one side as a grid of equal boxes; none if they are not. */
+/** Returns the patches of one contact as a grid of equal boxes; none if they are not. */
 template <int dim>
 std::optional<CosineGrid> grid_of(const ContactSurface<dim> &surface,
                                   const std::vector<unsigned int> &patches, const double omega_0) {
@@ -172,11 +172,11 @@ std::shared_ptr<const BoundaryModel> make_boundary_model(const MultiplierSpace<d
   // Waves longer than the body is thick do not behave as on a half-space. Of 1, 1.5, 2 and 2.5 this
   // factor gave the smallest conditions.
   const double omega_0 = 1.5 / surface.scene().geometry.shortest_extent();
-  std::map<unsigned int, std::vector<unsigned int>> patches_by_side;
+  std::map<unsigned int, std::vector<unsigned int>> patches_by_contact;
   for (unsigned int k = 0; k < surface.patches().size(); ++k)
-    patches_by_side[surface.patches()[k].side].push_back(k);
+    patches_by_contact[surface.patches()[k].contact].push_back(k);
   std::vector<CosineGrid> blocks;
-  for (const auto &[side, patches] : patches_by_side) {
+  for (const auto &[contact, patches] : patches_by_contact) {
     std::optional<CosineGrid> block = grid_of(surface, patches, omega_0);
     if (!block)
       return make_kernel_model(multipliers);

@@ -77,7 +77,7 @@ double share_of_contact(const Scene<2> &scene) {
   double length = 0., contact_length = 0.;
   for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     length += scene.geometry.sides[i].length();
-    if (scene.boundary[i].role == Role::contact)
+    if (scene.has_contact_on(i))
       contact_length += scene.geometry.sides[i].length();
   }
   return contact_length / length;
@@ -123,8 +123,7 @@ MemoryLimit<dim>::MemoryLimit(const Parameters &parameters, const Scene<dim> &sc
     if (face->at_boundary()) {
       all_faces += 1.;
       // Boundary numbers are not known where sides end inside coarse faces.
-      if (!scene.geometry.number_after_refinement &&
-          scene.boundary[face->boundary_id()].role == Role::contact)
+      if (!scene.geometry.number_after_refinement && scene.has_contact_on(face->boundary_id()))
         n_coarse_contact_faces_ += 1.;
     }
   if constexpr (dim == 2)

@@ -156,10 +156,12 @@ std::shared_ptr<const Material<dim>> make_material(const Description<dim> &descr
   return make_isotropic<dim>(moduli.at(0), moduli.at(1), PlaneState::strain);
 }
 
-/** Sets the data of a side with a role. */
+/** Sets the data of a side with a role, or of its contact with the foundation. */
 template <int dim>
-void set_condition(const Description<dim> &description, const Scene<dim> &scene,
-                   const Side<dim> &side, BoundaryCondition<dim> &condition) {
+void set_condition(const Description<dim> &description, const unsigned int number,
+                   Scene<dim> &scene) {
+  const Side<dim> &side = scene.geometry.sides[number];
+  BoundaryCondition<dim> &condition = scene.boundary[number];
   if (condition.role == Role::displacement)
     condition.data = description.function(description.text("Moves"));
   if (condition.role == Role::traction) {
@@ -179,13 +181,15 @@ void set_condition(const Description<dim> &description, const Scene<dim> &scene,
   }
   if (condition.role != Role::contact)
     return;
-  condition.data = description.function(description.text(side.name() + " gap", "Gap"));
-  condition.exact_pressure = description.function(description.text(side.name() + " p", "Exact p"));
+  ContactCondition<dim> &contact = scene.contacts.emplace_back();
+  contact.side = number;
+  contact.gap = description.function(description.text(side.name() + " gap", "Gap"));
+  contact.exact_pressure = description.function(description.text(side.name() + " p", "Exact p"));
   for (const auto &limit : scene.contact_law.limits()) {
-    condition.*limit.data = description.function(description.pairs("Friction", ':')[0].second);
+    contact.*limit.data = description.function(description.pairs("Friction", ':')[0].second);
     const std::string moves = description.text("Moves");
-    condition.shift = description.function(moves.empty() ? "0" : moves);
-    condition.exact_tangential = description.function(description.text("Exact q"));
+    contact.shift = description.function(moves.empty() ? "0" : moves);
+    contact.exact_tangential = description.function(description.text("Exact q"));
   }
 }
 
@@ -223,8 +227,10 @@ Scene<dim> CatalogueEntry<dim>::make() const {
                                     : role == "contact"  ? Role::contact
                                     : role == "traction" ? Role::traction
                                                          : Role::displacement;
-      set_condition(parts, scene, scene.geometry.sides[number], scene.boundary[number]);
+      set_condition(parts, number, scene);
     }
+  std::sort(scene.contacts.begin(), scene.contacts.end(),
+            [](const auto &a, const auto &b) { return a.side < b.side; });
   for (std::size_t i = 0; i < scene.boundary.size(); ++i)
     if (scene.geometry.is_axis(scene.geometry.sides[i]))
       scene.boundary[i].role = Role::roller;

@@ -175,7 +175,7 @@ INSTANTIATE_FUNCTION(compute_displacement_errors);
 template <int dim>
 PressureErrors compute_pressure_errors(const MultiplierSpace<dim> &space, const Pressure &P,
                                        const unsigned int n_points,
-                                       FunctionPointer<dim> BoundaryCondition<dim>::*const exact) {
+                                       FunctionPointer<dim> ContactCondition<dim>::*const exact) {
   const RecoveredPressure<dim> recovered(space, P);
   double l2 = 0.;
   double post_l2 = 0.;
@@ -206,9 +206,9 @@ INSTANTIATE_FUNCTION(compute_pressure_errors);
 namespace {
 /** Returns the arc lengths at which the sign of the exact pressure changes from 0 to negative or
  * back. */
-std::vector<double> exact_ends(const Scene<2> &scene, const unsigned int number) {
-  const Side<2> &side = scene.geometry.sides[number];
-  const Function<2> &p = *scene.boundary[number].exact_pressure;
+std::vector<double> exact_ends(const Scene<2> &scene, const ContactCondition<2> &contact) {
+  const Side<2> &side = scene.geometry.sides[contact.side];
+  const Function<2> &p = *contact.exact_pressure;
   const std::vector<double> cuts = scene.kinks.crossings(side, 0., side.length());
   std::vector<double> ends;
   for (std::size_t i = 1; i + 1 < cuts.size(); ++i) {
@@ -257,9 +257,9 @@ double one_sided_distance(const std::vector<double> &from, const std::vector<dou
 std::optional<double> contact_end_error(const MultiplierSpace<2> &space, const Scene<2> &scene,
                                         const Pressure &P) {
   std::optional<double> largest;
-  for (const unsigned int number : scene.contact_sides()) {
-    const std::vector<double> exact = exact_ends(scene, number);
-    const std::vector<double> discrete = discrete_ends(space, number, P);
+  for (const ContactCondition<2> &contact : scene.contacts) {
+    const std::vector<double> exact = exact_ends(scene, contact);
+    const std::vector<double> discrete = discrete_ends(space, contact.side, P);
     if (exact.empty() != discrete.empty())
       return {};
     if (!exact.empty())

@@ -70,16 +70,16 @@ double extrapolate(const std::array<double, 2> &norms) {
   return norms[1] + (norms[1] - norms[0]) / 3.;
 }
 
-CosineNorm<2>::Modes coefficients_on(const Scene<2> &scene, const unsigned int number) {
-  const Side<2> &side = scene.geometry.sides[number];
-  const Function<2> &exact = *scene.boundary[number].exact_pressure;
+CosineNorm<2>::Modes coefficients_on(const Scene<2> &scene, const ContactCondition<2> &contact) {
+  const Side<2> &side = scene.geometry.sides[contact.side];
+  const Function<2> &exact = *contact.exact_pressure;
   const SampledFunction p = sample(cut_side(side, scene.kinks, 4096), 8,
                                    [&](const double s) { return exact.value(side.point(s)); });
   return CosineNorm<2>(side).coefficients(p.arc_lengths, p.weighted_values);
 }
 
-FullMatrix<double> coefficients_on(const Scene<3> &scene, const unsigned int number) {
-  const Side<3> &side = scene.geometry.sides[number];
+FullMatrix<double> coefficients_on(const Scene<3> &scene, const ContactCondition<3> &contact) {
+  const Side<3> &side = scene.geometry.sides[contact.side];
   // Two points for the half of a period of the highest mode.
   const QIterated<1> rule(QGauss<1>(8), CosineNorm<3>::n_modes / 4);
   const std::array<double, 2> lengths = side.lengths();
@@ -93,7 +93,7 @@ FullMatrix<double> coefficients_on(const Scene<3> &scene, const unsigned int num
   for (unsigned int a = 0; a < rule.size(); ++a) {
     for (unsigned int b = 0; b < rule.size(); ++b)
       points[b] = side.point({positions[0][a], positions[1][b]});
-    scene.boundary[number].exact_pressure->value_list(points, values);
+    contact.exact_pressure->value_list(points, values);
     for (unsigned int b = 0; b < rule.size(); ++b)
       weighted(a, b) = values[b] * lengths[0] * rule.weight(a) * lengths[1] * rule.weight(b);
   }
@@ -109,7 +109,7 @@ void add_slobodeckij(const Scene<2> &scene, const PatchGrid &grid, const Pressur
   const std::vector<double> &ends = grid.ends[0];
   if (m > max_slobodeckij_patches || !side.is_flat())
     return;
-  const Function<2> &exact = *scene.boundary[grid.side].exact_pressure;
+  const Function<2> &exact = *scene.contacts[grid.contact].exact_pressure;
   const auto on_patch = [&](const dealii::Vector<double> &values, const double s) {
     return values[grid.patches[std::lower_bound(ends.begin() + 1, ends.end() - 1, s) -
                                ends.begin() - 1]];
@@ -154,8 +154,8 @@ dealii::Vector<double> ExactPressure<dim>::project(const MultiplierSpace<dim> &s
 template <int dim>
 ExactPressure<dim>::ExactPressure(const Scene<dim> &scene)
   : scene_(scene) {
-  for (const unsigned int number : scene.contact_sides())
-    coefficients_[number] = coefficients_on(scene, number);
+  for (const ContactCondition<dim> &contact : scene.contacts)
+    coefficients_.push_back(coefficients_on(scene, contact));
 }
 
 template <int dim>
@@ -167,7 +167,7 @@ DualNormErrors ExactPressure<dim>::errors(const MultiplierSpace<dim> &space,
   for (const PatchGrid &grid : patch_grids(space.surface().patches())) {
     const CosineNorm<dim> norm(scene_.geometry.sides[grid.side]);
     DualNormErrors side;
-    side.spectral = norm.distance(coefficients_.at(grid.side), grid, P);
+    side.spectral = norm.distance(coefficients_[grid.contact], grid, P);
     side.superclose_spectral = norm.distance(typename CosineNorm<dim>::Modes(), grid, differences);
     if constexpr (dim == 2)
       add_slobodeckij(scene_, grid, P, differences, side);

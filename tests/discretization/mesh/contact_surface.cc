@@ -26,8 +26,10 @@ Scene<2> touching(const Geometry<2> &geometry, const std::vector<unsigned int> &
   Scene<2> scene;
   scene.geometry = geometry;
   scene.boundary.resize(geometry.sides.size());
-  for (const unsigned int side : sides)
+  for (const unsigned int side : sides) {
     scene.boundary[side].role = Role::contact;
+    scene.contacts.emplace_back().side = side;
+  }
   return scene;
 }
 
@@ -167,8 +169,8 @@ void test_ratios(Checks &checks) {
   checks.that("sides and conditions of patches and pieces",
               surface.side(surface.patches()[0]).name() == "left" &&
                 surface.side(surface.patches()[1]).name() == "bottom" &&
-                &surface.condition(surface.pieces().front()) == &both.boundary[0] &&
-                &surface.condition(surface.pieces().back()) == &both.boundary[2]);
+                &surface.condition(surface.pieces().front()) == &both.contacts[0] &&
+                &surface.condition(surface.pieces().back()) == &both.contacts[1]);
   test_pieces(checks, geometry, surface);
   const Geometry<2> square = make_rectangle(Point(0., 0.), Point(1., 1.), {1, 1});
   const Mesh<2> coarse(square, 0, 0, MPI_COMM_WORLD);

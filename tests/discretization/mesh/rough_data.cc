@@ -128,7 +128,7 @@ double integral_on_bottom(const Scene<2> &scene) {
     const dealii::Quadrature<1> rule = split_quadrature(gauss, scene.kinks.cut(a, b));
     for (unsigned int q = 0; q < rule.size(); ++q)
       sum += 0.25 * rule.weight(q) *
-             (scene.boundary[2].*scene.contact_law.limits()[0].data)
+             (scene.contacts[0].*scene.contact_law.limits()[0].data)
                ->value(a + rule.point(q)[0] * (b - a));
   }
   return sum;

@@ -74,9 +74,9 @@ void gaps(Checks &checks) {
   checks.throws<InputError>(
     "gap of the catalogue without a value", "the gap has the value nan at (", [] {
       OneLevel level(square("0", ""), 2);
-      for (auto &condition : level.scene.boundary)
-        condition.data = std::make_shared<dealii::Functions::ConstantFunction<2>>(std::nan(""), 1);
-      assemble_gap(level.multipliers(), level.scene.boundary, 3);
+      for (auto &contact : level.scene.contacts)
+        contact.gap = std::make_shared<dealii::Functions::ConstantFunction<2>>(std::nan(""), 1);
+      assemble_gap(level.multipliers(), level.scene.contacts, 3);
     });
 }
 

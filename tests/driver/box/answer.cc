@@ -69,7 +69,7 @@ void uneven_pressure(Checks &checks) {
   scene.boundary[scene.geometry.find_side("right")].role = Role::free;
   const Box box(scene, 3, 2);
   const Pressure P = box.at_centres([](const auto &s) { return -1. - s[0]; });
-  const auto found = contact_force(box.multipliers, scene.contact_sides(), P);
+  const auto found = contact_force(box.multipliers, {0}, P);
   // Means over patches of length 1/4 lose H²/12 of the linear part's moment.
   const double x_moment = 2. * (5. / 6. - 1. / 192.);
   checks.near("force of 1 + x", found.resultant.force, Vector3({0., 0., 3.}), 1e-13);

@@ -47,9 +47,10 @@ inline Signorini::Scene<3> make_box_scene(const Signorini::FunctionPointer<3> &g
   scene.boundary.resize(6);
   for (const char *side : {"left", "right", "front", "back"})
     scene.boundary[scene.geometry.find_side(side)].role = Role::roller;
-  auto &bottom = scene.boundary[scene.geometry.find_side("bottom")];
-  bottom.role = Role::contact;
-  bottom.data = gap;
+  const unsigned int bottom = scene.geometry.find_side("bottom");
+  scene.boundary[bottom].role = Role::contact;
+  scene.contacts.emplace_back().side = bottom;
+  scene.contacts[0].gap = gap;
   auto &above = scene.boundary[scene.geometry.find_side("top")];
   above.role = Role::displacement;
   above.data = top;
@@ -67,7 +68,7 @@ struct Box {
     , multipliers(surface)
     , D(assemble_coupling(space, multipliers))
     , condensed_D(condense(D, space.constraints()))
-    , G(assemble_gap(multipliers, scene.boundary, 3)) {}
+    , G(assemble_gap(multipliers, scene.contacts, 3)) {}
   Box(const Box &) = delete;
 
   /** The values of p at the centres of the patches: of a product of linear functions the means. */

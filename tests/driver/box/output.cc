@@ -21,7 +21,7 @@ namespace {
 Scene<3> scene_with_pressure(const FunctionPointer<3> &u) {
   Scene<3> scene = make_box_scene(
     scalar([](const dealii::Point<3> &x) { return 0.2 + x[0] * x[1]; }), u, {1., 2., 1.});
-  scene.boundary[scene.geometry.find_side("bottom")].exact_pressure =
+  scene.contacts[0].exact_pressure =
     scalar([](const dealii::Point<3> &x) { return -(1. + x[0] + 2. * x[1]); });
   return scene;
 }

@@ -74,7 +74,7 @@ void transfer(Checks &checks) {
 
 /** Patches of 2, 2 and 3 cells; errors() and inf_sup.cc have the norms themselves. */
 void unequal_patches(Checks &checks) {
-  const PatchGrid uneven = {0, {{{0., 0.2, 0.4, 0.7}, {0., 0.2}}}, {2, 0, 1}};
+  const PatchGrid uneven = {0, 0, {{{0., 0.2, 0.4, 0.7}, {0., 0.2}}}, {2, 0, 1}};
   checks.that("unequal patches: cells",
               equal_cells(uneven)[0] == std::vector<unsigned int>({0, 2, 4, 7}));
   const std::vector<double> P = {5., 6., 4.};
@@ -87,7 +87,7 @@ void unequal_patches(Checks &checks) {
 /** A scene with the pressure p at the bottom of 1 x 2. */
 Scene<3> with_pressure(const std::function<double(const dealii::Point<3> &)> &p) {
   Scene<3> scene = make_box_scene(zero, nothing, {1., 2., 1.});
-  scene.boundary[scene.geometry.find_side("bottom")].exact_pressure = scalar(p);
+  scene.contacts[0].exact_pressure = scalar(p);
   return scene;
 }
 

@@ -21,8 +21,9 @@ Scene<2> with_one_side(const Scene<2> &two, const bool gap_jumps) {
   one.geometry.sides = {{"around", around}, two.geometry.sides[1], two.geometry.sides[3]};
   one.boundary = {two.boundary[0], two.boundary[1], two.boundary[3]};
   // A distance along the normal: it jumps where the normal does.
+  one.contacts.resize(1);
   if (gap_jumps)
-    one.boundary[0].data =
+    one.contacts[0].gap =
       std::make_shared<dealii::ScalarFunctionFromFunctionObject<2>>([around](const Point &x) {
         return around.normal(around.arc_length(x))[0] < -0.5 ? 0.02 : 0.005;
       });

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 
+#include "contact_of.h"
 #include "graded_steps.h"
 #include "tests.h"
 
@@ -165,13 +166,12 @@ void test_hertz(Checks &checks) {
   Scene<2> scene = make_scene<2>(parameters, named_scenes());
   scene.exact_displacement = scene.body_force = nullptr;
   scene.kinks = Kinks<2>();
-  const std::size_t arc = scene.geometry.find_side("arc");
-  BoundaryCondition<2> &condition = scene.boundary[arc];
-  condition.exact_pressure = nullptr;
-  condition.foundation = std::make_shared<Foundation>(
+  ContactCondition<2> &contact = contact_of(scene, "arc");
+  contact.exact_pressure = nullptr;
+  contact.foundation = std::make_shared<Foundation>(
     std::vector<Obstacle>{Obstacle::circle({0., 1.}, 2., Body::inside)}, 20.);
-  condition.data =
-    foundation_gap(scene.geometry.sides[arc], condition.foundation, dealii::Point<2>(0., 0.01));
+  contact.gap = foundation_gap(scene.geometry.sides[contact.side], contact.foundation,
+                               dealii::Point<2>(0., 0.01));
   const StudyResult<2> result = run(parameters, scene);
   const double F = last(result, "contact_force_n"), b = std::sqrt(4. * F * 2. / (PI * 8. / 3.));
   checks.between("Hertz, half width", b, 0.11, 0.12);

@@ -32,13 +32,15 @@ Scene<2> make_b1(const Parameters &parameters, const double xi, const bool is_kn
                       FunctionPointer<2> &function) { function = shifted(function, shift); };
   move(scene.exact_displacement);
   move(scene.body_force);
-  for (BoundaryCondition<2> &condition : scene.boundary) {
+  for (BoundaryCondition<2> &condition : scene.boundary)
     move(condition.data);
-    move(condition.exact_pressure);
+  for (ContactCondition<2> &contact : scene.contacts) {
+    move(contact.gap);
+    move(contact.exact_pressure);
   }
   scene.kinks = is_known ? Kinks<2>(lines_at<2>({{{xi}, {}}})) : Kinks<2>();
-  for (const unsigned int side : scene.contact_sides())
-    scene.kinks.add_ends_on(scene.geometry.sides[side]);
+  for (const ContactCondition<2> &contact : scene.contacts)
+    scene.kinks.add_ends_on(scene.geometry.sides[contact.side]);
   return scene;
 }
 

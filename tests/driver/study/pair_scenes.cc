@@ -97,7 +97,7 @@ void test_plates_and_cases(Checks &checks) {
   level.scene.load_cases = {factors};
   const LevelSolution<2> solution = level.solve();
   // Weights: 0.004 of a, 0.00288 of b. The moments are those about the origin.
-  const std::vector<SideForce> &forces = solution.record.answer.contact_by_side;
+  const std::vector<ContactForce> &forces = solution.record.answer.contact_by_side;
   const auto total = [](const SideForce &force) {
     return std::vector<double>{force.resultant.force[1], force.resultant.moment[0]};
   };
@@ -163,7 +163,7 @@ void test_couple(Checks &checks) {
                    friction,
                  2)
           .solve();
-      const std::vector<SideForce> &forces = solution.record.answer.contact_by_side;
+      const std::vector<ContactForce> &forces = solution.record.answer.contact_by_side;
       checks.near("balance of moments", solution.record.certificate.moment_balance, 0., 1e-12);
       checks.near("couple", forces.at(0).resultant.moment[0] + forces.at(1).resultant.moment[0],
                   -clearance * forces[0].resultant.force[0], 1e-14);

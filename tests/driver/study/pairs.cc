@@ -409,12 +409,18 @@ void test_refusals(Checks &checks) {
           "the name of a side, the word 'with'");
   refuses("a pair twice", blocks + pair.substr(0, pair.size() - 1) + " | b.top with a.bottom\n",
           "each pair once");
-  refuses("more pairs than sides",
-          "Geometry/Bodies = a b c\nGeometry/Lower left = a: 0, 0 | b: 0, -1 | c: 2, 0\n"
-          "Geometry/Upper right = a: 1, 1 | b: 1, 0 | c: 3, 1\nBoundary/Contact = "
-          "a.bottom with b.top c.left | b.top with c.left | a.bottom with c.top | b.top with c.top "
-          "| c.left with c.top\n",
-          "more pairs than there are sides");
+  const std::string three = "Geometry/Bodies = a b c\nGeometry/Cells = 2, 2\n"
+                            "Geometry/Lower left = a: 0, -1 | b: 0, 0 | c: ";
+  refuses("one over the other",
+          three + "0, 1\nGeometry/Upper right = a: 2, 0 | b: 2, 1 | c: 2, 2\n"
+                  "Boundary/Contact = a.top with b.bottom c.bottom\nBoundary/Clamped = a.bottom\n",
+          "do not face each other");
+  refuses("one in the middle of the other",
+          three + "0, 1\nGeometry/Upper right = a: 2, 0 | b: 1, 0.5 | c: 2, 2\n"
+                  "Boundary/Contact = a.top with b.bottom c.bottom\nBoundary/Clamped = a.bottom\n",
+          "lies in the middle");
+  refuses("nothing for '*'", blocks + "Boundary/Contact = a.top with *\n",
+          "no side of another body");
   refuses("a body that nothing presses", blocks + pair + "Boundary/Traction = a.top: 0; 0.01\n",
           "along (0, 1), of 'a'");
 }

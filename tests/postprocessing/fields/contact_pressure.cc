@@ -22,8 +22,8 @@ std::vector<Patch<2>> patches_between(const unsigned int side,
                                       const std::vector<double> &positions) {
   std::vector<Patch<2>> patches;
   for (std::size_t i = 0; i + 1 < positions.size(); ++i)
-    patches.push_back({side, dealii::Point<1>(positions[i]), dealii::Point<1>(positions[i + 1]),
-                       positions[i + 1] - positions[i]});
+    patches.push_back({side, side, dealii::Point<1>(positions[i]),
+                       dealii::Point<1>(positions[i + 1]), positions[i + 1] - positions[i]});
   return patches;
 }
 

@@ -76,7 +76,7 @@ void zones(Checks &checks) {
 void forces(Checks &checks) {
   const OneLevel level(square(64), 0);
   const auto force_of = [&](const Pressure &pressure) {
-    return contact_force(level.multipliers(), level.scene.contact_sides(), pressure);
+    return contact_force(level.multipliers(), {0}, pressure);
   };
   const Pressure P = means(level.multipliers(), [](const double x) { return -x - 0.5 * x * x; });
   const SideForce found = force_of(P);

@@ -28,6 +28,7 @@ void check_half_disc(Checks &checks) {
         .geometry;
     for (unsigned int i = 0; i < 2; ++i)
       scene.boundary[scene.geometry.find_side(e3.geometry.sides[i].name())] = e3.boundary[i];
+    scene.contacts[0].side = scene.geometry.find_side("arc");
     const StudyResult<2> result =
       run(parse_parameters(named_scene("E3"), "test", levels(1, 2)), scene);
     for (const auto &[column, order] :

@@ -4,6 +4,7 @@
 #include <signorini/problem/input/make_scene.h>
 #include <signorini/problem/parameters/parameters.h>
 
+#include "contact_of.h"
 #include "scene_text.h"
 #include "tests.h"
 
@@ -41,8 +42,7 @@ void check_scene(Checks &checks) {
   checks.near("fillet", geometry.sides[geometry.find_side("fillet1")].radius(), 0.25, 1e-15);
   checks.near("hole", geometry.sides[geometry.find_side("hole0")].radius(), 0.25, 1e-15);
   checks.near("force", scene.plates.front().force, 3., 0.);
-  checks.near("foundation", scene.boundary[geometry.find_side("side0")].data->value({1., 0.}), 0.,
-              1e-14);
+  checks.near("foundation", contact_of(scene, "side0").gap->value({1., 0.}), 0., 1e-14);
   checks.near("load case", scene.load_cases.front().gap, 0.25, 0.);
 }
 

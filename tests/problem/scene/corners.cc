@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "contact_of.h"
 #include "tests.h"
 
 using namespace Signorini;
@@ -229,7 +230,7 @@ void test_pairs_of_bodies(Checks &checks) {
      "Boundary/Contact=up.bottom with low.top | low.bottom",
      "Contact/Foundation=plane 0,-0.5 normal 0,1"}));
   const auto gap = [&scene](const char *side, const Point &x) {
-    return scene.boundary.at(scene.geometry.find_side(side)).data->value(x);
+    return contact_of(scene, side).gap->value(x);
   };
   checks.near("gaps of a pair and of a foundation",
               {gap("up.bottom", Point(0.3, 1.25)), gap("low.bottom", Point(0.3, 0.))}, {0.25, 0.5},

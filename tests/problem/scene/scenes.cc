@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "contact_of.h"
 #include "tests.h"
 
 using namespace Signorini;
@@ -49,8 +50,8 @@ void test_catalogue(Checks &checks) {
   const Scene<2> d1 = scene({"Scene/Name=D1"}), block = scene({"Scene/Name=block on parabola"});
   const Point x(0.3, 0.4), left(-0.6, 0.);
   checks.near("D1 p and g, block gap and displacement",
-              {condition(d1, "bottom").exact_pressure->value(x),
-               condition(d1, "bottom").data->value(x), condition(block, "bottom").data->value(left),
+              {contact_of(d1, "bottom").exact_pressure->value(x),
+               contact_of(d1, "bottom").gap->value(x), contact_of(block, "bottom").gap->value(left),
                condition(block, "top").data->value(x, 0),
                condition(block, "top").data->value(x, 1)},
               {-0.375, -0.125, 0.09, 0., -0.05}, 1e-16);
@@ -75,13 +76,13 @@ void test_described(Checks &checks) {
                                 "Contact/Gap=left: y>0.5||y<0.1 ? 1 : 2 | bottom: x^2",
                                 "Exact solution/Pressure=x>0.5 ? 0 : -1"});
   checks.near("two gaps, one pressure for both",
-              {condition(sides, "left").data->value(Point(0., 0.3)),
-               condition(sides, "bottom").data->value(Point(0.3, 0.)),
-               condition(sides, "left").exact_pressure->value(Point(0., 0.5)),
-               condition(sides, "bottom").exact_pressure->value(Point(0.7, 0.))},
+              {contact_of(sides, "left").gap->value(Point(0., 0.3)),
+               contact_of(sides, "bottom").gap->value(Point(0.3, 0.)),
+               contact_of(sides, "left").exact_pressure->value(Point(0., 0.5)),
+               contact_of(sides, "bottom").exact_pressure->value(Point(0.7, 0.))},
               {2., 0.09, -1., 0.}, 1e-16);
-  checks.that("two contact sides", sides.contact_sides() == std::vector<unsigned int>({0, 2}) &&
-                                     sides.body_force == nullptr);
+  checks.that("two contact sides", sides.contacts.size() == 2 && sides.contacts[0].side == 0 &&
+                                     sides.contacts[1].side == 2 && sides.body_force == nullptr);
 }
 
 /** Stresses of known strains, worked out by hand; sigma_33 where it is given. */
@@ -153,7 +154,7 @@ void test_friction(Checks &checks) {
   without.emplace_back("Contact/Friction=none");
   checks.that("a capital", scene(settings).contact_law.name() == "coulomb");
   checks.that("none overrides", !scene(without).contact_law.has_tangential_part() &&
-                                  condition(scene(without), "bottom").coefficient == nullptr);
+                                  scene(without).contacts[0].coefficient == nullptr);
 }
 } // namespace
 

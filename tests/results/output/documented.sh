@@ -83,6 +83,7 @@ ended() { grep -qx "$1\.prm: .*, exit code $2, \./$1" stdout; }
 check "a run that is not resolved, which has every key" ended run 2
 check "files" all_named $(files_of run)
 check "columns of convergence.csv" all_named $(columns_of run/convergence.csv)
+check "columns of contacts.csv" all_named $(columns_of run/contacts.csv)
 check "columns of contact-03.csv" all_named $(columns_of run/contact-03.csv)
 check "keys of certificate.json" all_named $(keys_of run/certificate.json)
 check "  the reason among them" grep -q '"failure":' run/certificate.json

@@ -104,8 +104,10 @@ void in_space(Checks &checks, std::ostream &table) {
   for (const char *side : {"left", "right", "front", "back"})
     scene.boundary[scene.geometry.find_side(side)].role = Role::free;
   flat(checks, table, "free box", scene, 2, Model::chosen, 3.7);
-  auto &left = scene.boundary[scene.geometry.find_side("left")];
-  left = scene.boundary[scene.geometry.find_side("bottom")];
+  const unsigned int left = scene.geometry.find_side("left");
+  scene.boundary[left].role = Role::contact;
+  scene.contacts.insert(scene.contacts.begin(), scene.contacts[0]);
+  scene.contacts[0].side = left;
   flat(checks, table, "box, two sides", scene, 2, Model::chosen, 20., 1.4);
 }
 } // namespace

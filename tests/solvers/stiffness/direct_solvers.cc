@@ -50,6 +50,7 @@ Scene<2> loose() {
   Scene<2> scene = scene_of(clamped);
   for (auto &condition : scene.boundary)
     condition.role = Role::free;
+  scene.contacts.clear();
   return scene;
 }
 

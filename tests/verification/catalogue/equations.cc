@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact_of.h"
 #include "tests.h"
 
 using namespace Signorini;
@@ -71,9 +72,9 @@ void test_samples(Checks &checks) {
   for (const Sample &sample : samples) {
     const Scene<2> scene = named(sample.name);
     const Point u = vector(scene.exact_displacement, Point(0.3, 0.4)), near(0.3, 0.), far(0.8, 0.);
-    const BoundaryCondition<2> &bottom = scene.boundary.at(scene.geometry.find_side("bottom"));
+    const ContactCondition<2> &bottom = contact_of(scene, "bottom");
     const std::vector<double> found = {u[0], u[1], bottom.exact_pressure->value(near),
-                                       bottom.data->value(near), bottom.data->value(far)};
+                                       bottom.gap->value(near), bottom.gap->value(far)};
     for (unsigned int i = 0; i < found.size(); ++i)
       checks.near(sample.name + ": sample values", found[i], sample.values.at(i),
                   2e-11 * std::max(1e-2, std::abs(sample.values[i])));
@@ -129,14 +130,15 @@ void test_sides(Checks &checks, const Scene<2> &scene) {
         checks.near("tractions", t, vector(condition.data, x), 1e-13);
       if (condition.role != Role::contact)
         continue;
-      const double p = condition.exact_pressure->value(x), w = u * n - condition.data->value(x);
+      const ContactCondition<2> &contact = contact_of(scene, side.name());
+      const double p = contact.exact_pressure->value(x), w = u * n - contact.gap->value(x);
       const dealii::Tensor<1, 2> along({-n[1], n[0]});
       const double q =
-        scene.contact_law.has_tangential_part() ? condition.exact_tangential->value(x) : 0.;
+        scene.contact_law.has_tangential_part() ? contact.exact_tangential->value(x) : 0.;
       checks.near("sigma n = p n + q t", t, p * n + q * along, 1e-13);
       if (scene.contact_law.has_tangential_part()) {
-        const double slip = u * along - condition.shift->value(x),
-                     s = scene.contact_law.bound(condition, x, p);
+        const double slip = u * along - contact.shift->value(x),
+                     s = scene.contact_law.bound(contact, x, p);
         checks.that("|q| <= s", std::abs(q) <= s + 1e-14);
         checks.near("q w = -s |w|", q * slip + s * std::abs(slip), 0., 1e-14);
       }
@@ -164,12 +166,12 @@ void test_e2(Checks &checks) {
     return Point(r * std::cos(theta), r * std::sin(theta));
   };
   const Point x = at(1.5, 0.7);
-  const BoundaryCondition<2> &contact = scene.boundary[scene.geometry.find_side("outer")];
+  const ContactCondition<2> &contact = contact_of(scene, "outer");
   checks.near("E2: u", vector(scene.exact_displacement, x), Point(0.0263044093388, 0.0453764564707),
               1e-11);
   checks.near("E2: p(0.7), g(0.7), g(2)",
-              {contact.exact_pressure->value(at(2., 0.7)), contact.data->value(at(2., 0.7)),
-               contact.data->value(at(2., 2.))},
+              {contact.exact_pressure->value(at(2., 0.7)), contact.gap->value(at(2., 0.7)),
+               contact.gap->value(at(2., 2.))},
               {-0.301326871725, 0.00849835714501, 0.223750964705}, 1e-11);
 }
 } // namespace

@@ -26,6 +26,7 @@ Scene<2> loose(const std::string &vertices) {
                             vertices);
   for (auto &condition : scene.boundary)
     condition.role = Role::free;
+  scene.contacts.clear();
   return scene;
 }
 

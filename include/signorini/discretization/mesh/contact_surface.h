@@ -29,8 +29,8 @@ struct ContactFace {
  */
 template <int dim>
 struct Patch {
-  /** The number of the side in the geometry. */
-  unsigned int side;
+  /** The number of the contact in Scene::contacts, and that of its side in the geometry. */
+  unsigned int contact, side;
   /** The corners of the smallest box around the patch in the coordinates of the side (length). */
   Point<dim - 1> lower, upper;
   /** The measure |τ| (length^{dim-1}). */
@@ -48,11 +48,11 @@ struct Patch {
   }
 };
 
-/** The patches of one side as a grid: rows and columns in the coordinates of the side. In 2-D there
- * is one row. */
+/** The patches of one contact as a grid: rows and columns in the coordinates of its side. In 2-D
+ * there is one row. */
 struct PatchGrid {
-  /** The number of the side in the geometry. */
-  unsigned int side = 0;
+  /** The number of the contact in Scene::contacts, and that of its side in the geometry. */
+  unsigned int contact = 0, side = 0;
   /** The beginnings of the patches, sorted, and the end of the last one, in both coordinates of the
    * side. */
   std::array<std::vector<double>, 2> ends = {{{}, {0., 1.}}};
@@ -75,7 +75,7 @@ struct PatchGrid {
 };
 
 /**
- * Returns one grid for each side, in the order of the patches; m log m operations for m patches.
+ * Returns one grid for each contact, in the order of the patches; m log m operations for m patches.
  * @throws ComputationError where patches are no grid.
  */
 template <int dim>
@@ -163,8 +163,8 @@ struct Partition {
   /** The ratio H/h: faces per patch and direction. Where it does not divide the faces of a side,
    * the last patch is the longer one. */
   unsigned int ratio = 2;
-  /** The number of equal patches by side, aligned with nothing, where it is positive. */
-  std::vector<unsigned int> patches_by_side = {};
+  /** The number of equal patches by contact, aligned with nothing, where it is positive. */
+  std::vector<unsigned int> patches_by_contact = {};
   /** Whether patches are the faces of the carrier (ContactPair::carrier()) instead, cut at the ends
    * of the overlap. */
   bool by_carrier = false;
@@ -183,7 +183,7 @@ enum class Grading {
  * ∩ patch with their points. Integrals over Γ_c are sums over pieces and need nothing else of
  * the geometry.
  *
- * The order is side after side; in 2-D each side in the order of arc length. Every rank knows all
+ * The order is contact after contact; in 2-D each in the order of arc length. Every rank knows all
  * faces and patches; the pieces are those of its own cells.
  */
 template <int dim>
@@ -216,9 +216,9 @@ public:
   const Side<dim> &side(const Patch<dim> &patch) const {
     return scene_.geometry.sides[patch.side];
   }
-  /** Returns the gap and the exact pressure on the side of the piece. */
-  const BoundaryCondition<dim> &condition(const Piece<dim> &piece) const {
-    return scene_.boundary[patches_[piece.patch].side];
+  /** Returns the contact to which a piece belongs. */
+  const ContactCondition<dim> &condition(const Piece<dim> &piece) const {
+    return scene_.contacts[patches_[piece.patch].contact];
   }
 
   /** Returns the face of a piece with the points of a rule, and in a pair that of the other body.

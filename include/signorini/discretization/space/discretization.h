@@ -53,9 +53,9 @@ struct Discretization {
   dealii::Vector<double> gap_residual(const Displacement &U) const;
 
 private:
-  /** Returns ∫ g ψ_k for functions g of the contact sides. */
+  /** Returns ∫ g ψ_k for functions g of the contacts. */
   dealii::Vector<double> moments_of(const Scene<dim> &scene,
-                                    FunctionPointer<dim> BoundaryCondition<dim>::*data,
+                                    FunctionPointer<dim> ContactCondition<dim>::*data,
                                     Component component = Component::normal) const;
   /** Computes D, condensed D, G and K. @throws InputError for a multiplier without a free node. */
   void assemble(const Parameters &parameters, const Scene<dim> &scene);

@@ -159,15 +159,15 @@ Tensor<1, dim> direction_of(Component component, const Tensor<1, dim> &m);
 
 /**
  * Returns G_k = ∫ g ψ_k (length^dim), with @p n_points Gauss points per direction and part of a
- * piece for constants; @p grading of the rules. @p boundary holds the gap of every side, or another
- * function in its place; one that is missing is zero. Of a vector in space @p component counts.
+ * piece for constants; @p grading of the rules. @p contacts hold the gap, or another function in
+ * its place; one that is missing is zero. Of a vector in space @p component counts.
  * @throws InputError where g has no value.
  */
 template <int dim>
 dealii::Vector<double>
-assemble_gap(const MultiplierSpace<dim> &space, const std::vector<BoundaryCondition<dim>> &boundary,
+assemble_gap(const MultiplierSpace<dim> &space, const std::vector<ContactCondition<dim>> &contacts,
              unsigned int n_points, Grading grading = Grading::towards_kinks,
-             FunctionPointer<dim> BoundaryCondition<dim>::*data = &BoundaryCondition<dim>::data,
+             FunctionPointer<dim> ContactCondition<dim>::*data = &ContactCondition<dim>::gap,
              Component component = Component::normal);
 
 /** The coupling D, n x m: one sparse column per multiplier, nonzero at the degrees of freedom near

@@ -34,9 +34,9 @@ public:
   const ContactFace<dim> *other_face() const {
     return piece_.opposite ? &surface_.faces()[piece_.opposite->first] : nullptr;
   }
-  /** Returns the pair in a scene with the same contact sides, such as a load case. */
+  /** Returns the pair in a scene with the same contacts, such as a load case. */
   ContactPair<dim> in(const Scene<dim> &scene) const {
-    return {scene, surface_.patches()[piece_.patch].side};
+    return {scene, surface_.patches()[piece_.patch].contact};
   }
   ContactPair<dim> pair() const {
     return in(surface_.scene());

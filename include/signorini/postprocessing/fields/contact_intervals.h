@@ -15,10 +15,10 @@ struct SideNode {
   NodeState state;
 };
 
-/** The nodes of one side in the order of arc length. */
+/** The nodes of one contact in the order of arc length. */
 struct SideNodes {
-  /** The number of the side in the geometry. */
-  unsigned int number = 0;
+  /** The number of the contact in Scene::contacts, and that of its side in the geometry. */
+  unsigned int contact = 0, number = 0;
   /** The length of the side, and the arc lengths between which it may touch (length). */
   double length = 0., from = 0., to = 0.;
   /** Whether the first node follows the last one. */
@@ -26,7 +26,7 @@ struct SideNodes {
   std::vector<SideNode> nodes;
 };
 
-/** Returns the nodes of all multipliers, side after side, with the given states. */
+/** Returns the nodes of all multipliers, contact after contact, with the given states. */
 std::vector<SideNodes> nodes_by_side(const MultiplierSpace<2> &multipliers,
                                      const std::vector<NodeState> &states);
 
@@ -44,8 +44,8 @@ struct PressedInterval {
     /** The distance of the exact end, in order of magnitude (length). */
     double uncertainty = 0.;
   };
-  /** The number of the side in the geometry. */
-  unsigned int side = 0;
+  /** The number of the contact in Scene::contacts, and that of its side in the geometry. */
+  unsigned int contact = 0, side = 0;
   End start, end;
 
   double length() const {
@@ -54,7 +54,7 @@ struct PressedInterval {
 };
 
 /**
- * Returns the pressed intervals, side after side in the order of arc length.
+ * Returns the pressed intervals, contact after contact in the order of arc length.
  *
  * The nodes of the multipliers are points at which p_H presses or does not. Contact ends between
  * two neighbours that differ: the end is their middle, and its uncertainty is half of their

@@ -30,17 +30,17 @@ struct Answer {
   double thickness = 1.;
   /** The size of the body (length): smaller coordinates may be rounding. */
   double size = 0.;
-  /** The force of all contact sides together; with pairs of bodies that of the rigid foundation, or
+  /** The force of all contacts together; with pairs of bodies that of the rigid foundation, or
    * where there is none of the first pair. */
   SideForce contact_force;
-  std::vector<SideForce> contact_by_side;
+  std::vector<ContactForce> contact_by_side;
   std::vector<SideForce> reactions;
   /** The peak pressure; empty if nothing presses. */
   std::optional<PeakPressure> peak_pressure;
   /** The contact zones, for 2-D only. */
   std::vector<ContactZone> zones;
   /** Their forces, in the same order. */
-  std::vector<SideForce> zone_forces;
+  std::vector<ContactForce> zone_forces;
   /** The penetration; empty without a contact side. */
   std::optional<Penetration> penetration;
   /** The largest |m + n_2| of the direction of contact and the unit normal of the other side of a

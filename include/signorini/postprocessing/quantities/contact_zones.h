@@ -33,11 +33,13 @@ struct ContactZone {
   ZoneEnd start, end;
   /** The length from start to end along the side. */
   double length = 0.;
+  /** The number of the contact in Scene::contacts. */
+  unsigned int contact = 0;
 };
 
 /**
- * Returns the contact zones, side after side in the order of arc length. A closed side that presses
- * everywhere is one zone from its start to its start.
+ * Returns the contact zones, contact after contact in the order of arc length. A closed side that
+ * presses everywhere is one zone from its start to its start.
  *
  * At an end of smooth contact the pressure falls like the root of the distance. So the end is the
  * zero s_0 of c (s_0 - s)_+^{1/2} with the means of p_H over the last two pressing patches, at most

@@ -6,6 +6,7 @@
 #include <signorini/postprocessing/quantities/singular_edges.h>
 #include <signorini/postprocessing/quantities/von_mises.h>
 
+#include <functional>
 #include <optional>
 
 namespace Signorini {
@@ -30,7 +31,8 @@ struct PeakPressure : PressureMaximum {
 };
 
 /**
- * Returns the maximum, outside of given edges, of a pressure that is recovered from the means over
+ * Returns the maximum, outside of given edges and on the patches that @p belong (all without it),
+ * of a pressure that is recovered from the means over
  * patches; empty if nothing presses. Where both neighbours of a patch press, the recovered pressure
  * is the parabola with the means of the three patches, elsewhere RecoveredPressure. Both are of
  * second order. Where patches have polynomials, the maximum is the largest value of -p_H on the
@@ -43,5 +45,6 @@ struct PeakPressure : PressureMaximum {
 template <int dim>
 std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<dim> &multipliers,
                                              const Pressure &P,
-                                             const std::vector<SingularEdge<dim>> &outside_of = {});
+                                             const std::vector<SingularEdge<dim>> &outside_of = {},
+                                             const std::function<bool(unsigned int)> &belong = {});
 } // namespace Signorini

@@ -8,6 +8,7 @@
 #include <signorini/postprocessing/fields/nodal_forces.h>
 #include <signorini/postprocessing/quantities/answer_vector.h>
 #include <signorini/postprocessing/quantities/contact_zones.h>
+#include <signorini/postprocessing/quantities/peak_pressure.h>
 
 #include <optional>
 #include <string>
@@ -28,6 +29,15 @@ struct SideForce {
   std::optional<AnswerVector> through;
 };
 
+/** The force through a contact, or through a zone of it, on one of its bodies. */
+struct ContactForce : SideForce {
+  /** The name of the side of the other body; empty where the foundation is rigid. */
+  std::string other;
+  PairSide acts_on = PairSide::first;
+  /** The largest pressure; none where nothing presses, and on second bodies. */
+  std::optional<PressureMaximum> peak = {};
+};
+
 /** Returns the force of a resultant. Its line of action is given by the point nearest to @p centre
  * (in 3-D, where the moment is parallel to the force); there is none where the force is rounding
  * compared with @p scale. */
@@ -35,24 +45,31 @@ template <int dim>
 SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
                      const Point<dim> &centre, double scale);
 
-/** Returns the contact sides over which the contact force is summed: those on the rigid foundation.
- * Forces between bodies cancel, so where all sides are in pairs it is the first side alone. */
+/** Returns the numbers of the contacts over which the contact force is summed: those with the rigid
+ * foundation. Forces between bodies cancel, so where all are of bodies it is the first one alone.
+ */
 template <int dim>
-std::vector<unsigned int> sides_of_contact_force(const Scene<dim> &scene);
+std::vector<unsigned int> contacts_of_contact_force(const Scene<dim> &scene);
 
-/** Returns ∫ p_H n, with friction ∫ p_H n + q_H t, over contact sides, with the name of a single
- * one; or the forces on the second bodies of pairs. The line of action is given by its point
- * nearest to the centre of pressure, which lies on a straight side. */
+/** Returns ∫ p_H n, with friction ∫ p_H n + q_H t, over contacts, with the name of the side of a
+ * single one; or the forces on the second bodies. The line of action is given by its point nearest
+ * to the centre of pressure, which lies on a straight side. */
 template <int dim>
 SideForce contact_force(const MultiplierSpace<dim> &multipliers,
-                        const std::vector<unsigned int> &sides, const Multiplier &multiplier,
+                        const std::vector<unsigned int> &contacts, const Multiplier &multiplier,
                         PairSide acts_on = PairSide::first);
 
+/** Returns the forces of all contacts: those on the first body, and behind each that on the second
+ * one. */
+template <int dim>
+std::vector<ContactForce> contact_forces(const MultiplierSpace<dim> &multipliers,
+                                         const Multiplier &multiplier);
+
 /** Returns the forces of contact zones on the (first) bodies, in their order. A piece between two
- * zones belongs to the nearer one: the forces of all zones of a side sum up to that of the side. */
-std::vector<SideForce> zone_forces(const MultiplierSpace<2> &multipliers,
-                                   const Multiplier &multiplier,
-                                   const std::vector<ContactZone> &zones);
+ * zones belongs to the nearer one: the forces of all zones of a contact sum up to its force. */
+std::vector<ContactForce> zone_forces(const MultiplierSpace<2> &multipliers,
+                                      const Multiplier &multiplier,
+                                      const std::vector<ContactZone> &zones);
 
 /**
  * Returns the reaction of every clamped, prescribed and roller side: the sum of

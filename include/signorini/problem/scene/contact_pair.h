@@ -3,24 +3,32 @@
 
 #include <signorini/problem/scene/scene.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace Signorini {
-/** A contact side and its partner, a rigid foundation or a side of another body, with the data that
- * the scene prescribes between them. */
+/** A contact of a scene: a side and its partner, a rigid foundation or a side of another body, with
+ * the data that the scene prescribes between them. */
 template <int dim>
 class ContactPair {
 public:
-  /** The scene must outlive the object. @param side a contact side. */
-  ContactPair(const Scene<dim> &scene, const unsigned int side)
+  /** The scene must outlive the object. @param number of the contact in Scene::contacts. */
+  ContactPair(const Scene<dim> &scene, const unsigned int number)
     : scene_(scene)
-    , side_(side) {}
+    , number_(number) {}
 
-  /** Returns the number of the contact side. */
+  /** Returns the number of the contact in Scene::contacts. */
+  unsigned int number() const {
+    return number_;
+  }
+  const ContactCondition<dim> &data() const {
+    return scene_.contacts[number_];
+  }
+  /** Returns the number of the side on which Γ_c lies. */
   unsigned int side() const {
-    return side_;
+    return data().side;
   }
   /** Returns the number of the side of the other body; none where the foundation is rigid. */
   const std::optional<unsigned int> &other_side() const {
@@ -30,6 +38,10 @@ public:
   std::string other_name() const {
     return other_side() ? scene_.geometry.sides[*other_side()].name() : std::string();
   }
+  /** Returns the name of the side, or of both: "roller.arc with plate.top". */
+  std::string name() const {
+    return scene_.geometry.sides[side()].name() + (other_side() ? " with " + other_name() : "");
+  }
   /**
    * Returns the number of the carrier: of both sides the one whose body is more compliant, on whose
    * faces the traction of both is best given. Its own compliance keeps C = C_1 + C_2 >= C_1 stable
@@ -37,9 +49,19 @@ public:
    * carrier.
    */
   unsigned int carrier() const;
-  /** Returns the gap g at a point of the contact side. @throws InputError where it has no value. */
+  /** Returns whether an arc length of the side lies in the part where two bodies may touch. */
+  bool contains(double s) const;
+  /** Returns the direction m of contact at a point of the side. */
+  Tensor<1, dim> direction(const Point<dim> &x) const {
+    const auto s = scene_.geometry.sides[side()].coordinates(x);
+    const Tensor<1, dim> n = scene_.geometry.sides[side()].normal(s);
+    if constexpr (dim == 2)
+      return data().directions.at(s[0], x, n);
+    return n;
+  }
+  /** Returns the gap g at a point of the side. @throws InputError where it has no value. */
   double gap(const Point<dim> &x) const {
-    return data().data->value(x);
+    return data().gap->value(x);
   }
   /** Returns a component of the motion g_t of the foundation. */
   double shift(const Point<dim> &x, const unsigned int component = 0) const {
@@ -52,34 +74,36 @@ public:
   }
 
 private:
-  const BoundaryCondition<dim> &data() const {
-    return scene_.boundary[side_];
-  }
-
   const Scene<dim> &scene_;
-  unsigned int side_;
+  unsigned int number_;
 };
 
-/** Returns the pairs of the contact sides. */
+/** Returns all contacts. */
 template <int dim>
 std::vector<ContactPair<dim>> contact_pairs(const Scene<dim> &scene) {
   std::vector<ContactPair<dim>> pairs;
-  for (const unsigned int side : scene.contact_sides())
-    pairs.emplace_back(scene, side);
+  for (unsigned int i = 0; i < scene.contacts.size(); ++i)
+    pairs.emplace_back(scene, i);
   return pairs;
 }
 
-/** Returns the pair of a contact side, or of the side that touches it. */
+/** Returns the contact of a side that is in one only, on either body. */
 template <int dim>
 ContactPair<dim> pair_with(const Scene<dim> &scene, const unsigned int side) {
-  for (const ContactPair<dim> &pair : contact_pairs(scene))
-    if (pair.other_side() == side)
-      return pair;
-  return {scene, side};
+  const std::vector<ContactPair<dim>> pairs = contact_pairs(scene);
+  const auto found = std::find_if(pairs.begin(), pairs.end(), [side](const ContactPair<dim> &pair) {
+    return pair.side() == side || pair.other_side() == side;
+  });
+  Assert(found != pairs.end(), ExcMessage("The side may touch something."));
+  return *found;
 }
 
-/** Returns whether the body may touch something on a side of this role. */
-inline bool may_touch(const Role role) {
-  return role == Role::contact || role == Role::opposite;
+/** Returns the directions of the contact on a side that is in one only; those of n where Γ_c lies
+ * on no or on the other body. */
+inline ContactDirections directions_on(const Scene<2> &scene, const unsigned int side) {
+  for (const ContactCondition<2> &contact : scene.contacts)
+    if (contact.side == side)
+      return contact.directions;
+  return {};
 }
 } // namespace Signorini

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
-#include <signorini/problem/geometry/curve.h>
+#include <signorini/problem/geometry/geometry.h>
 
 #include <vector>
 
@@ -18,9 +18,10 @@ struct FacingPart {
 
 /**
  * Returns the parts of @p first, sorted, from whose points x the line along the outward normal n
- * meets @p second at a point with an outward normal m, m.n < -@p least, 0 <= least < 1. On a piece
- * of each this changes only where the line goes through an end of the other piece, or where m.n =
- * -least: the parts are exact, however short they are.
+ * meets @p second at a point with an outward normal m, m.n < -@p least, 0 <= least < 1, and its
+ * circle nowhere nearer: the back of a disc does not face what lies behind it. On a piece of each
+ * this changes only where the line goes through an end of the other piece, where m.n = -least, or
+ * where both points of a circle are equally far: the parts are exact, however short they are.
  */
 std::vector<FacingPart> facing_parts(const Curve &first, const Curve &second, double least);
 
@@ -28,7 +29,12 @@ std::vector<FacingPart> facing_parts(const Curve &first, const Curve &second, do
  * and their mean never graze a side. */
 constexpr double grazing = 0.5;
 
-/** Returns the shortest part of @p first that contains all its parts with m.n < -grazing. These
- * must exist. */
-FacingPart overlap_of(const Curve &first, const Curve &second);
+/** Returns those of facing_parts() from which @p second is seen: at some point of them the line
+ * meets no body of the geometry on its way. A disc between two rings sees each of them on one side.
+ */
+std::vector<FacingPart> seen_parts(const Curve &first, const Curve &second, double least,
+                                   const Geometry<2> &geometry);
+
+/** Returns the shortest part of a curve that contains all of some parts of it; there are any. */
+FacingPart hull_of(const Curve &curve, const std::vector<FacingPart> &parts);
 } // namespace Signorini

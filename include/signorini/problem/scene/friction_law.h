@@ -12,18 +12,19 @@
 
 namespace Signorini {
 template <int dim>
-struct BoundaryCondition;
+struct ContactCondition;
 struct ContactParameters;
 template <typename T>
 struct Given;
 
-/** A limit of the traction |q| along a contact side: a function of the side, or this times |p|. */
+/** A limit of the traction |q| along a contact side: a function of the contact, or this times |p|.
+ */
 template <int dim>
 struct FrictionLimit {
   /** As in "friction coefficient". */
   const char *name;
-  /** The function, among the data of the side. */
-  std::shared_ptr<const dealii::Function<dim>> BoundaryCondition<dim>::*data;
+  /** The function, among the data of the contact. */
+  std::shared_ptr<const dealii::Function<dim>> ContactCondition<dim>::*data;
   bool follows_pressure;
   /** The entry that gives the function. */
   Given<std::string> ContactParameters::*entry;
@@ -44,7 +45,7 @@ public:
   const std::vector<FrictionLimit<dim>> &limits() const;
   /** Returns the bound of |q| at a point of a contact side with the traction @p p along the
    * direction of contact; infinite without limits. */
-  double bound(const BoundaryCondition<dim> &side, const dealii::Point<dim> &x, double p) const;
+  double bound(const ContactCondition<dim> &contact, const dealii::Point<dim> &x, double p) const;
   /** Returns the name, as in the parameter file. */
   std::string name() const {
     return to_text(kind_);

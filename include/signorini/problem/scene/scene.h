@@ -47,12 +47,8 @@ enum class Role {
   displacement,
   /** sigma n is given. */
   traction,
-  /** u.m <= g, sigma n = p m, p <= 0, p (u.m - g) = 0 with the direction m of contact, mostly n;
-   * or with the law of friction across m. */
-  contact,
-  /** A contact side of another body touches this one, whose traction is that of the contact side
-   * with the other sign. */
-  opposite
+  /** The side may touch a foundation or other bodies: Scene::contacts; elsewhere sigma n = 0. */
+  contact
 };
 
 /** Returns "free", "clamped", ... */
@@ -65,20 +61,36 @@ using FunctionPointer = std::shared_ptr<const Function<dim>>;
 template <int dim>
 struct BoundaryCondition {
   Role role = Role::free;
-  /** The prescribed displacement or traction (dim components), or the gap (one component); else
-   * empty. */
-  FunctionPointer<dim> data;
-  /** The exact contact pressure p = sigma_n of a contact side, if known. */
-  FunctionPointer<dim> exact_pressure;
-  /** The number of the side of another body that a contact side may touch; then u.n is that of both
-   * bodies along the normals of the contact side. None where the foundation is rigid. */
+  /** The prescribed displacement or traction (dim components); else empty. */
+  FunctionPointer<dim> data = nullptr;
+};
+
+/**
+ * Contact of one side with a rigid foundation, or with a side of another body:
+ *
+ *     u.m <= g, sigma n = p m, p <= 0, p (u.m - g) = 0
+ *
+ * with the direction m of contact, mostly n; or with the law of friction across m. Between two
+ * bodies u is the difference of both, and the traction on the other one has the other sign. A side
+ * may be in any number of contacts, each on a part of it.
+ */
+template <int dim>
+struct ContactCondition {
+  /** The number of the side on which Γ_c of this contact lies: its points and normals count. */
+  unsigned int side = 0;
+  /** The number of the side of the other body; none where the foundation is rigid. */
   std::optional<unsigned int> opposite = {};
-  /** The number of equal patches of a contact side, aligned with nothing; zero where patches are
-   * groups of faces. */
+  /** With another body: the arc lengths between which they may touch; around a closed side @p to
+   * may exceed its length (length). */
+  double from = 0., to = 0.;
+  /** The gap g, one component. */
+  FunctionPointer<dim> gap = nullptr;
+  /** The exact contact pressure p = sigma_n, if known. */
+  FunctionPointer<dim> exact_pressure = nullptr;
+  /** The number of equal patches, aligned with nothing; zero where patches are groups of faces. */
   unsigned int n_patches = 0;
-  /** The obstacles of a contact side whose gap is the distance to them; foundation_gap(side,
-   * foundation, position, directions) computes the gap for another position of theirs. Else empty.
-   */
+  /** The obstacles, where the gap is the distance to them; foundation_gap(side, foundation,
+   * position, directions) computes the gap for another position of theirs. Else empty. */
   std::shared_ptr<const Foundation> foundation = nullptr;
   /** The directions of contact, in 2-D. Load cases that move the foundation keep them. */
   ContactDirections directions = {};
@@ -87,7 +99,7 @@ struct BoundaryCondition {
    * counts. The tangent t is m turned counter-clockwise. */
   FunctionPointer<dim> coefficient = nullptr, bound = nullptr;
   FunctionPointer<dim> shift = nullptr;
-  /** The exact tangential traction q = σn·t of a contact side, if known. */
+  /** The exact tangential traction q = σn·t, if known. */
   FunctionPointer<dim> exact_tangential = nullptr;
 };
 
@@ -102,6 +114,8 @@ struct Scene {
   Geometry<dim> geometry;
   /** boundary[i] belongs to geometry.sides[i]. */
   std::vector<BoundaryCondition<dim>> boundary;
+  /** The contacts, by side; those of one side in the order in which they are given. */
+  std::vector<ContactCondition<dim>> contacts;
   /** The sides that rigid plates move (2-D only). Their role is displacement; their data is the
    * given part of the motion, and all of it once it is known (with_plates_moved()). */
   std::vector<Plate> plates;
@@ -110,7 +124,7 @@ struct Scene {
   bool is_held_by_contact = false;
   /** Other loads for which the finest level is solved, too. */
   std::vector<LoadCase> load_cases;
-  /** The law of friction of all contact sides. */
+  /** The law of friction of all contacts. */
   FrictionLaw<dim> contact_law;
   std::shared_ptr<const Material<dim>> material;
   /** The body force f of (1), dim components; empty means zero. */
@@ -125,15 +139,13 @@ struct Scene {
    * moduli, nothing where these are constant on cells. */
   Kinks<dim> kinks, law_kinks;
 
-  /** Returns the numbers of the contact sides gamma_{c,i}, i = 1..n_g. */
-  std::vector<unsigned int> contact_sides() const;
-  /** Returns whether a contact side touches another body. */
+  /** Returns whether two bodies may touch. */
   bool has_pairs() const;
-  /** Returns the direction m of contact at a point of a side; on sides of other roles n. */
-  Tensor<1, dim> contact_direction(unsigned int side, const Point<dim> &x) const;
-  /** Returns BoundaryCondition::n_patches of all sides. */
+  /** Returns ContactCondition::n_patches of all contacts. */
   std::vector<unsigned int> given_patches() const;
-  /** Returns whether p is known on every contact side. */
+  /** Returns whether Γ_c of a contact lies on a side. */
+  bool has_contact_on(unsigned int side) const;
+  /** Returns whether p is known in every contact. */
   bool has_exact_pressure() const;
 };
 

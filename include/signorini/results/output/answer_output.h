@@ -13,6 +13,9 @@ namespace Signorini {
 void print_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
                   const std::filesystem::path &directory);
 
+/** Writes contacts.csv: a row for each contact, and behind it one for each of its zones. */
+void write_contacts_csv(std::ostream &stream, const Answer &answer);
+
 /** Writes answer.json: the answer with all digits. */
 void write_answer(std::ostream &stream, const std::vector<LevelRecord> &levels,
                   const StudyVerdict &verdict);

@@ -75,8 +75,9 @@ struct ContactPoint {
 template <int dim>
 struct ContactPiece {
   std::string side;
-  /** The numbers of the side in the geometry, of the contact face and of the patch. */
-  unsigned int side_number, face, patch;
+  /** The numbers of the contact in the scene, of its side in the geometry, of the contact face and
+   * of the patch. */
+  unsigned int contact, side_number, face, patch;
   /** The length or area |tau| of the patch. */
   double patch_measure;
   /** The number of the side of another body that it may touch. */
@@ -93,12 +94,13 @@ struct ContactPiece {
 
   template <typename Archive>
   void serialize(Archive &archive, unsigned int) {
-    archive &side &side_number &face &patch &patch_measure &has_direction &rows &corners;
+    archive &side &contact &side_number &face &patch &patch_measure &has_direction &rows &corners;
     archive_optional(archive, other_side);
   }
 };
 
-/** The contact boundary piece by piece, side after side, in 2-D in the order of arc length. */
+/** The contact boundary piece by piece, contact after contact, in 2-D in the order of arc length.
+ */
 template <int dim>
 using TracedContact = std::vector<ContactPiece<dim>>;
 

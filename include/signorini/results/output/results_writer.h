@@ -39,7 +39,7 @@ public:
 
   /** Writes convergence.csv and certificate.json for the levels so far. */
   void write_tables(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
-  /** Writes answer.json, after the last level. Collective. */
+  /** Writes answer.json and contacts.csv, after the last level. Collective. */
   void write_answer(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
   /** Draws the pictures, if they are wanted, after the last level. Collective. @return one sentence
    * about missing pictures, on the first rank; empty if none is missing. */

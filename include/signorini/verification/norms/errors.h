@@ -26,7 +26,7 @@ DisplacementErrors compute_displacement_errors(const DisplacedBody<dim> &body,
 template <int dim>
 PressureErrors compute_pressure_errors(
   const MultiplierSpace<dim> &space, const Pressure &P, unsigned int n_points,
-  FunctionPointer<dim> BoundaryCondition<dim>::*exact = &BoundaryCondition<dim>::exact_pressure);
+  FunctionPointer<dim> ContactCondition<dim>::*exact = &ContactCondition<dim>::exact_pressure);
 
 /**
  * Returns the largest distance between an end of the exact contact zones and the nearest end of a

@@ -6,7 +6,6 @@
 #include <signorini/results/verdict/exact_errors.h>
 #include <signorini/verification/norms/cosine_norm.h>
 
-#include <map>
 #include <vector>
 
 namespace Signorini {
@@ -33,6 +32,7 @@ public:
 
 private:
   const Scene<dim> &scene_;
-  std::map<unsigned int, typename CosineNorm<dim>::Modes> coefficients_;
+  /** Those of each contact. */
+  std::vector<typename CosineNorm<dim>::Modes> coefficients_;
 };
 } // namespace Signorini
