@@ -138,11 +138,14 @@ Singularity *kink_in(const Singularity &end, std::vector<Singularity> &singulari
   return nullptr;
 }
 
-/** Returns the end of contact of the mesh before that is nearest on the same side. */
+/** Returns the end of contact of the mesh before that is nearest on the same side, or the point of
+ * the first touch, from which both ends of a zone come. */
 const Singularity *end_before(const Singularity &end, const MeshPlan &plan) {
   const Singularity *found = nullptr;
   for (const Singularity &known : plan.singularities)
-    if (known.kind == Singularity::Kind::end_of_contact && known.side == end.side &&
+    if ((known.kind == Singularity::Kind::end_of_contact ||
+         known.kind == Singularity::Kind::first_touch) &&
+        known.side == end.side &&
         (found == nullptr || known.point.distance(end.point) < found->point.distance(end.point)))
       found = &known;
   return found;
