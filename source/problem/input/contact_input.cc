@@ -272,9 +272,47 @@ std::vector<unsigned int> partners_of(const unsigned int first, const Scene<2> &
   }
   return partners;
 }
+
+/** Returns the curvature of a side, positive where its body is convex (1/length); none of chains,
+ * whose curvature varies. */
+std::optional<double> curvature(const Side<2> &side) {
+  if (side.is_flat())
+    return 0.;
+  if (!(side.radius() > 0.))
+    return {};
+  const Point<2> x = side.centre();
+  return std::copysign(1. / side.radius(),
+                       (x - side.centre_of_circle()) * side.normal(side.arc_length(x)));
+}
+
+/** Exchanges the sides of pairs in which the second one bulges more, or as much and is softer. The
+ * points of a pair lie on the normals of its first side: numbers do not depend on which one is
+ * named first. Flat sides, and sides in several pairs, stay as they are named. */
+void order_sides(Scene<2> &scene) {
+  constexpr double rounding = 1e-10;
+  const auto n_contacts = [&](const unsigned int side) {
+    return std::count_if(scene.contacts.begin(), scene.contacts.end(), [side](const auto &contact) {
+      return contact.side == side || contact.opposite == side;
+    });
+  };
+  for (const ContactPair<2> &pair : contact_pairs(scene)) {
+    ContactCondition<2> &contact = scene.contacts[pair.number()];
+    if (!contact.opposite || n_contacts(contact.side) > 1 || n_contacts(*contact.opposite) > 1)
+      continue;
+    const auto first = curvature(scene.geometry.sides[contact.side]),
+               second = curvature(scene.geometry.sides[*contact.opposite]);
+    if (!first || !second || (*first == 0. && *second == 0.))
+      continue;
+    const double difference = *second - *first,
+                 small = rounding * std::max(std::abs(*first), std::abs(*second));
+    if (difference > small || (difference > -small && pair.carrier() == *contact.opposite))
+      std::swap(contact.side, *contact.opposite);
+  }
+}
 } // namespace
 
-void add_pairs(const std::vector<SidePair> &pairs, const Entry &entry, Scene<2> &scene) {
+void add_pairs(const std::vector<SidePair> &pairs, const bool may_exchange, const Entry &entry,
+               Scene<2> &scene) {
   std::vector<SidePair> named;
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(named),
                [](const SidePair &pair) { return pair.second.has_value(); });
@@ -292,15 +330,16 @@ void add_pairs(const std::vector<SidePair> &pairs, const Entry &entry, Scene<2> 
       scene.boundary[second].role = Role::contact;
     }
   }
-  std::vector<std::pair<ContactCondition<2>, bool>> contacts;
-  for (const ContactCondition<2> &contact : scene.contacts)
-    contacts.emplace_back(contact, false);
-  for (std::size_t i = 0; i < named.size(); ++i) {
-    ContactCondition<2> contact;
-    contact.side = named[i].first;
-    contact.opposite = named[i].second;
-    contacts.emplace_back(contact, i >= n_named);
+  const std::size_t n_before = scene.contacts.size();
+  for (const SidePair &pair : named) {
+    scene.contacts.emplace_back().side = pair.first;
+    scene.contacts.back().opposite = pair.second;
   }
+  if (may_exchange)
+    order_sides(scene);
+  std::vector<std::pair<ContactCondition<2>, bool>> contacts;
+  for (std::size_t i = 0; i < scene.contacts.size(); ++i)
+    contacts.emplace_back(scene.contacts[i], i >= n_before + n_named);
   std::stable_sort(contacts.begin(), contacts.end(),
                    [](const auto &a, const auto &b) { return a.first.side < b.first.side; });
   scene.contacts.clear();

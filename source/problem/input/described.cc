@@ -109,7 +109,8 @@ std::shared_ptr<const Material<dim>> read_material(const MaterialParameters &giv
 
 /** Gives sides their roles; a side has one role only. */
 template <int dim>
-void read_boundary(const BoundaryParameters &given, const LoadParameters &load, Scene<dim> &scene) {
+void read_boundary(const BoundaryParameters &given, const LoadParameters &load,
+                   const bool has_numbers_only, Scene<dim> &scene) {
   const std::vector<std::string> sides = scene.geometry.side_names();
   scene.boundary.resize(sides.size());
   // The entry that named each side; null for a side without a role.
@@ -157,7 +158,7 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load, 
   }
   if constexpr (dim == 2) {
     hold_on_axis(entries, scene);
-    add_pairs(pairs, given.contact, scene);
+    add_pairs(pairs, has_numbers_only, given.contact, scene);
   }
   if (scene.contacts.empty())
     throw error_at(given.contact, "no contact side is given, allowed: one or more of ", join(sides),
@@ -286,7 +287,15 @@ Scene<dim> make_described_scene(const Parameters &parameters) {
                          "a plane body",
                          "Plane state = " + to_text(parameters.material.plane_state.value));
   scene.material = read_material(parameters.material, scene.geometry);
-  read_boundary(parameters.boundary, parameters.load, scene);
+  const ContactParameters &contact = parameters.contact;
+  const Given<std::string> *const data[] = {&contact.gap, &contact.friction_coefficient,
+                                            &contact.friction_bound, &contact.foundation_shift,
+                                            &parameters.exact.pressure};
+  const bool has_numbers_only =
+    std::all_of(std::begin(data), std::end(data), [](const auto *entry) {
+      return entry->value.find_first_not_of("0123456789.eE+- ") == std::string::npos;
+    });
+  read_boundary(parameters.boundary, parameters.load, has_numbers_only, scene);
   read_gaps(parameters, scene);
   read_friction(parameters, scene);
   read_exact_pressure(parameters.exact.pressure, scene);

@@ -74,8 +74,11 @@ std::vector<SidePair> read_pairs(const Given<std::string> &given, unsigned int d
 
 /** Adds the contacts of pairs behind those that the scene has, with the parts on which they lie:
  * where one lies behind another one, the nearer partner counts. Partners of '*' are all sides of
- * other bodies without another role that the side sees. @throws InputError */
-void add_pairs(const std::vector<SidePair> &pairs, const Entry &entry, Scene<2> &scene);
+ * other bodies without another role that the side sees.
+ * @param may_exchange whether no formula belongs to the side that is named first.
+ * @throws InputError */
+void add_pairs(const std::vector<SidePair> &pairs, bool may_exchange, const Entry &entry,
+               Scene<2> &scene);
 
 /** The smallest -m.n that two sides must have somewhere: 30 degrees. */
 constexpr double facing = 0.8660254037844386;
