@@ -409,16 +409,15 @@ void test_refusals(Checks &checks) {
           "the name of a side, the word 'with'");
   refuses("a pair twice", blocks + pair.substr(0, pair.size() - 1) + " | b.top with a.bottom\n",
           "each pair once");
-  const std::string three = "Geometry/Bodies = a b c\nGeometry/Cells = 2, 2\n"
-                            "Geometry/Lower left = a: 0, -1 | b: 0, 0 | c: ";
-  refuses("one over the other",
-          three + "0, 1\nGeometry/Upper right = a: 2, 0 | b: 2, 1 | c: 2, 2\n"
-                  "Boundary/Contact = a.top with b.bottom c.bottom\nBoundary/Clamped = a.bottom\n",
-          "do not face each other");
-  refuses("one in the middle of the other",
-          three + "0, 1\nGeometry/Upper right = a: 2, 0 | b: 1, 0.5 | c: 2, 2\n"
-                  "Boundary/Contact = a.top with b.bottom c.bottom\nBoundary/Clamped = a.bottom\n",
-          "lies in the middle");
+  // The upper block sees the lower one's top beside the small block between them.
+  const auto three = [](const std::string &small) {
+    return "Geometry/Bodies = a b c\nGeometry/Cells = 2, 2\nGeometry/Lower left = a: 0, -1 | b: " +
+           small +
+           " | c: 0, 1\nGeometry/Upper right = a: 2, 0 | b: 1.5, 0.5 | c: 2, 2\n"
+           "Boundary/Contact = a.top with b.bottom c.bottom\nBoundary/Clamped = a.bottom\n";
+  };
+  refuses("one in the middle of the other", three("0.5, 0"), "lies in the middle");
+  refuses("beside it, where only the free bodies are wrong", three("0, 0"), "of the body free");
   refuses("nothing for '*'", blocks + "Boundary/Contact = a.top with *\n",
           "no side of another body");
   refuses("a body that nothing presses", blocks + pair + "Boundary/Traction = a.top: 0; 0.01\n",

@@ -165,7 +165,8 @@ void check_closed_side(Checks &checks) {
   for (unsigned int c = 0; c < modes.size(); ++c)
     modes[c] = (c - 1) % 4096 < 100 ? modes[c] : 0.;
   dealii::Vector<double> nothing(1);
-  checks.near("closed side, harmonics", circle.distance(modes, {0., 2. * pi}, nothing),
+  checks.near("closed side, harmonics",
+              circle.distance(modes, std::vector<double>{0., 2. * pi}, nothing),
               std::sqrt(pi * (9. / std::sqrt(5.) + 1. / std::sqrt(26.))), 1e-12);
 }
 
