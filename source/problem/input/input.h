@@ -102,10 +102,15 @@ std::vector<std::string> contact_names(const Scene<dim> &scene) {
 /** Returns these names in place of their sides, and the names of all other sides. */
 template <int dim>
 std::vector<std::string> names_with_contacts(const Scene<dim> &scene) {
-  std::vector<std::string> names = contact_names(scene);
-  for (unsigned int side = 0; side < scene.geometry.sides.size(); ++side)
+  const std::vector<std::string> of_contacts = contact_names(scene);
+  std::vector<std::string> names;
+  for (unsigned int side = 0; side < scene.geometry.sides.size(); ++side) {
+    for (std::size_t i = 0; i < of_contacts.size(); ++i)
+      if (scene.contacts[i].side == side)
+        names.push_back(of_contacts[i]);
     if (!scene.has_contact_on(side))
       names.push_back(scene.geometry.sides[side].name());
+  }
   return names;
 }
 
