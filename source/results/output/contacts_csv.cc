@@ -16,8 +16,8 @@ struct ForceRow {
 
 /** Returns a column for each component of a vector that a row may lack. */
 void add_components(const std::string &name, const std::size_t n,
-                const std::function<const AnswerVector *(const ForceRow &)> &vector,
-                Columns<ForceRow> &columns) {
+                    const std::function<const AnswerVector *(const ForceRow &)> &vector,
+                    Columns<ForceRow> &columns) {
   for (std::size_t d = 0; d < n; ++d)
     columns.push_back({name + (n == 1 ? "" : std::string("_") + "xyz"[d]),
                        [vector, d](const ForceRow &row) -> std::optional<double> {
