@@ -95,8 +95,8 @@ public:
     if (scene.body_force == nullptr)
       return;
     const Mesh<2> mesh(
-      scene.geometry, plan.base_level, plan.guides, [](const auto &, unsigned int) { return false; },
-      1);
+      scene.geometry, plan.base_level, plan.guides,
+      [](const auto &, unsigned int) { return false; }, 1);
     for (const auto &cell : mesh.triangulation().active_cell_iterators())
       force_ += variation_and_sum(scene, cell).second;
   }
