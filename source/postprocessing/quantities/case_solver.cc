@@ -125,7 +125,9 @@ CaseResult CaseSolver::solve(const LoadCase &load_case) {
   const std::vector<unsigned int> contacts = contacts_of_contact_force(scene_);
   for (const Piece<2> &piece : surface.pieces())
     if (std::count(contacts.begin(), contacts.end(), surface.patches()[piece.patch].contact) > 0)
-      result.contact += PairedPiece<2>(surface, piece).resultant(discretization_.multipliers, P_);
+      result.contact +=
+        PairedPiece<2>(surface, piece)
+          .resultant(discretization_.multipliers, P_, body_of_contact_force(scene_));
   if (const auto peak = peak_pressure(discretization_.multipliers, P_.normal()))
     result.peak_pressure = peak->value;
   for (const ContactZone &zone : contact_zones(discretization_.multipliers, P_.normal())) {

@@ -49,6 +49,12 @@ std::vector<unsigned int> contacts_of_contact_force(const Scene<dim> &scene) {
   return contacts;
 }
 
+template <int dim>
+PairSide body_of_contact_force(const Scene<dim> &scene) {
+  const unsigned int first = contacts_of_contact_force(scene).front();
+  return scene.contacts[first].is_exchanged ? PairSide::second : PairSide::first;
+}
+
 namespace {
 /** Returns the force of the pieces that belong to a part of Γ_c with a name. */
 template <int dim, typename Belongs>
@@ -121,6 +127,8 @@ std::vector<ContactForce> contact_forces(const MultiplierSpace<dim> &multipliers
     forces.push_back({contact_force(multipliers, {pair.number()}, multiplier, PairSide::second),
                       own, PairSide::second});
     forces.back().side = pair.other_name();
+    if (pair.data().is_exchanged)
+      std::swap(forces.back(), forces[forces.size() - 2]);
   }
   return forces;
 }
@@ -299,6 +307,7 @@ ReactionFunctionals::of(const Displacement &U, const DualVector &forces) const {
 
 INSTANTIATE_FUNCTION(side_force);
 INSTANTIATE_FUNCTION(contacts_of_contact_force);
+INSTANTIATE_FUNCTION(body_of_contact_force);
 INSTANTIATE_FUNCTION(contact_force);
 INSTANTIATE_FUNCTION(contact_forces);
 INSTANTIATE_FUNCTION(reactions);

@@ -305,8 +305,10 @@ void order_sides(Scene<2> &scene) {
       continue;
     const double difference = *second - *first,
                  small = rounding * std::max(std::abs(*first), std::abs(*second));
-    if (difference > small || (difference > -small && pair.carrier() == *contact.opposite))
+    if (difference > small || (difference > -small && pair.carrier() == *contact.opposite)) {
       std::swap(contact.side, *contact.opposite);
+      contact.is_exchanged = true;
+    }
   }
 }
 } // namespace

@@ -51,6 +51,10 @@ SideForce side_force(const std::string &name, const Resultant<dim> &resultant,
 template <int dim>
 std::vector<unsigned int> contacts_of_contact_force(const Scene<dim> &scene);
 
+/** Returns the body on which that force acts: that of the side that is named first. */
+template <int dim>
+PairSide body_of_contact_force(const Scene<dim> &scene);
+
 /** Returns ∫ p_H n, with friction ∫ p_H n + q_H t, over contacts, with the name of the side of a
  * single one; or the forces on the second bodies. The line of action is given by its point nearest
  * to the centre of pressure, which lies on a straight side. */
@@ -59,8 +63,8 @@ SideForce contact_force(const MultiplierSpace<dim> &multipliers,
                         const std::vector<unsigned int> &contacts, const Multiplier &multiplier,
                         PairSide acts_on = PairSide::first);
 
-/** Returns the forces of all contacts: those on the first body, and behind each that on the second
- * one. */
+/** Returns the forces of all contacts, in a pair those on both bodies, that of the side named first
+ * before the other one. */
 template <int dim>
 std::vector<ContactForce> contact_forces(const MultiplierSpace<dim> &multipliers,
                                          const Multiplier &multiplier);

@@ -80,6 +80,8 @@ struct ContactCondition {
   unsigned int side = 0;
   /** The number of the side of the other body; none where the foundation is rigid. */
   std::optional<unsigned int> opposite = {};
+  /** Whether the scene names the opposite side first: the force of contact is that on its body. */
+  bool is_exchanged = false;
   /** With another body: the arc lengths between which they may touch; around a closed side @p to
    * may exceed its length (length). */
   double from = 0., to = 0.;
