@@ -65,7 +65,7 @@ std::string decide_strategy(Parameters &parameters, const Scene<dim> &scene) {
     decide(given.strategy, strategy, to_text(strategy), parameters);
   }
   if (given.strategy == Strategy::hp && !given.coarsest_level.is_given) {
-    const unsigned int first = first_level(scene.geometry.n_coarse_cells * scene.geometry.division);
+    const unsigned int first = first_level(scene.geometry.n_graded_cells());
     decide(given.coarsest_level, first, std::to_string(first), parameters);
   }
   return sentence;

@@ -42,8 +42,7 @@ void require_few(const DiscretizationParameters &given, const double n_unknowns,
 MeshPlan make_first_plan(const Scene<2> &scene, const DiscretizationParameters &given) {
   MeshPlan plan = first_plan(scene, given.coarsest_level, given.maximum_degree);
   // Every cell is of degree 2: by Euler's formula there are more than four nodes for each.
-  const double fewest =
-    8. * scene.geometry.n_coarse_cells * scene.geometry.division * std::pow(4., plan.base_level);
+  const double fewest = 8. * scene.geometry.n_graded_cells() * std::pow(4., plan.base_level);
   require_few(given, fewest, "more than " + number_text(fewest));
   resolve_hidden_data(scene, plan);
   return plan;

@@ -67,14 +67,9 @@ std::vector<ZoneBracket> on_both_sides(const ZoneBracket &part, const Scene<2> &
     if (pair.side() != part.side || !pair.other_side() ||
         !pair.contains(0.5 * (part.from + part.to)))
       continue;
-    const Side<2> &side = scene.geometry.sides[part.side],
-                  &other = scene.geometry.sides[*pair.other_side()];
-    const auto across = [&](const double s) {
-      return other.arc_length(other.across(side.point(s), side.normal(s)));
-    };
-    double from = across(part.from), to = across(part.to);
-    if (other.is_closed()) // Both ends lie on one turn.
-      to += other.length() * std::round((from - to) / other.length());
+    const auto [from, to] =
+      part_across(scene.geometry.sides[part.side], scene.geometry.sides[*pair.other_side()],
+                  part.from, part.to);
     parts.push_back({*pair.other_side(), std::min(from, to), std::max(from, to)});
   }
   return parts;
@@ -297,8 +292,7 @@ MeshPlan first_plan(const Scene<2> &scene, const unsigned int base_level,
   plan.base_level = base_level;
   plan.max_element_degree = max_element_degree;
   const Tensor<1, 2> box = scene.geometry.upper - scene.geometry.lower;
-  plan.base_size =
-    cell_size(box, scene.geometry.n_coarse_cells * scene.geometry.division, base_level);
+  plan.base_size = cell_size(box, scene.geometry.n_graded_cells(), base_level);
   for (const ElasticBody<2> &body : scene.geometry.bodies)
     plan.base_sizes.push_back(cell_size(body.upper - body.lower, body.n_graded_cells, base_level));
   // Splits keep the shape of narrow cells. Points where data of a side changes need no such cells:

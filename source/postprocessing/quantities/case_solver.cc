@@ -123,11 +123,11 @@ CaseResult CaseSolver::solve(const LoadCase &load_case) {
     return result;
   const ContactSurface<2> &surface = discretization_.surface;
   const std::vector<unsigned int> contacts = contacts_of_contact_force(scene_);
+  const PairSide acts_on = body_of_contact_force(scene_);
   for (const Piece<2> &piece : surface.pieces())
     if (std::count(contacts.begin(), contacts.end(), surface.patches()[piece.patch].contact) > 0)
       result.contact +=
-        PairedPiece<2>(surface, piece)
-          .resultant(discretization_.multipliers, P_, body_of_contact_force(scene_));
+        PairedPiece<2>(surface, piece).resultant(discretization_.multipliers, P_, acts_on);
   if (const auto peak = peak_pressure(discretization_.multipliers, P_.normal()))
     result.peak_pressure = peak->value;
   for (const ContactZone &zone : contact_zones(discretization_.multipliers, P_.normal())) {

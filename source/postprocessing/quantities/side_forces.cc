@@ -102,9 +102,11 @@ SideForce contact_force(const MultiplierSpace<dim> &multipliers,
                         const PairSide acts_on) {
   const ContactSurface<dim> &surface = multipliers.surface();
   const Scene<dim> &scene = surface.scene();
-  const std::string name = contacts.size() == 1
-                             ? scene.geometry.sides[scene.contacts[contacts[0]].side].name()
-                             : std::string();
+  const ContactPair<dim> first(scene, contacts.front());
+  const std::string name = contacts.size() > 1 ? std::string()
+                           : acts_on == PairSide::second
+                             ? first.other_name()
+                             : scene.geometry.sides[first.side()].name();
   return force_of_pieces(name, multipliers, multiplier, acts_on, [&](const Piece<dim> &piece) {
     return std::count(contacts.begin(), contacts.end(), surface.patches()[piece.patch].contact) > 0;
   });
@@ -126,7 +128,6 @@ std::vector<ContactForce> contact_forces(const MultiplierSpace<dim> &multipliers
     const std::string own = forces.back().side;
     forces.push_back({contact_force(multipliers, {pair.number()}, multiplier, PairSide::second),
                       own, PairSide::second});
-    forces.back().side = pair.other_name();
     if (pair.data().is_exchanged)
       std::swap(forces.back(), forces[forces.size() - 2]);
   }

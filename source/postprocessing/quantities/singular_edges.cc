@@ -62,22 +62,26 @@ std::optional<unsigned int> nearest_unknown(const Point<dim> &x,
   return nearest;
 }
 
+/** Returns the condition on both sides at an unknown that presses. */
+template <int dim>
+EdgeCondition pressing_condition(const unsigned int k, const Multiplier &multiplier) {
+  if (!multiplier.has_tangential_part())
+    return {EdgeSupport::sliding};
+  if (multiplier.state(k).slip == State::inside)
+    return {EdgeSupport::held};
+  const bool rubs = multiplier.is_coupled() && dim == 2;
+  return {EdgeSupport::sliding, rubs ? multiplier.tangential()[0][k] / multiplier.normal()[k] : 0.};
+}
+
 /** Returns the condition on a side next to a point in the present state of contact. */
 template <int dim>
 EdgeCondition present_condition(const Point<dim> &x, const unsigned int side,
                                 const MultiplierSpace<dim> &multipliers,
                                 const Multiplier &multiplier) {
-  const Scene<dim> &scene = multipliers.surface().scene();
-  const std::optional<unsigned int> k = nearest_unknown(x, side, multipliers);
-  if (!k || !multiplier.presses(*k))
-    return possible_conditions(scene, side, x).front();
-  if (!multiplier.has_tangential_part())
-    return {EdgeSupport::sliding};
-  if (multiplier.state(*k).slip == State::inside)
-    return {EdgeSupport::held};
-  const bool rubs = multiplier.is_coupled() && dim == 2;
-  return {EdgeSupport::sliding,
-          rubs ? multiplier.tangential()[0][*k] / multiplier.normal()[*k] : 0.};
+  const std::optional<unsigned int> k = nearest_unknown<dim>(x, side, multipliers);
+  return k && multiplier.presses(*k)
+           ? pressing_condition<dim>(*k, multiplier)
+           : possible_conditions(multipliers.surface().scene(), side, x).front();
 }
 
 /** Returns the exponent of an edge that x lies next to, in the present state of contact. */
@@ -85,39 +89,46 @@ template <int dim>
 double present_exponent(const SingularEdge<dim> &edge, const Point<dim> &x,
                         const MultiplierSpace<dim> &multipliers, const Multiplier &multiplier) {
   const Point<dim> nearest = edge.nearest(x);
-  double exponent = 1.;
-  if (edge.of_pair < 1.)
+  if (edge.of_pair)
     if (const auto k = nearest_unknown<dim>(nearest, {}, multipliers); k && multiplier.presses(*k))
-      exponent = edge.of_pair;
-  return std::min(
-    exponent,
-    corner_exponent(edge.layers, present_condition(nearest, edge.sides[0], multipliers, multiplier),
-                    present_condition(nearest, edge.sides[1], multipliers, multiplier)));
+      return edge.of_pair(pressing_condition<dim>(*k, multiplier));
+  return corner_exponent(edge.layers,
+                         present_condition(nearest, edge.sides[0], multipliers, multiplier),
+                         present_condition(nearest, edge.sides[1], multipliers, multiplier));
 }
 
-/** Adds the corners of bodies that press into others, and the points across from them. */
-void add_paired_corners(const Scene<2> &scene, std::vector<SingularEdge<2>> &edges) {
+/** Returns SingularEdge::radius of a corner. */
+double radius_at(const Corner &corner, const std::vector<Corner> &all,
+                 const std::vector<Side<2>> &sides) {
+  double shortest = std::min(sides[corner.sides[0]].length(), sides[corner.sides[1]].length());
+  for (const Corner &other : all)
+    if (const double distance = other.position.distance(corner.position); distance > 0.)
+      shortest = std::min(shortest, distance);
+  return share_of_sides * shortest;
+}
+
+/** Returns the corners of bodies that press into others, and the points across from them. */
+std::vector<SingularEdge<2>> edges_of_pairs(const Scene<2> &scene, const std::vector<Corner> &all) {
+  std::vector<SingularEdge<2>> edges;
   for (const PairedCorner &paired : paired_corners(scene)) {
     if (paired.exponent >= max_singular_exponent)
       continue;
     const Corner &corner = paired.corner;
-    const Side<2> &other = scene.geometry.sides[paired.side];
-    const Point<2> across = other.point(paired.s);
-    const double radius =
-      share_of_sides * std::min({scene.geometry.sides[corner.sides[0]].length(),
-                                 scene.geometry.sides[corner.sides[1]].length(), other.length()});
+    const Point<2> across = scene.geometry.sides[paired.side].point(paired.s);
+    const double radius = radius_at(corner, all, scene.geometry.sides);
     edges.push_back({{{corner.position, corner.position}},
                      corner.sides,
                      layers_at(scene, corner),
                      radius,
-                     paired.exponent});
+                     paired.exponent_in});
     if (!paired.meets_corner)
       edges.push_back({{{across, across}},
                        {{paired.side, paired.side}},
                        {make_layer(scene.material->relative_hooke(across), PI)},
                        radius,
-                       paired.exponent});
+                       paired.exponent_in});
   }
+  return edges;
 }
 
 /** Returns the block of Hooke's tensor in the plane of two axes. */
@@ -150,33 +161,32 @@ Point<dim> SingularEdge<dim>::nearest(const Point<dim> &x) const {
 }
 
 std::vector<SingularEdge<2>> singular_edges(const Scene<2> &scene) {
-  std::vector<SingularEdge<2>> edges;
   if (scene.exact_displacement != nullptr)
-    return edges;
+    return {};
   std::vector<Corner> all = corners(scene.geometry);
   const std::size_t n_corners = all.size();
   for (const Corner &end : interface_ends(scene))
     all.push_back(end);
+  std::vector<SingularEdge<2>> edges = edges_of_pairs(scene, all);
+  // At a corner of a pair the other body is not rigid.
+  const std::vector<SingularEdge<2>> of_pairs = edges;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Corner &corner = all[i];
-    double shortest = std::min(scene.geometry.sides[corner.sides[0]].length(),
-                               scene.geometry.sides[corner.sides[1]].length());
-    const double rounding = 1e-4 * shortest;
-    bool is_known = false;
-    for (std::size_t j = 0; j < all.size(); ++j) {
-      const double distance = all[j].position.distance(corner.position);
-      is_known = is_known || (i >= n_corners && j < n_corners && distance < rounding);
-      if (j != i && distance > 0.)
-        shortest = std::min(shortest, distance);
-    }
+    const double rounding = 1e-4 * std::min(scene.geometry.sides[corner.sides[0]].length(),
+                                            scene.geometry.sides[corner.sides[1]].length());
+    bool is_known =
+      std::any_of(of_pairs.begin(), of_pairs.end(), [&corner](const SingularEdge<2> &edge) {
+        return edge.sides == corner.sides && edge.ends[0] == corner.position;
+      });
+    for (std::size_t j = 0; i >= n_corners && j < n_corners; ++j)
+      is_known = is_known || all[j].position.distance(corner.position) < rounding;
     if (!is_known)
       add_if_singular<2>({{{corner.position, corner.position}},
                           corner.sides,
                           layers_at(scene, corner),
-                          share_of_sides * shortest},
+                          radius_at(corner, all, scene.geometry.sides)},
                          scene, edges);
   }
-  add_paired_corners(scene, edges);
   return edges;
 }
 

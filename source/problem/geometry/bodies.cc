@@ -154,8 +154,8 @@ Geometry<2> unite(const std::vector<std::string> &names, const std::vector<Geome
         regions.push_back(names[k] + "." + region);
     else
       regions.push_back(names[k]);
-    parts.push_back({names[k], first_side.back(), bodies[k].lower, bodies[k].upper,
-                     bodies[k].n_coarse_cells * bodies[k].division});
+    parts.push_back(
+      {names[k], first_side.back(), bodies[k].lower, bodies[k].upper, bodies[k].n_graded_cells()});
     n_cells += bodies[k].n_coarse_cells;
     n_graded_cells += parts.back().n_graded_cells;
   }

@@ -106,19 +106,10 @@ private:
 Share Overlaps::share_on(const ContactCondition<2> &contact, const unsigned int number) const {
   if (number == contact.side)
     return {contact.from, contact.to, false};
-  const Side<2> &first = side(contact.side), &second = side(number);
-  const auto across = [&](const double s) {
-    return second.arc_length(second.across(first.point(s), first.normal(s)));
-  };
   // At an end the line may meet a circle in two points that are equally far.
   const double inside = 1e-9 * (contact.to - contact.from);
-  double start = across(contact.from + inside), end = across(contact.to - inside);
-  if (second.is_closed()) {
-    // Both ends lie within half a turn of the middle.
-    const double length = second.length(), middle = across(0.5 * (contact.from + contact.to));
-    for (double *const s : {&start, &end})
-      *s += length * std::round((middle - *s) / length);
-  }
+  const auto [start, end] =
+    part_across(side(contact.side), side(number), contact.from + inside, contact.to - inside);
   return {std::min(start, end), std::max(start, end), end < start};
 }
 

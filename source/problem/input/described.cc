@@ -293,7 +293,8 @@ Scene<dim> make_described_scene(const Parameters &parameters) {
                                             &parameters.exact.pressure};
   const bool has_numbers_only =
     std::all_of(std::begin(data), std::end(data), [](const auto *entry) {
-      return entry->value.find_first_not_of("0123456789.eE+- ") == std::string::npos;
+      double number = 0.;
+      return entry->value.empty() || read_number(entry->value, number);
     });
   read_boundary(parameters.boundary, parameters.load, has_numbers_only, scene);
   read_gaps(parameters, scene);

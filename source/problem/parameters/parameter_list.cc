@@ -71,8 +71,8 @@ void Declarations::declare_boundary(BoundaryParameters &boundary) {
     "bodies, in the plane, pairs of sides that may touch each other, separated by '|' from each "
     "other and from sides on the foundation: block.bottom with base.top | base.bottom. A side may "
     "be in several pairs: table.top with foot.fillet0 foot.side0; '*' stands for all sides of "
-    "other "
-    "bodies that it sees and that have no other role: table.top with *. Gap, Friction coefficient "
+    "other bodies that it sees and that have no other role: table.top with *. Gap, Friction "
+    "coefficient "
     "and other data of one of several pairs on a side: table.top with foot.side0: 0.1 | ...");
   add("Boundary/Displacement", boundary.displacement,
       "Prescribed displacement (length) by side: top: 0; -0.1 | left: 0; 0. In 3-D three "

@@ -258,22 +258,20 @@ WedgeOfPair wedge_of_pair(const Scene<2> &scene, const Corner &corner, const uns
                                       : possible_conditions(scene, outer, corner.position)};
 }
 
-/** Returns the smallest exponent of two wedges that press on each other. @param states of the
- * contact. */
+/** Returns the smallest exponent of two wedges that press on each other in a state of contact. */
 double smallest_exponent(const WedgeOfPair &first, const WedgeOfPair &second,
-                         const std::vector<EdgeCondition> &states) {
+                         const EdgeCondition &state) {
   std::vector<WedgeLayer> both = first.layers;
   both.insert(both.end(), second.layers.begin(), second.layers.end());
   double smallest = 1.;
   for (const EdgeCondition &one : first.outer)
     for (const EdgeCondition &other : second.outer)
-      for (const EdgeCondition &state : states)
-        if (state.support == EdgeSupport::sliding)
-          smallest = std::min(
-            smallest,
-            corner_exponent(SlippingWedges{first.layers, second.layers, state.ratio}, one, other));
-        else if (state.support == EdgeSupport::held)
-          smallest = std::min(smallest, corner_exponent(both, one, other));
+      if (state.support == EdgeSupport::sliding)
+        smallest = std::min(
+          smallest,
+          corner_exponent(SlippingWedges{first.layers, second.layers, state.ratio}, one, other));
+      else if (state.support == EdgeSupport::held)
+        smallest = std::min(smallest, corner_exponent(both, one, other));
   return smallest;
 }
 } // namespace
@@ -302,13 +300,19 @@ std::vector<PairedCorner> paired_corners(const Scene<2> &scene) {
         });
         if (meets != all.end())
           at = *meets;
-        const WedgeOfPair own = wedge_of_pair(scene, corner, sides[i]),
-                          opposite = wedge_of_pair(scene, at, across);
-        const auto states = possible_conditions(
-          scene, sides[0], i == 0 ? corner.position : scene.geometry.sides[sides[0]].point(*t));
-        found.push_back({corner, across, *t, meets != all.end(),
-                         corner.sides[1] == sides[i] ? smallest_exponent(own, opposite, states)
-                                                     : smallest_exponent(opposite, own, states)});
+        WedgeOfPair first = wedge_of_pair(scene, corner, sides[i]),
+                    second = wedge_of_pair(scene, at, across);
+        if (corner.sides[1] != sides[i])
+          std::swap(first, second);
+        const auto exponent_in = [first, second](const EdgeCondition &state) {
+          return smallest_exponent(first, second, state);
+        };
+        double smallest = 1.;
+        for (const EdgeCondition &state : possible_conditions(
+               scene, sides[0],
+               i == 0 ? corner.position : scene.geometry.sides[sides[0]].point(*t)))
+          smallest = std::min(smallest, exponent_in(state));
+        found.push_back({corner, across, *t, meets != all.end(), exponent_in, smallest});
       }
   }
   return found;

@@ -209,6 +209,18 @@ std::vector<FacingPart> seen_parts(const Curve &first, const Curve &second, cons
   return parts;
 }
 
+std::pair<double, double> part_across(const Curve &first, const Curve &second, const double from,
+                                      const double to) {
+  const auto across = [&](const double s) {
+    return second.arc_length(second.across(first.point(s), first.normal(s)));
+  };
+  std::pair<double, double> part(across(from), across(to));
+  if (second.is_closed())
+    for (double *const s : {&part.first, &part.second})
+      *s += second.length() * std::round((across(0.5 * (from + to)) - *s) / second.length());
+  return part;
+}
+
 FacingPart hull_of(const Curve &first, const std::vector<FacingPart> &parts) {
   Assert(!parts.empty(), ExcMessage("The curves face each other."));
   // Around a closed curve, all but the longest gap.

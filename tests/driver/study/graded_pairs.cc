@@ -80,6 +80,24 @@ void test_references(Checks &checks) {
   }
 }
 
+/** Friction changes the exponent at the corner of a punch: those of another program where it
+ * sticks, and where it slides with q = 0.3 p. */
+void test_growth_with_friction(Checks &checks) {
+  for (const auto &[friction, exponent] :
+       {std::pair("tresca\nContact/Friction bound = 1000", 0.5445),
+        {"coulomb\nContact/Friction coefficient = 0.3", 0.6380}}) {
+    const Pair &punch = pairs[0];
+    const StudyResult<2> result =
+      solve_to(punch.shapes + "Material/Young's modulus = " + punch.E +
+                 "\nMaterial/Poisson's ratio = 0.3\nBoundary/" + punch.boundary +
+                 "\nContact/Gap = " + punch.gap + "\nContact/Friction = " + friction + "\n",
+               "1e-2");
+    const auto &growth = result.levels.back().answer.peak_pressure->grows_at;
+    checks.near("growth with " + std::string(friction), growth ? growth->exponent : 1., exponent,
+                2e-4);
+  }
+}
+
 /** The pressure of a press fit is uniform: p = d / (b (u_1 + u_2)) by Lame's formulas. */
 void test_press_fit(Checks &checks) {
   const double a = 0.5, b = 1., c = 1.5, E = 3., nu = 0.25, interference = 1e-3;
@@ -143,5 +161,6 @@ void test_side_in_two_pairs(Checks &checks) {
 
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
-                   {test_references, test_press_fit, test_exchanged_roles, test_side_in_two_pairs});
+                   {test_references, test_growth_with_friction, test_press_fit,
+                    test_exchanged_roles, test_side_in_two_pairs});
 }

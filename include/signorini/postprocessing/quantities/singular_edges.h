@@ -10,6 +10,7 @@
 #include <boost/serialization/vector.hpp>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -44,9 +45,9 @@ struct SingularEdge {
   /** A tenth of the shortest side that meets here, or of the distance to the next corner where that
    * is shorter (length). It is the same on all levels. */
   double radius;
-  /** The smallest exponent of two elastic bodies that press each other here; 1 where there is one
-   * body. */
-  double of_pair = 1.;
+  /** Returns the exponent of two elastic bodies that press each other here in a state of contact;
+   * empty where there is one body. */
+  std::function<double(const EdgeCondition &)> of_pair = {};
 
   /** Returns the point of the edge that is nearest to @p x. */
   Point<dim> nearest(const Point<dim> &x) const;

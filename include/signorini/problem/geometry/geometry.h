@@ -47,6 +47,10 @@ struct Geometry {
   /** The number of cells into which graded meshes divide each of these (mean): those of long
    * rectangles are divided until they are nearly square. */
   double division = 1.;
+  /** Returns the number of cells of graded meshes before they are refined. */
+  double n_graded_cells() const {
+    return n_coarse_cells * division;
+  }
   /** Makes the coarse mesh (level 0), with the manifolds of a curved body. */
   std::function<void(Triangulation<dim> &)> make_coarse_mesh;
   /**

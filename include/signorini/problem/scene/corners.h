@@ -8,6 +8,7 @@
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace Signorini {
@@ -50,7 +51,10 @@ struct PairedCorner {
   double s;
   /** Whether that point is a corner of the other body, too. */
   bool meets_corner;
-  /** The smallest exponent of both wedges over the states in which they press; at most 1. */
+  /** Returns the smallest exponent of both wedges while they press each other in a state; at most
+   * 1. */
+  std::function<double(const EdgeCondition &)> exponent_in;
+  /** The smallest of these over all states that contact may have. */
   double exponent;
 };
 

@@ -4,6 +4,7 @@
 #include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/geometry.h>
 
+#include <utility>
 #include <vector>
 
 namespace Signorini {
@@ -34,6 +35,11 @@ constexpr double grazing = 0.5;
  */
 std::vector<FacingPart> seen_parts(const Curve &first, const Curve &second, double least,
                                    const Geometry<2> &geometry);
+
+/** Returns the arc lengths on @p second of the points across from both ends of a part of @p first.
+ * Around a closed curve both lie within half a turn of the point across from its middle. */
+std::pair<double, double> part_across(const Curve &first, const Curve &second, double from,
+                                      double to);
 
 /** Returns the shortest part of a curve that contains all of some parts of it; there are any. */
 FacingPart hull_of(const Curve &curve, const std::vector<FacingPart> &parts);
