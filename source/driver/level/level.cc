@@ -169,19 +169,27 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
 }
 
 template <int dim>
-void add_bound(const Parameters &parameters, const Discretization<dim> &discretization,
-               const Progress &progress, LevelSolution<dim> &solution) {
+void add_other_solutions(const Discretization<dim> &discretization, LevelSolution<dim> &solution) {
   if constexpr (dim == 2) {
     LevelRecord &record = solution.record;
     const StageTimer timer(record.times.postprocess);
     if (record.tangential && solution.contact.touches())
       add_regularity(discretization, solution.operators->C, solution.contact, *record.tangential);
+  }
+}
+
+template <int dim>
+void add_bound(const Parameters &parameters, const Discretization<dim> &discretization,
+               const Progress &progress, LevelSolution<dim> &solution) {
+  if constexpr (dim == 2) {
+    LevelRecord &record = solution.record;
+    const StageTimer timer(record.times.postprocess), bound_timer(record.times.bound);
     progress("bound of the error");
-    const StageTimer bound_timer(record.times.bound);
     LocatedBound located =
       located_bound(parameters.output.bound, solution.on(discretization), solution);
     record.bound = located.bound;
     solution.bound_fields = std::move(located.fields);
+    solution.reference = std::move(located.reference);
   }
 }
 
@@ -193,6 +201,7 @@ void release_unused(const LevelProblem<dim> &problem, LevelSolution<dim> &soluti
 }
 
 INSTANTIATE_FUNCTION(solve_level);
+INSTANTIATE_FUNCTION(add_other_solutions);
 INSTANTIATE_FUNCTION(add_bound);
 INSTANTIATE_FUNCTION(release_unused);
 } // namespace Signorini

@@ -4,6 +4,7 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
 #include <signorini/driver/runs/strategy.h>
+#include <signorini/driver/sequence/sequence.h>
 
 namespace Signorini {
 namespace {
@@ -33,16 +34,6 @@ std::string reason_for_nested(const Parameters &parameters, const Scene<dim> &sc
   return "";
 }
 
-/** Returns the first level with enough cells to show where the solution is singular. From the five
- * cells of a disc, graded meshes take up to six times as long as from level 2. */
-unsigned int first_level(const double n_graded_cells) {
-  constexpr double n_enough = 24.;
-  unsigned int level = 0;
-  for (double n_cells = n_graded_cells; n_cells < n_enough; n_cells *= 4.)
-    ++level;
-  return level;
-}
-
 /** Gives an entry a value, also in the echo. */
 template <typename T>
 void decide(Given<T> &entry, const T &value, const std::string &text, Parameters &parameters) {
@@ -65,7 +56,7 @@ std::string decide_strategy(Parameters &parameters, const Scene<dim> &scene) {
     decide(given.strategy, strategy, to_text(strategy), parameters);
   }
   if (given.strategy == Strategy::hp && !given.coarsest_level.is_given) {
-    const unsigned int first = first_level(scene.geometry.n_graded_cells());
+    const unsigned int first = first_graded_level(scene.geometry.n_graded_cells());
     decide(given.coarsest_level, first, std::to_string(first), parameters);
   }
   return sentence;

@@ -108,6 +108,7 @@ private:
     const bool ends = !may_suffice && (fails || cannot_go_on(findings, false));
     if (!may_suffice && !ends)
       return false;
+    add_other_solutions(discretization, solution);
     add_bound(context_.parameters, discretization, progress, solution);
     if (ends || (judge.reaches_target(record) &&
                  (is_guaranteed(record) || examination_.is_checked(findings))))
@@ -278,6 +279,14 @@ private:
   unsigned int n_steps_ = 0, n_equal_steps_ = 0, n_paths_ = 0;
 };
 } // namespace
+
+unsigned int first_graded_level(const double n_graded_cells) {
+  constexpr double n_enough = 24.;
+  unsigned int level = 0;
+  for (double n_cells = n_graded_cells; n_cells < n_enough; n_cells *= 4.)
+    ++level;
+  return level;
+}
 
 std::unique_ptr<Sequence<2>> make_hp_sequence(const StudyContext<2> &context) {
   return std::make_unique<HpSequence>(context);

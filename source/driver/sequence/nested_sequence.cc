@@ -3,6 +3,7 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
+#include <signorini/driver/sequence/level_errors.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/estimate/certificate.h>
 #include <signorini/error_control/estimate/locking_number.h>
@@ -17,6 +18,7 @@ public:
   explicit NestedSequence(const StudyContext<dim> &context)
     : context_(context)
     , memory_(context.parameters, context.scene, context.communicator)
+    , errors_(context)
     , next_level_(context.parameters.discretization.coarsest_level) {}
 
   std::string name_of_next() const override {
@@ -50,6 +52,8 @@ public:
       record.locking_number = locking_number(discretization.mesh, context_.scene);
     if (!result.is_last)
       keep_for_next(result);
+    else if (knows_errors_)
+      result.errors = errors_.all();
     ++next_level_;
     return result;
   }
@@ -70,10 +74,9 @@ private:
     LevelProblem<dim> problem = {context_.parameters, context_.scene, solvers_of(next_level_)};
     const auto solve_with_choice = [&]() {
       LevelSolution<dim> solution = solve_level(problem, discretization, start, progress);
-      // The bound is computed on levels where the study may stop.
-      const DiscretizationParameters &given = context_.parameters.discretization;
-      if (next_level_ == given.finest_level || given.target_error > 0.)
-        add_bound(problem.parameters, discretization, progress, solution);
+      errors_.add(discretization, solution);
+      if (may_stop(solution.record))
+        add_errors(discretization, progress, solution);
       release_unused(problem, solution);
       solution.record.dual.failure_of_cycles = failure_of_cycles_;
       return solution;
@@ -93,6 +96,29 @@ private:
     }
     problem.solvers = solvers_of(next_level_);
     return solve_with_choice();
+  }
+
+  /** Returns whether the study may stop at a level: at the finest one, or where the estimate
+   * reaches the target. */
+  bool may_stop(const LevelRecord &record) const {
+    return next_level_ == context_.parameters.discretization.finest_level ||
+           context_.judge.reaches_target(record);
+  }
+
+  /** Adds the error of a level from the stress of a graded run; where that does not tell it, the
+   * bound by a stress on a mesh over that of the level. */
+  void add_errors(const Discretization<dim> &discretization, const Progress &progress,
+                  LevelSolution<dim> &solution) {
+    add_other_solutions(discretization, solution);
+    LevelRecord &record = solution.record;
+    {
+      const StageTimer timer(record.times.postprocess), bound_timer(record.times.bound);
+      knows_errors_ = errors_.know_last(record, progress);
+    }
+    if (knows_errors_)
+      record.bound = errors_.all().at(next_level_);
+    else
+      add_bound(context_.parameters, discretization, progress, solution);
   }
 
   /** Returns the start from the solution on the level before. */
@@ -131,6 +157,8 @@ private:
   /** The failure of V-cycles on an earlier level. It stands first because solvers_of() reads it. */
   std::optional<std::string> failure_of_cycles_;
   MemoryLimit<dim> memory_;
+  LevelErrors<dim> errors_;
+  bool knows_errors_ = false;
   unsigned int next_level_;
   PatchPressure<dim> pressure_;
   /** The shares of P_t of the same patches by components; none without friction. */

@@ -135,6 +135,7 @@ private:
       print_warnings(record, judge_, report_.screen);
     }
     levels.push_back(record);
+    add_errors(level.errors, levels);
     result_.verdict = level.is_last ? judge_.verdict(levels) : judge_.unfinished(levels);
     for (const std::string &why : {level.why_last, level.why_again})
       if (!why.empty())
@@ -149,6 +150,15 @@ private:
       result_.pressure = level.pressure();
     }
     return level.is_last;
+  }
+
+  /** Gives all levels before the last one their errors. */
+  void add_errors(const std::map<unsigned int, ErrorBound> &errors,
+                  std::vector<LevelRecord> &levels) const {
+    for (std::size_t i = 0; i + 1 < levels.size() && !errors.empty(); ++i) {
+      levels[i].bound = errors.at(levels[i].sizes.level);
+      multiply_forces(scene_.geometry.thickness, *levels[i].bound);
+    }
   }
 
   /** Solves load cases on the last level, and the steps of a history on every nested one: each

@@ -5,9 +5,9 @@
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/discretization/space/internal_forces.h>
 #include <signorini/error_control/bound/error_bound.h>
-#include <signorini/error_control/bound/hidden_load.h>
 #include <signorini/error_control/equilibration/best_stress.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
+#include <signorini/error_control/reference/hidden_load.h>
 #include <signorini/problem/scene/functions.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -95,7 +95,8 @@ void add_consequences(const BoundData &data, const Consequences &known, const Co
 /** Adds the results that need an exact stress: the bound for π^{2h} u_h, the bracket of the energy
  * and the bound of the contact force. */
 void add_guaranteed(const BoundData &data, const BestStress &best, const ContactLift &lift,
-                    const double scale, ErrorBound &result) {
+                    const double scale, LocatedBound &located) {
+  ErrorBound &result = located.bound;
   if (!result.only_estimated.empty())
     return;
   const auto &[stress, stress_data] = best;
@@ -118,6 +119,8 @@ void add_guaranteed(const BoundData &data, const BestStress &best, const Contact
       consequences.consider(post->square, *post_lift.bound);
     }
   }
+  if (data.space.mesh().is_graded())
+    located.reference = make_reference(data, best, consequences.stress_error);
   // With Coulomb's law the stress is compared with that of another solution.
   if (result.is_conditional)
     return;
@@ -127,6 +130,13 @@ void add_guaranteed(const BoundData &data, const BestStress &best, const Contact
   constexpr double most_hidden = 0.01;
   if (!J || hidden_work > most_hidden * std::abs(J->upper))
     result.energy_lower = result.energy_upper = {};
+  if (auto &reference = located.reference) {
+    if (result.energy_lower && result.energy_upper)
+      reference->J = Bracket{*result.energy_lower, *result.energy_upper};
+    if (result.force_error)
+      reference->contact_force =
+        WithMargin{stress.contact_force(data.scene), *result.force_error - std::abs(change)};
+  }
 }
 
 /** Returns the sentence for a bound that would not hold; empty for others. */
@@ -214,7 +224,7 @@ LocatedBound sum_up(const BoundData &data, const BestStress &best) {
   const double scale = EnergyScale{stress_data.energy_norm, data.scale.rigid}.of(*result.absolute);
   result.relative = ratio(*result.absolute, scale);
   result.is_conditional = data.P.is_coupled();
-  add_guaranteed(data, best, lift, scale, result);
+  add_guaranteed(data, best, lift, scale, located);
   result.largest_cell = name_of_worst_cell(stress_data, data.space);
   if (!data.scene.contacts.empty())
     result.worst_face = name_of(contact.dominant_part, data.scene);
@@ -246,6 +256,10 @@ Columns<ErrorBound> ErrorBound::columns() {
           {"bound_algebra", &ErrorBound::algebra},
           {"bound_post_energy", &ErrorBound::post_absolute},
           {"bound_post_relative", &ErrorBound::post_relative},
+          {"distance", &ErrorBound::distance},
+          {"margin", &ErrorBound::margin},
+          {"post_distance", &ErrorBound::post_distance},
+          {"post_margin", &ErrorBound::post_margin},
           {"max_penetration", &ErrorBound::penetration},
           {"energy_lower", &ErrorBound::energy_lower},
           {"energy_upper", &ErrorBound::energy_upper},

@@ -74,6 +74,10 @@ void multiply(const double factor, Numbers &...numbers) {
 }
 } // namespace
 
+void multiply_forces(const double thickness, ErrorBound &bound) {
+  multiply(thickness, bound.energy_lower, bound.energy_upper, bound.force_error);
+}
+
 void multiply_forces(const double thickness, LevelRecord &record, std::vector<CaseResult> &cases) {
   Answer &answer = record.answer;
   const auto multiply_tangential = [&](std::optional<TangentialSummary> &part) {
@@ -92,8 +96,7 @@ void multiply_forces(const double thickness, LevelRecord &record, std::vector<Ca
     multiply(thickness, plate.force, plate.cross_force, plate.moment);
   multiply_tangential(record.tangential);
   if (record.bound)
-    multiply(thickness, record.bound->energy_lower, record.bound->energy_upper,
-             record.bound->force_error);
+    multiply_forces(thickness, *record.bound);
   answer.thickness = thickness;
   for (CaseResult &result : cases) {
     result.contact.force *= thickness;

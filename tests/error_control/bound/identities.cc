@@ -4,8 +4,8 @@
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/discretization/space/nodes.h>
-#include <signorini/error_control/bound/hidden_load.h>
 #include <signorini/error_control/equilibration/law.h>
+#include <signorini/error_control/reference/hidden_load.h>
 
 #include <deal.II/base/function_lib.h>
 

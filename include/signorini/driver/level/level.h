@@ -24,8 +24,11 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
                                const Discretization<dim> &discretization, const ContactStart &start,
                                const Progress &progress);
 
-/** Adds the bound of the error of a 2-D body, or says why there is none, and the known facts about
- * other solutions with Coulomb's friction. Collective. */
+/** Adds the known facts about other solutions with Coulomb's friction, in 2-D. Collective. */
+template <int dim>
+void add_other_solutions(const Discretization<dim> &discretization, LevelSolution<dim> &solution);
+
+/** Adds the bound of the error of a 2-D body, or says why there is none. Collective. */
 template <int dim>
 void add_bound(const Parameters &parameters, const Discretization<dim> &discretization,
                const Progress &progress, LevelSolution<dim> &solution);

@@ -46,6 +46,11 @@ std::unique_ptr<Sequence<dim>> make_nested_sequence(const StudyContext<dim> &con
  * has too many unknowns. */
 std::unique_ptr<Sequence<2>> make_hp_sequence(const StudyContext<2> &context);
 
+/** Returns the first level of graded meshes with enough cells to show where the solution is
+ * singular. From the five cells of a disc, they take up to six times as long as from level 2.
+ * @param n_graded_cells Geometry::n_graded_cells(). */
+unsigned int first_graded_level(double n_graded_cells);
+
 /** Makes the sequence that the parameters choose. */
 template <int dim>
 std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context) {

@@ -4,6 +4,7 @@
 #include <signorini/base/columns.h>
 #include <signorini/error_control/bound/contact_lift.h>
 #include <signorini/error_control/equilibration/stress_bound.h>
+#include <signorini/error_control/reference/reference_stress.h>
 
 #include <optional>
 #include <string>
@@ -41,6 +42,9 @@ struct ErrorBound {
   /** The bound of |||u - π^{2h} u_h|||, and the same divided like relative. There is none where
    * cells have no parents and on curved bodies. */
   std::optional<double> post_absolute, post_relative;
+  /** Where one graded run tells the errors of all levels (ReferenceStress): |||u - u_h||| =
+   * distance ± margin, and the same for π^{2h} u_h. The bounds are the upper ends. */
+  std::optional<double> distance, margin, post_distance, post_margin;
   /** The parts of the bound for u_h: the first sum without oscillation, the oscillation of loads
    * and of prescribed displacements, and the contact part. */
   std::optional<double> mesh, oscillation, contact;
@@ -84,10 +88,12 @@ struct BoundFields {
   std::vector<double> contact;
 };
 
-/** A bound, and its parts by cell and contact face. */
+/** A bound, its parts by cell and contact face, and its stress. */
 struct LocatedBound {
   ErrorBound bound;
   BoundFields fields;
+  /** The stress of the bound, on graded meshes, where the bound is proved. */
+  std::optional<ReferenceStress> reference;
 };
 
 /** Computes the bound of a 2-D body. ErrorBound::missing has the reason if there is none.

@@ -130,6 +130,8 @@ struct LevelRecord {
 /** Multiplies forces, moments, work and energies of a level and of load cases, which are computed
  * per unit of thickness, by the thickness. Norms stay those of the plane. */
 void multiply_forces(double thickness, LevelRecord &record, std::vector<CaseResult> &cases);
+/** The same for the energies and the force of a bound. */
+void multiply_forces(double thickness, ErrorBound &bound);
 /** The same for the forces and moments that drive plates. */
 void multiply_forces(double thickness, std::vector<Plate> &plates);
 

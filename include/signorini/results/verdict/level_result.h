@@ -7,7 +7,9 @@
 #include <signorini/solvers/methods/level_operators.h>
 #include <signorini/solvers/methods/solved.h>
 
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace Signorini {
@@ -23,6 +25,8 @@ struct LevelSolution {
   Energies energies;
   /** The parts of the bound; empty if record.bound is empty. */
   BoundFields bound_fields;
+  /** The stress of the bound, see LocatedBound. */
+  std::optional<ReferenceStress> reference;
   /** The scene after the motion of its plates. */
   Scene<dim> scene;
 
@@ -44,6 +48,10 @@ struct LevelResult {
   std::string why_last;
   /** Why the result of an earlier mesh is given again, as the last one, a clause; mostly empty. */
   std::string why_again;
+
+  /** On the last mesh, the errors of all nested levels by their numbers, where one graded run tells
+   * them. */
+  std::map<unsigned int, ErrorBound> errors;
 
   /** Returns the level as others read it; the result must outlive that. */
   Solved<dim> solved() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The body force between the points of rules.
 
-#include <signorini/error_control/bound/hidden_load.h>
+#include <signorini/error_control/reference/hidden_load.h>
 
 #include <algorithm>
 #include <array>

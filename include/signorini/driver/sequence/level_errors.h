@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/driver/sequence/reference_run.h>
+#include <signorini/driver/sequence/sequence.h>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace Signorini {
+/**
+ * The errors of all nested levels of a 2-D body, from the stress of one graded run of the same
+ * scene (ReferenceStress). The run starts when the first level asks for its error, and aims at
+ * three digits of it. Bodies in space and of revolution have none.
+ */
+template <int dim>
+class LevelErrors {
+public:
+  explicit LevelErrors(const StudyContext<dim> &context)
+    : context_(context) {}
+
+  /** Keeps the works of a level, which may be solved and added again. Collective. */
+  void add(const Discretization<dim> &discretization, const LevelSolution<dim> &solution);
+  /** Returns whether the error of the last level is known to a third at least. Makes the graded run
+   * first, if that is still to be done. */
+  bool know_last(const LevelRecord &record, const Progress &progress);
+  /** Returns the errors of all levels by their numbers, after know_last() has made the run. */
+  std::map<unsigned int, ErrorBound> all() const;
+
+private:
+  /** A level, as far as its error needs it. */
+  struct Level {
+    std::vector<FieldWorks> works;
+    /** The penetration, without errors. */
+    ErrorBound bound;
+    EnergyScale scale;
+    /** ∫ p_H over Γ_c. */
+    double contact_force;
+  };
+
+  bool are_wanted() const;
+  ErrorBound error_of(const Level &level) const;
+
+  StudyContext<dim> context_;
+  std::map<unsigned int, Level> levels_;
+  /** The graded run; none before it is made. */
+  std::optional<ReferenceRun> run_;
+};
+} // namespace Signorini

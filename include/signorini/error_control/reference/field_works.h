@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+#pragma once
+
+#include <signorini/base/dealii.h>
+#include <signorini/solvers/methods/solved.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
+namespace Signorini {
+/** A displacement along a part of a side: a polynomial of the arc length. */
+struct BoundaryTrace {
+  /** The number of the side in the geometry. */
+  unsigned int side = 0;
+  /** The arc lengths of the ends, from < to; on a closed side one of them may lie beyond it. */
+  double from = 0., to = 0.;
+  /** The values at the nodes of Gauss and Lobatto between the ends, at least those at both. */
+  std::vector<Tensor<1, 2>> values;
+
+  /** Returns the value at an arc length. */
+  Tensor<1, 2> value(double s) const;
+  template <typename Archive>
+  void serialize(Archive &archive, unsigned int /*version*/) {
+    archive &side &from &to &values;
+  }
+};
+
+/** The integrals of a continuous displacement v of a 2-D body that its distance to a stress in
+ * equilibrium needs, see ReferenceStress. */
+struct FieldWorks {
+  /** The energy |||v|||² = ∫ ε(v):C:ε(v) (force x length per thickness). */
+  double strain = 0.;
+  /** The work f(v) + ∫ t·v of the loads and of the tractions that are given. */
+  double load = 0.;
+  /** The rest of quadrature in strain - 2 load. */
+  double margin = 0.;
+  /** v on the sides whose tractions are not given. */
+  std::vector<BoundaryTrace> traces;
+};
+
+/**
+ * Returns the works of u_h and, where cells of degree one have parents and straight edges, of
+ * π^{2h} u_h. Cells with an arc have exact arcs (ExactMaps). Cells on which a rule of Gauss is not
+ * exact take larger rules until two of them agree; the difference counts as margin, and so does
+ * the work of loads that no point shows (HiddenLoad). Runs on all threads. Collective.
+ */
+std::vector<FieldWorks> works_of(const Solved<2> &solved);
+} // namespace Signorini

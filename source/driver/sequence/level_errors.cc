@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The errors of nested levels from one graded stress.
+
+#include <signorini/base/instantiate.h>
+#include <signorini/driver/sequence/level_errors.h>
+#include <signorini/driver/sequence/reference_run.h>
+#include <signorini/error_control/bound/contact_trace.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace Signorini {
+namespace {
+/** Returns the target and the limit of the graded run: three digits of the error, and no more work
+ * than the level itself takes, or a second. */
+ReferenceTarget target_for(const LevelRecord &record) {
+  constexpr double share = 4e-4, smallest = 1e-7, largest = 1e-3, usual_error = 0.05;
+  constexpr unsigned long long few_unknowns = 30000, share_of_unknowns = 8, many_unknowns = 200000;
+  const double error = record.estimate ? record.estimate->relative : usual_error;
+  ReferenceTarget target;
+  target.error = std::clamp(share * error, smallest, largest);
+  target.max_unknowns = static_cast<unsigned int>(
+    std::min(many_unknowns, few_unknowns + record.sizes.dofs / share_of_unknowns));
+  return target;
+}
+
+/** Returns the bound of a level, without the errors, that only has its penetration. */
+ErrorBound with_penetration(const BoundData &data) {
+  ErrorBound bound;
+  const ContactTrace trace(data, std::vector<FaceField>(data.surface().faces().size()));
+  bound.penetration = trace.max_penetration();
+  bound.place_of_penetration = name_of(trace.point_of_largest(), data.scene);
+  return bound;
+}
+} // namespace
+
+template <int dim>
+bool LevelErrors<dim>::are_wanted() const {
+  return dim == 2 && context_.parameters.output.bound != WantedBound::none &&
+         !context_.scene.geometry.axisymmetric;
+}
+
+template <int dim>
+void LevelErrors<dim>::add(const Discretization<dim> &discretization,
+                           const LevelSolution<dim> &solution) {
+  if constexpr (dim == 2) {
+    if (!are_wanted())
+      return;
+    const BoundData data(solution.on(discretization), *solution.operators->inverse,
+                         solution.energies, solution.scale);
+    levels_[solution.record.sizes.level] = {
+      works_of(data), with_penetration(data), solution.scale,
+      solution.contact.P.normal() * discretization.multipliers.integrals()};
+  }
+}
+
+template <int dim>
+bool LevelErrors<dim>::know_last(const LevelRecord &record, const Progress &progress) {
+  constexpr double share = 1. / 3.;
+  if constexpr (dim == 2) {
+    if (!are_wanted() || !record.dual.converged)
+      return false;
+    if (!run_)
+      run_ = run_reference(context_.parameters, context_.scene, target_for(record), progress);
+    if (!run_->stress)
+      return false;
+    const WithMargin error = run_->stress->distance(levels_.at(record.sizes.level).works[0]);
+    return error.margin <= share * error.value;
+  }
+  return false;
+}
+
+template <int dim>
+std::map<unsigned int, ErrorBound> LevelErrors<dim>::all() const {
+  std::map<unsigned int, ErrorBound> errors;
+  for (const auto &[number, level] : levels_)
+    errors[number] = error_of(level);
+  return errors;
+}
+
+template <int dim>
+ErrorBound LevelErrors<dim>::error_of(const Level &level) const {
+  const ReferenceStress &stress = *run_->stress;
+  ErrorBound bound = level.bound;
+  const auto relative = [&](const double error) {
+    const double scale = level.scale.of(error);
+    return error == 0. ? 0. : error / scale;
+  };
+  const WithMargin error = stress.distance(level.works[0]);
+  bound.distance = error.value;
+  bound.margin = error.margin;
+  bound.absolute = error.upper();
+  bound.relative = relative(error.upper());
+  if (level.works.size() > 1) {
+    const WithMargin post = stress.distance(level.works[1]);
+    bound.post_distance = post.value;
+    bound.post_margin = post.margin;
+    bound.post_absolute = post.upper();
+    bound.post_relative = relative(post.upper());
+  }
+  bound.is_conditional = stress.is_conditional;
+  if (stress.J) {
+    bound.energy_lower = stress.J->lower;
+    bound.energy_upper = stress.J->upper;
+  }
+  if (stress.contact_force)
+    bound.force_error =
+      std::abs(level.contact_force - stress.contact_force->value) + stress.contact_force->margin;
+  return bound;
+}
+
+template class LevelErrors<2>;
+template class LevelErrors<3>;
+} // namespace Signorini

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The graded run whose stress tells the errors of others.
+
+#include <signorini/base/errors.h>
+#include <signorini/driver/sequence/reference_run.h>
+#include <signorini/driver/sequence/sequence.h>
+
+#include <algorithm>
+
+namespace Signorini {
+namespace {
+/** Returns the parameters of the graded run: the scene's, and the usual ones of meshes. */
+Parameters graded_parameters(const Parameters &given, const Scene<2> &scene,
+                             const ReferenceTarget &target) {
+  Parameters parameters = given;
+  DiscretizationParameters &meshes = parameters.discretization = DiscretizationParameters();
+  meshes.strategy.value = Strategy::hp;
+  meshes.coarsest_level.value = first_graded_level(scene.geometry.n_graded_cells());
+  meshes.target_error.value = target.error;
+  meshes.maximum_unknowns.value = target.max_unknowns;
+  parameters.solver = SolverParameters();
+  parameters.output = OutputParameters();
+  return parameters;
+}
+} // namespace
+
+ReferenceRun run_reference(const Parameters &given, const Scene<2> &scene,
+                           const ReferenceTarget &target, const Progress &progress) {
+  const Parameters parameters = graded_parameters(given, scene, target);
+  // No distortion of meshes, and no load case, changes u.
+  Scene<2> undistorted = scene;
+  undistorted.geometry.distortion = 0.;
+  undistorted.load_cases.clear();
+  Demands demands;
+  demands.target_error = target.error;
+  const Judge judge(demands);
+  ReferenceRun run;
+  try {
+    const auto sequence =
+      make_hp_sequence({parameters, undistorted, MPI_COMM_SELF, judge, Verify<2>()});
+    for (bool is_last = false; !is_last;) {
+      LevelResult<2> step = sequence->solve_next(
+        [&](const std::string &stage) { progress("graded " + sequence->name_of_next() + ", " + stage); });
+      is_last = step.is_last;
+      const auto &found = step.solution.reference;
+      if (found && (!run.stress || found->stress_error < run.stress->stress_error))
+        run.stress = found;
+      if (step.solution.record.bound)
+        run.missing = step.solution.record.bound->missing;
+    }
+  } catch (const InputError &error) {
+    run.missing = error.what();
+  } catch (const ComputationError &error) {
+    run.missing = error.what();
+  }
+  return run;
+}
+} // namespace Signorini

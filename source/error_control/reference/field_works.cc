@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// The integrals of a level's displacement over its cells, and its values on the boundary.
+
+#include <signorini/discretization/mesh/arc_mapping.h>
+#include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/discretization/space/body_measure.h>
+#include <signorini/discretization/space/cell_evaluator.h>
+#include <signorini/discretization/space/cell_stiffness.h>
+#include <signorini/error_control/equilibration/cell_shape.h>
+#include <signorini/error_control/reference/field_works.h>
+#include <signorini/error_control/reference/hidden_load.h>
+#include <signorini/problem/scene/functions.h>
+
+#include <deal.II/base/mpi.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace Signorini {
+namespace {
+/** The nodes of Gauss and Lobatto on [0,1], and Lagrange's polynomials of these. */
+struct LobattoBasis {
+  explicit LobattoBasis(const unsigned int n_nodes)
+    : nodes(QGaussLobatto<1>(n_nodes).get_points())
+    , polynomials(Polynomials::generate_complete_Lagrange_basis(nodes)) {}
+
+  std::vector<Point<1>> nodes;
+  std::vector<Polynomials::Polynomial<double>> polynomials;
+};
+
+const LobattoBasis &lobatto_basis(const unsigned int n_nodes) {
+  thread_local std::map<unsigned int, LobattoBasis> bases;
+  return bases.try_emplace(n_nodes, n_nodes).first->second;
+}
+} // namespace
+
+Tensor<1, 2> BoundaryTrace::value(const double s) const {
+  const LobattoBasis &basis = lobatto_basis(static_cast<unsigned int>(values.size()));
+  const double t = (s - from) / (to - from);
+  Tensor<1, 2> sum;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    sum += basis.polynomials[i].value(t) * values[i];
+  return sum;
+}
+
+namespace {
+using WorkCell = DoFHandler<2>::active_cell_iterator;
+
+/** Two integrals of each field over a cell, strain and load, and a bound of their sizes. */
+struct CellWorks {
+  std::vector<double> strain, load;
+};
+
+/** The works of all fields on the cells of a chunk, and the rests of their quadrature. */
+struct ChunkWorks {
+  explicit ChunkWorks(const std::size_t n_fields)
+    : sums({std::vector<double>(n_fields), std::vector<double>(n_fields)})
+    , margins(n_fields) {}
+
+  CellWorks sums;
+  std::vector<double> margins;
+};
+
+/** Integrates the fields of a level on cells. Every chunk of cells has its own object. */
+class WorkIntegrator {
+public:
+  WorkIntegrator(const Solved<2> &solved, const std::vector<EvaluatedField> &fields,
+                 const ExactMaps &maps)
+    : scene_(solved.scene)
+    , maps_(maps)
+    , n_fields_(fields.size())
+    , degree_factor_(fields.back().n_generations > 0 ? 2 : 1)
+    , is_curved_(solved.space.mesh().is_curved())
+    , has_smooth_data_(scene_.material->is_constant_on_cells() &&
+                       (scene_.body_force == nullptr || is_constant(*scene_.body_force)))
+    , measure_(scene_)
+    , u_(solved.space, fields, ValuesCache<2>::gauss,
+         [&maps](const auto &cell) -> const Mapping<2> & { return maps.of(cell); }) {}
+
+  /** Adds the works on a cell, by larger and larger rules where one is not exact. */
+  void add(const WorkCell &cell, ChunkWorks &chunk) {
+    constexpr unsigned int step = 2, most = 12;
+    constexpr double allowed = 1e-13;
+    const unsigned int first = degree_factor_ * cell->get_fe().degree + (is_curved_ ? 3 : 1);
+    CellWorks works = integrate(cell, first);
+    std::vector<double> rests(n_fields_);
+    if (!(has_smooth_data_ && !is_curved_ && is_affine<2>(cell)))
+      for (unsigned int more = step; more <= most; more += step) {
+        const CellWorks better = integrate(cell, first + more);
+        double rest = 0., size = 0.;
+        for (std::size_t k = 0; k < n_fields_; ++k) {
+          rests[k] = std::abs(better.strain[k] - works.strain[k]) +
+                     2. * std::abs(better.load[k] - works.load[k]);
+          rest += rests[k];
+          size += better.strain[k] + std::abs(better.load[k]);
+        }
+        works = better;
+        if (rest <= allowed * size)
+          break;
+      }
+    for (std::size_t k = 0; k < n_fields_; ++k) {
+      chunk.sums.strain[k] += works.strain[k];
+      chunk.sums.load[k] += works.load[k];
+      chunk.margins[k] += rests[k] + rough_energy(cell, works.strain[k]);
+    }
+  }
+
+private:
+  /** Moves to the points of a rule on a cell, cut where data is not smooth. */
+  void move_to(const WorkCell &cell, const Kinks<2> &kinks, const unsigned int n_points) {
+    if (needs_cuts<2>(kinks, cell))
+      u_.reinit_once(cell, cut_quadrature(kinks, cell, n_points, maps_.of(cell)));
+    else
+      u_.reinit(cell, n_points);
+  }
+  CellWorks integrate(const WorkCell &cell, const unsigned int n_points) {
+    CellWorks works = {std::vector<double>(n_fields_), std::vector<double>(n_fields_)};
+    move_to(cell, scene_.law_kinks, n_points);
+    for (unsigned int q = 0; q < u_.size(); ++q) {
+      measure_.at(u_.points()[q]);
+      for (std::size_t k = 0; k < n_fields_; ++k)
+        works.strain[k] += u_.measure(q) * measure_.density(strain_of(u_.gradient(q, k)));
+    }
+    if (scene_.body_force == nullptr)
+      return works;
+    move_to(cell, scene_.kinks, n_points);
+    forces_.resize(u_.size(), dealii::Vector<double>(2));
+    scene_.body_force->vector_value_list(u_.points(), forces_);
+    for (unsigned int q = 0; q < u_.size(); ++q)
+      for (std::size_t k = 0; k < n_fields_; ++k)
+        works.load[k] +=
+          u_.measure(q) * (forces_[q][0] * u_.value(q, k)[0] + forces_[q][1] * u_.value(q, k)[1]);
+    return works;
+  }
+  /** Returns the energy on a cell in which the law may jump between the points of a rule. */
+  double rough_energy(const WorkCell &cell, const double strain) const {
+    return !scene_.material->is_constant_on_cells() && needs_cuts<2>(scene_.law_kinks, cell) &&
+               may_jump(scene_.law_kinks, cell)
+             ? strain
+             : 0.;
+  }
+
+  const Scene<2> &scene_;
+  const ExactMaps &maps_;
+  const std::size_t n_fields_;
+  const unsigned int degree_factor_;
+  const bool is_curved_, has_smooth_data_;
+  EnergyMeasure<2> measure_;
+  CellEvaluator<2> u_;
+  std::vector<dealii::Vector<double>> forces_;
+};
+
+/** Adds the integrals over all cells. */
+void add_cell_works(const Solved<2> &solved, const std::vector<EvaluatedField> &fields,
+                    const ExactMaps &maps, std::vector<FieldWorks> &works) {
+  integrate_by_chunks<ChunkWorks, 2>(
+    solved.space,
+    [&](const Cells<2> &cells) {
+      WorkIntegrator integrator(solved, fields, maps);
+      ChunkWorks chunk(fields.size());
+      for (const auto &cell : cells)
+        integrator.add(cell, chunk);
+      return chunk;
+    },
+    [&works](const ChunkWorks &chunk) {
+      for (std::size_t k = 0; k < works.size(); ++k) {
+        works[k].strain += chunk.sums.strain[k];
+        works[k].load += chunk.sums.load[k];
+        works[k].margin += chunk.margins[k];
+      }
+    });
+}
+
+/** Returns the values at the middles of the faces of a cell. */
+Quadrature<2> middles_of_faces(const unsigned int /*number*/) {
+  return Quadrature<2>({{0., 0.5}, {1., 0.5}, {0.5, 0.}, {0.5, 1.}});
+}
+
+/** Makes the traces of a level on its boundary faces. */
+class TraceMaker {
+public:
+  TraceMaker(const Solved<2> &solved, const std::vector<EvaluatedField> &fields)
+    : solved_(solved)
+    , n_fields_(fields.size())
+    , middles_(solved.space, {fields.back()}, middles_of_faces, {}, false) {}
+
+  /** Returns the traces of all fields on a face. @param f the face by its number in the cell. */
+  std::vector<BoundaryTrace> traces(const WorkCell &cell, const unsigned int corner,
+                                    const unsigned int f) {
+    const auto face = cell->face(f);
+    const std::vector<Side<2>> &sides = solved_.scene.geometry.sides;
+    const Side<2> &side = sides[face->boundary_id()];
+    const Curve line = shape_of(cell, sides).edge(corner);
+    // The middle is unique on closed sides, too.
+    const Point<2> middle = line.point(0.5 * line.length());
+    const double s = side.arc_length(middle), half = 0.5 * line.length();
+    const bool is_forward = (face->vertex(1) - face->vertex(0)) * side.tangent(s, s + half) > 0.;
+    const CellField u(cell, solved_.U);
+    std::vector<BoundaryTrace> traces(n_fields_, {face->boundary_id(), s - half, s + half, {}});
+    for (const Point<1> &node : lobatto_basis(u.degree() + 1).nodes)
+      traces[0].values.push_back(u.on_face(f, is_forward ? node[0] : 1. - node[0]));
+    if (n_fields_ > 1) {
+      middles_.reinit(cell, 0);
+      traces[1].values = traces[0].values;
+      traces[1].values.insert(traces[1].values.begin() + 1, middles_.value(f));
+    }
+    return traces;
+  }
+
+private:
+  const Solved<2> &solved_;
+  const std::size_t n_fields_;
+  CellEvaluator<2> middles_;
+};
+
+/** Adds the work of a given traction on a trace, with the rest of its quadrature. */
+void add_traction(const Scene<2> &scene, const BoundaryTrace &trace, FieldWorks &works) {
+  const Side<2> &side = scene.geometry.sides[trace.side];
+  const Function<2> &t = *scene.boundary[trace.side].data;
+  const std::vector<double> cuts = scene.kinks.cut(side, trace.from, trace.to);
+  const auto integral = [&](const unsigned int n_points) {
+    const Quadrature<1> rule = split_quadrature(QGauss<1>(n_points), cuts);
+    double sum = 0.;
+    dealii::Vector<double> given(2);
+    for (unsigned int q = 0; q < rule.size(); ++q) {
+      const double s = rule.point(q)[0];
+      t.vector_value(side.point(s), given);
+      const Tensor<1, 2> v = trace.value(s);
+      sum += rule.weight(q) * (given[0] * v[0] + given[1] * v[1]);
+    }
+    return sum;
+  };
+  constexpr unsigned int more = 4;
+  const unsigned int n_points = static_cast<unsigned int>(trace.values.size()) + more;
+  const double work = integral(n_points + more);
+  works.load += work;
+  works.margin += 2. * std::abs(work - integral(n_points));
+}
+/** Sums up the works of all ranks. */
+void sum_over_ranks(const MPI_Comm communicator, FieldWorks &works) {
+  works.strain = Utilities::MPI::sum(works.strain, communicator);
+  works.load = Utilities::MPI::sum(works.load, communicator);
+  works.margin = Utilities::MPI::sum(works.margin, communicator);
+  std::vector<BoundaryTrace> all;
+  for (const auto &traces : Utilities::MPI::all_gather(communicator, works.traces))
+    all.insert(all.end(), traces.begin(), traces.end());
+  works.traces = std::move(all);
+}
+} // namespace
+
+std::vector<FieldWorks> works_of(const Solved<2> &solved) {
+  const Scene<2> &scene = solved.scene;
+  const Mesh<2> &mesh = solved.space.mesh();
+  std::vector<EvaluatedField> fields = {{&solved.U}};
+  if (mesh.has_parents() && !mesh.is_curved() && solved.space.max_element_degree() == 1)
+    fields.push_back({&solved.U, 1});
+  const ExactMaps maps(mesh, scene.geometry.sides);
+  std::vector<FieldWorks> works(fields.size());
+  add_cell_works(solved, fields, maps, works);
+  TraceMaker maker(solved, fields);
+  for (const auto &cell : solved.space.dofs().active_cell_iterators())
+    for (unsigned int corner = 0; corner < 4; ++corner) {
+      const unsigned int f = face_in_circle[corner];
+      if (!cell->at_boundary(f) || !cell->is_locally_owned())
+        continue;
+      const Role role = scene.boundary[cell->face(f)->boundary_id()].role;
+      if (role == Role::free)
+        continue;
+      const std::vector<BoundaryTrace> traces = maker.traces(cell, corner, f);
+      for (std::size_t k = 0; k < works.size(); ++k)
+        if (role == Role::traction)
+          add_traction(scene, traces[k], works[k]);
+        else
+          works[k].traces.push_back(traces[k]);
+    }
+  const double hidden = 2. * HiddenLoad(scene).work(solved.space, solved.U);
+  for (FieldWorks &field : works) {
+    field.margin += hidden;
+    sum_over_ranks(mesh.communicator(), field);
+  }
+  return works;
+}
+} // namespace Signorini
