@@ -48,19 +48,17 @@ Tensor<1, 2> BoundaryTrace::value(const double s) const {
 namespace {
 using WorkCell = DoFHandler<2>::active_cell_iterator;
 
-/** Two integrals of each field over a cell, strain and load, and a bound of their sizes. */
-struct CellWorks {
-  std::vector<double> strain, load;
-};
+/** An integral of each field. */
+using FieldSums = std::vector<double>;
 
 /** The works of all fields on the cells of a chunk, and the rests of their quadrature. */
 struct ChunkWorks {
   explicit ChunkWorks(const std::size_t n_fields)
-    : sums({std::vector<double>(n_fields), std::vector<double>(n_fields)})
-    , margins(n_fields) {}
+    : strain(n_fields)
+    , load(n_fields)
+    , margin(n_fields) {}
 
-  CellWorks sums;
-  std::vector<double> margins;
+  FieldSums strain, load, margin;
 };
 
 /** Integrates the fields of a level on cells. Every chunk of cells has its own object. */
@@ -72,42 +70,59 @@ public:
     , maps_(maps)
     , n_fields_(fields.size())
     , degree_factor_(fields.back().n_generations > 0 ? 2 : 1)
-    , is_curved_(solved.space.mesh().is_curved())
-    , has_smooth_data_(scene_.material->is_constant_on_cells() &&
-                       (scene_.body_force == nullptr || is_constant(*scene_.body_force)))
+    , has_polynomial_energy_(scene_.material->is_constant_on_cells() &&
+                             !solved.space.mesh().is_curved())
+    , has_polynomial_load_(!solved.space.mesh().is_curved() && scene_.body_force != nullptr &&
+                           is_constant(*scene_.body_force))
     , measure_(scene_)
     , u_(solved.space, fields, ValuesCache<2>::gauss,
          [&maps](const auto &cell) -> const Mapping<2> & { return maps.of(cell); }) {}
 
-  /** Adds the works on a cell, by larger and larger rules where one is not exact. */
+  /** Adds the works on a cell. */
   void add(const WorkCell &cell, ChunkWorks &chunk) {
-    constexpr unsigned int step = 2, most = 12;
-    constexpr double allowed = 1e-13;
-    const unsigned int first = degree_factor_ * cell->get_fe().degree + (is_curved_ ? 3 : 1);
-    CellWorks works = integrate(cell, first);
-    std::vector<double> rests(n_fields_);
-    if (!(has_smooth_data_ && !is_curved_ && is_affine<2>(cell)))
-      for (unsigned int more = step; more <= most; more += step) {
-        const CellWorks better = integrate(cell, first + more);
-        double rest = 0., size = 0.;
-        for (std::size_t k = 0; k < n_fields_; ++k) {
-          rests[k] = std::abs(better.strain[k] - works.strain[k]) +
-                     2. * std::abs(better.load[k] - works.load[k]);
-          rest += rests[k];
-          size += better.strain[k] + std::abs(better.load[k]);
-        }
-        works = better;
-        if (rest <= allowed * size)
-          break;
-      }
+    const unsigned int degree = degree_factor_ * cell->get_fe().degree;
+    const bool is_plain = is_affine<2>(cell);
+    const FieldSums strain = converged(
+      is_plain && has_polynomial_energy_, degree + 1,
+      [&](const unsigned int n) { return strain_energies(cell, n); }, chunk.margin);
     for (std::size_t k = 0; k < n_fields_; ++k) {
-      chunk.sums.strain[k] += works.strain[k];
-      chunk.sums.load[k] += works.load[k];
-      chunk.margins[k] += rests[k] + rough_energy(cell, works.strain[k]);
+      chunk.strain[k] += strain[k];
+      chunk.margin[k] += rough_energy(cell, strain[k]);
     }
+    if (scene_.body_force == nullptr)
+      return;
+    const FieldSums load = converged(
+      is_plain && has_polynomial_load_, degree,
+      [&](const unsigned int n) { return works_of_load(cell, n); }, chunk.margin);
+    for (std::size_t k = 0; k < n_fields_; ++k)
+      chunk.load[k] += load[k];
   }
 
 private:
+  /** Returns integrals by larger and larger rules until two of them agree, unless the first one is
+   * exact, and adds their last changes, twice, to the margins. */
+  template <typename Integrate>
+  FieldSums converged(const bool is_exact, const unsigned int n_first, const Integrate &integrate,
+                      FieldSums &margins) const {
+    constexpr unsigned int n_more = 12;
+    constexpr double allowed = 1e-12;
+    FieldSums sums = integrate(n_first), rests(n_fields_);
+    for (unsigned int n = n_first + 1; n <= n_first + n_more && !is_exact; ++n) {
+      const FieldSums better = integrate(n);
+      double rest = 0., size = 0.;
+      for (std::size_t k = 0; k < n_fields_; ++k) {
+        rests[k] = 2. * std::abs(better[k] - sums[k]);
+        rest += rests[k];
+        size += std::abs(better[k]);
+      }
+      sums = better;
+      if (rest <= allowed * size)
+        break;
+    }
+    for (std::size_t k = 0; k < n_fields_; ++k)
+      margins[k] += rests[k];
+    return sums;
+  }
   /** Moves to the points of a rule on a cell, cut where data is not smooth. */
   void move_to(const WorkCell &cell, const Kinks<2> &kinks, const unsigned int n_points) {
     if (needs_cuts<2>(kinks, cell))
@@ -115,38 +130,38 @@ private:
     else
       u_.reinit(cell, n_points);
   }
-  CellWorks integrate(const WorkCell &cell, const unsigned int n_points) {
-    CellWorks works = {std::vector<double>(n_fields_), std::vector<double>(n_fields_)};
+  FieldSums strain_energies(const WorkCell &cell, const unsigned int n_points) {
+    FieldSums energies(n_fields_);
     move_to(cell, scene_.law_kinks, n_points);
     for (unsigned int q = 0; q < u_.size(); ++q) {
       measure_.at(u_.points()[q]);
       for (std::size_t k = 0; k < n_fields_; ++k)
-        works.strain[k] += u_.measure(q) * measure_.density(strain_of(u_.gradient(q, k)));
+        energies[k] += u_.measure(q) * measure_.density(strain_of(u_.gradient(q, k)));
     }
-    if (scene_.body_force == nullptr)
-      return works;
+    return energies;
+  }
+  FieldSums works_of_load(const WorkCell &cell, const unsigned int n_points) {
+    FieldSums works(n_fields_);
     move_to(cell, scene_.kinks, n_points);
     forces_.resize(u_.size(), dealii::Vector<double>(2));
     scene_.body_force->vector_value_list(u_.points(), forces_);
     for (unsigned int q = 0; q < u_.size(); ++q)
       for (std::size_t k = 0; k < n_fields_; ++k)
-        works.load[k] +=
+        works[k] +=
           u_.measure(q) * (forces_[q][0] * u_.value(q, k)[0] + forces_[q][1] * u_.value(q, k)[1]);
     return works;
   }
-  /** Returns the energy on a cell in which the law may jump between the points of a rule. */
+  /** Returns the energy on a cell with boxes of the law that hide details between points. */
   double rough_energy(const WorkCell &cell, const double strain) const {
-    return !scene_.material->is_constant_on_cells() && needs_cuts<2>(scene_.law_kinks, cell) &&
-               may_jump(scene_.law_kinks, cell)
-             ? strain
-             : 0.;
+    return scene_.law_kinks.boxes().hides_some(cell->bounding_box()) ? strain : 0.;
   }
 
   const Scene<2> &scene_;
   const ExactMaps &maps_;
   const std::size_t n_fields_;
   const unsigned int degree_factor_;
-  const bool is_curved_, has_smooth_data_;
+  /** Whether energies and works are integrals of polynomials on parallelograms. */
+  const bool has_polynomial_energy_, has_polynomial_load_;
   EnergyMeasure<2> measure_;
   CellEvaluator<2> u_;
   std::vector<dealii::Vector<double>> forces_;
@@ -166,9 +181,9 @@ void add_cell_works(const Solved<2> &solved, const std::vector<EvaluatedField> &
     },
     [&works](const ChunkWorks &chunk) {
       for (std::size_t k = 0; k < works.size(); ++k) {
-        works[k].strain += chunk.sums.strain[k];
-        works[k].load += chunk.sums.load[k];
-        works[k].margin += chunk.margins[k];
+        works[k].strain += chunk.strain[k];
+        works[k].load += chunk.load[k];
+        works[k].margin += chunk.margin[k];
       }
     });
 }
