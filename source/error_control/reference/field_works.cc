@@ -15,8 +15,10 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 namespace Signorini {
 namespace {
@@ -48,20 +50,79 @@ Tensor<1, 2> BoundaryTrace::value(const double s) const {
 namespace {
 using WorkCell = DoFHandler<2>::active_cell_iterator;
 
-/** An integral of each field. */
-using FieldSums = std::vector<double>;
+/** An integral of u_h, and of π^{2h} u_h. */
+using FieldSums = std::array<double, 2>;
 
 /** The works of all fields on the cells of a chunk, and the rests of their quadrature. */
 struct ChunkWorks {
-  explicit ChunkWorks(const std::size_t n_fields)
-    : strain(n_fields)
-    , load(n_fields)
-    , margin(n_fields) {}
-
-  FieldSums strain, load, margin;
+  FieldSums strain = {{0., 0.}}, load = strain, margin = strain;
 };
 
-/** Integrates the fields of a level on cells. Every chunk of cells has its own object. */
+/** Integrals over one cell by larger and larger rules. */
+struct RuleSequence {
+  static constexpr unsigned int n_more = 12;
+
+  /** Takes the integrals by the next rule. @return whether they differ by rounding from those
+   * before. */
+  bool agrees(const FieldSums &next) {
+    constexpr double allowed = 1e-12;
+    double rest = 0., size = 0.;
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      rests[k] = std::abs(next[k] - sums[k]);
+      rest += rests[k];
+      size += std::abs(next[k]);
+    }
+    const bool is_first = n_rules++ == 0;
+    sums = next;
+    return !is_first && rest <= allowed * size;
+  }
+
+  FieldSums sums = {{0., 0.}}, rests = sums;
+  unsigned int n_rules = 0;
+};
+
+/** Points of several cells at which a body force is evaluated together: point by point, formulas
+ * take several times as long. */
+class LoadBatch {
+public:
+  LoadBatch()
+    : forces_(size, dealii::Vector<double>(2)) {}
+
+  bool is_full() const {
+    return points_.size() == size;
+  }
+  /** Adds a point with v dx of each field there. @param cell the number of the sums. */
+  void add(const Point<2> &x, const std::array<Tensor<1, 2>, 2> &weighted, const std::size_t cell) {
+    points_.push_back(x);
+    weighted_.push_back(weighted);
+    cells_.push_back(cell);
+  }
+  /** Adds f·v dx of all points to the sums, and forgets the points. */
+  void evaluate(const Function<2> &force, std::vector<FieldSums> &sums) {
+    const std::size_t n = points_.size();
+    // The list of values must be as long as that of points.
+    points_.resize(size, n > 0 ? points_.back() : Point<2>());
+    if (n > 0)
+      force.vector_value_list(points_, forces_);
+    for (std::size_t q = 0; q < n; ++q)
+      for (std::size_t k = 0; k < 2; ++k)
+        sums[cells_[q]][k] +=
+          weighted_[q][k][0] * forces_[q][0] + weighted_[q][k][1] * forces_[q][1];
+    points_.clear();
+    weighted_.clear();
+    cells_.clear();
+  }
+
+private:
+  static constexpr std::size_t size = 128;
+
+  std::vector<Point<2>> points_;
+  std::vector<std::array<Tensor<1, 2>, 2>> weighted_;
+  std::vector<std::size_t> cells_;
+  std::vector<dealii::Vector<double>> forces_;
+};
+
+/** Integrates the fields of a level on the cells of a chunk. */
 class WorkIntegrator {
 public:
   WorkIntegrator(const Solved<2> &solved, const std::vector<EvaluatedField> &fields,
@@ -70,58 +131,33 @@ public:
     , maps_(maps)
     , n_fields_(fields.size())
     , degree_factor_(fields.back().n_generations > 0 ? 2 : 1)
-    , has_polynomial_energy_(scene_.material->is_constant_on_cells() &&
-                             !solved.space.mesh().is_curved())
-    , has_polynomial_load_(!solved.space.mesh().is_curved() && scene_.body_force != nullptr &&
-                           is_constant(*scene_.body_force))
+    , is_curved_(solved.space.mesh().is_curved())
+    , has_constant_load_(scene_.body_force != nullptr && is_constant(*scene_.body_force))
     , measure_(scene_)
     , u_(solved.space, fields, ValuesCache<2>::gauss,
          [&maps](const auto &cell) -> const Mapping<2> & { return maps.of(cell); }) {}
 
-  /** Adds the works on a cell. */
-  void add(const WorkCell &cell, ChunkWorks &chunk) {
-    const unsigned int degree = degree_factor_ * cell->get_fe().degree;
-    const bool is_plain = is_affine<2>(cell);
-    const FieldSums strain = converged(
-      is_plain && has_polynomial_energy_, degree + 1,
-      [&](const unsigned int n) { return strain_energies(cell, n); }, chunk.margin);
-    for (std::size_t k = 0; k < n_fields_; ++k) {
-      chunk.strain[k] += strain[k];
-      chunk.margin[k] += rough_energy(cell, strain[k]);
-    }
-    if (scene_.body_force == nullptr)
-      return;
-    const FieldSums load = converged(
-      is_plain && has_polynomial_load_, degree,
-      [&](const unsigned int n) { return works_of_load(cell, n); }, chunk.margin);
-    for (std::size_t k = 0; k < n_fields_; ++k)
-      chunk.load[k] += load[k];
+  ChunkWorks integrate(const Cells<2> &cells) {
+    ChunkWorks chunk;
+    for (const auto &cell : cells)
+      add_strain(cell, chunk);
+    if (scene_.body_force != nullptr)
+      add_loads(cells, chunk);
+    return chunk;
   }
 
 private:
-  /** Returns integrals by larger and larger rules until two of them agree, unless the first one is
-   * exact, and adds their last changes, twice, to the margins. */
-  template <typename Integrate>
-  FieldSums converged(const bool is_exact, const unsigned int n_first, const Integrate &integrate,
-                      FieldSums &margins) const {
-    constexpr unsigned int n_more = 12;
-    constexpr double allowed = 1e-12;
-    FieldSums sums = integrate(n_first), rests(n_fields_);
-    for (unsigned int n = n_first + 1; n <= n_first + n_more && !is_exact; ++n) {
-      const FieldSums better = integrate(n);
-      double rest = 0., size = 0.;
-      for (std::size_t k = 0; k < n_fields_; ++k) {
-        rests[k] = 2. * std::abs(better[k] - sums[k]);
-        rest += rests[k];
-        size += std::abs(better[k]);
-      }
-      sums = better;
-      if (rest <= allowed * size)
-        break;
-    }
-    for (std::size_t k = 0; k < n_fields_; ++k)
-      margins[k] += rests[k];
-    return sums;
+  /** A cell on which the work of the load is not known yet. */
+  struct Pending {
+    WorkCell cell;
+    RuleSequence works;
+  };
+
+  unsigned int degree_on(const WorkCell &cell) const {
+    return degree_factor_ * cell->get_fe().degree;
+  }
+  bool is_plain(const WorkCell &cell) const {
+    return !is_curved_ && is_affine<2>(cell);
   }
   /** Moves to the points of a rule on a cell, cut where data is not smooth. */
   void move_to(const WorkCell &cell, const Kinks<2> &kinks, const unsigned int n_points) {
@@ -130,8 +166,21 @@ private:
     else
       u_.reinit(cell, n_points);
   }
+  void add_strain(const WorkCell &cell, ChunkWorks &chunk) {
+    const bool is_polynomial = scene_.material->is_constant_on_cells() && is_plain(cell);
+    RuleSequence energies;
+    unsigned int n_points = degree_on(cell) + 1;
+    while (!energies.agrees(strain_energies(cell, n_points++)) && !is_polynomial &&
+           energies.n_rules < RuleSequence::n_more) {
+    }
+    for (std::size_t k = 0; k < n_fields_; ++k) {
+      chunk.strain[k] += energies.sums[k];
+      chunk.margin[k] +=
+        is_polynomial ? 0. : energies.rests[k] + rough_energy(cell, energies.sums[k]);
+    }
+  }
   FieldSums strain_energies(const WorkCell &cell, const unsigned int n_points) {
-    FieldSums energies(n_fields_);
+    FieldSums energies = {{0., 0.}};
     move_to(cell, scene_.law_kinks, n_points);
     for (unsigned int q = 0; q < u_.size(); ++q) {
       measure_.at(u_.points()[q]);
@@ -140,31 +189,60 @@ private:
     }
     return energies;
   }
-  FieldSums works_of_load(const WorkCell &cell, const unsigned int n_points) {
-    FieldSums works(n_fields_);
-    move_to(cell, scene_.kinks, n_points);
-    forces_.resize(u_.size(), dealii::Vector<double>(2));
-    scene_.body_force->vector_value_list(u_.points(), forces_);
-    for (unsigned int q = 0; q < u_.size(); ++q)
-      for (std::size_t k = 0; k < n_fields_; ++k)
-        works[k] +=
-          u_.measure(q) * (forces_[q][0] * u_.value(q, k)[0] + forces_[q][1] * u_.value(q, k)[1]);
-    return works;
-  }
   /** Returns the energy on a cell with boxes of the law that hide details between points. */
   double rough_energy(const WorkCell &cell, const double strain) const {
     return scene_.law_kinks.boxes().hides_some(cell->bounding_box()) ? strain : 0.;
+  }
+  /** Adds the works of the body force, which is evaluated on many cells at once: formulas take
+   * several times as long point by point. */
+  void add_loads(const Cells<2> &cells, ChunkWorks &chunk) {
+    std::vector<Pending> pending;
+    for (const auto &cell : cells)
+      pending.push_back({cell, {}});
+    while (!pending.empty()) {
+      const std::vector<FieldSums> works = works_of_next_rule(pending);
+      std::size_t n_left = 0;
+      for (std::size_t i = 0; i < pending.size(); ++i) {
+        RuleSequence &rules = pending[i].works;
+        const bool is_polynomial = has_constant_load_ && is_plain(pending[i].cell);
+        if (!rules.agrees(works[i]) && !is_polynomial && rules.n_rules < RuleSequence::n_more) {
+          pending[n_left++] = pending[i];
+          continue;
+        }
+        for (std::size_t k = 0; k < n_fields_; ++k) {
+          chunk.load[k] += rules.sums[k];
+          chunk.margin[k] += is_polynomial ? 0. : 2. * rules.rests[k];
+        }
+      }
+      pending.resize(n_left);
+    }
+  }
+  /** Returns the works on all cells by their next rules. */
+  std::vector<FieldSums> works_of_next_rule(const std::vector<Pending> &pending) {
+    std::vector<FieldSums> works(pending.size(), {{0., 0.}});
+    for (std::size_t i = 0; i < pending.size(); ++i) {
+      move_to(pending[i].cell, scene_.kinks, degree_on(pending[i].cell) + pending[i].works.n_rules);
+      for (unsigned int q = 0; q < u_.size(); ++q) {
+        std::array<Tensor<1, 2>, 2> weighted;
+        for (std::size_t k = 0; k < n_fields_; ++k)
+          weighted[k] = u_.measure(q) * u_.value(q, k);
+        batch_.add(u_.points()[q], weighted, i);
+        if (batch_.is_full())
+          batch_.evaluate(*scene_.body_force, works);
+      }
+    }
+    batch_.evaluate(*scene_.body_force, works);
+    return works;
   }
 
   const Scene<2> &scene_;
   const ExactMaps &maps_;
   const std::size_t n_fields_;
   const unsigned int degree_factor_;
-  /** Whether energies and works are integrals of polynomials on parallelograms. */
-  const bool has_polynomial_energy_, has_polynomial_load_;
+  const bool is_curved_, has_constant_load_;
   EnergyMeasure<2> measure_;
   CellEvaluator<2> u_;
-  std::vector<dealii::Vector<double>> forces_;
+  LoadBatch batch_;
 };
 
 /** Adds the integrals over all cells. */
@@ -172,13 +250,7 @@ void add_cell_works(const Solved<2> &solved, const std::vector<EvaluatedField> &
                     const ExactMaps &maps, std::vector<FieldWorks> &works) {
   integrate_by_chunks<ChunkWorks, 2>(
     solved.space,
-    [&](const Cells<2> &cells) {
-      WorkIntegrator integrator(solved, fields, maps);
-      ChunkWorks chunk(fields.size());
-      for (const auto &cell : cells)
-        integrator.add(cell, chunk);
-      return chunk;
-    },
+    [&](const Cells<2> &cells) { return WorkIntegrator(solved, fields, maps).integrate(cells); },
     [&works](const ChunkWorks &chunk) {
       for (std::size_t k = 0; k < works.size(); ++k) {
         works[k].strain += chunk.strain[k];
