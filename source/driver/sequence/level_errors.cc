@@ -27,7 +27,9 @@ ReferenceTarget target_for(const LevelRecord &record) {
 /** Returns the bound of a level, without the errors, that only has its penetration. */
 ErrorBound with_penetration(const BoundData &data) {
   ErrorBound bound;
-  const ContactTrace trace(data, std::vector<FaceField>(data.surface().faces().size()));
+  const Polynomials::Polynomial<double> zero(0);
+  const ContactTrace trace(
+    data, std::vector<FaceField>(data.surface().faces().size(), {Tensor<1, 2>(), {{zero, zero}}}));
   bound.penetration = trace.max_penetration();
   bound.place_of_penetration = name_of(trace.point_of_largest(), data.scene);
   return bound;
@@ -46,12 +48,37 @@ void LevelErrors<dim>::add(const Discretization<dim> &discretization,
   if constexpr (dim == 2) {
     if (!are_wanted())
       return;
+    const LevelRecord &record = solution.record;
     const BoundData data(solution.on(discretization), *solution.operators->inverse,
                          solution.energies, solution.scale);
-    levels_[solution.record.sizes.level] = {
-      works_of(data), with_penetration(data), solution.scale,
+    levels_[record.sizes.level] = {
+      works_of_level(data, record), with_penetration(data), solution.scale,
       solution.contact.P.normal() * discretization.multipliers.integrals()};
   }
+}
+
+template <int dim>
+std::vector<FieldWorks> LevelErrors<dim>::works_of_level(const BoundData &data,
+                                                         const LevelRecord &record) {
+  constexpr unsigned long long many_cells = 5000;
+  const auto post_strain = record.estimate ? record.estimate->post_strain : std::nullopt;
+  const bool has_sums = !data.space.mesh().is_curved() &&
+                        data.space.strain_operator() == StrainOperator::symmetric_gradient;
+  if (!has_sums)
+    return works_of(data);
+  std::vector<FieldWorks> sums = works_by_sums(data, data.energies, post_strain);
+  if (record.sizes.cells > many_cells && !rests_.empty()) {
+    for (std::size_t k = 0; k < sums.size(); ++k)
+      sums[k].margin += rests_[k] * sums[k].strain;
+    return sums;
+  }
+  const std::vector<FieldWorks> works = works_of(data);
+  rests_.resize(works.size());
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    rests_[k] = (works[k].margin + std::abs(works[k].strain - sums[k].strain) +
+                 2. * std::abs(works[k].load - sums[k].load)) /
+                works[k].strain;
+  return works;
 }
 
 template <int dim>

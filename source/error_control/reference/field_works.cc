@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 
@@ -146,6 +147,18 @@ public:
     return chunk;
   }
 
+  /** Returns the works of the body force by the smallest rules. */
+  ChunkWorks loads_by_first_rule(const Cells<2> &cells) {
+    std::vector<Pending> pending;
+    for (const auto &cell : cells)
+      pending.push_back({cell, {}});
+    ChunkWorks chunk;
+    for (const FieldSums &works : works_of_next_rule(pending))
+      for (std::size_t k = 0; k < n_fields_; ++k)
+        chunk.load[k] += works[k];
+    return chunk;
+  }
+
 private:
   /** A cell on which the work of the load is not known yet. */
   struct Pending {
@@ -245,19 +258,17 @@ private:
   LoadBatch batch_;
 };
 
-/** Adds the integrals over all cells. */
-void add_cell_works(const Solved<2> &solved, const std::vector<EvaluatedField> &fields,
-                    const ExactMaps &maps, std::vector<FieldWorks> &works) {
-  integrate_by_chunks<ChunkWorks, 2>(
-    solved.space,
-    [&](const Cells<2> &cells) { return WorkIntegrator(solved, fields, maps).integrate(cells); },
-    [&works](const ChunkWorks &chunk) {
-      for (std::size_t k = 0; k < works.size(); ++k) {
-        works[k].strain += chunk.strain[k];
-        works[k].load += chunk.load[k];
-        works[k].margin += chunk.margin[k];
-      }
-    });
+/** Adds integrals over all cells. */
+void add_cell_works(const Solved<2> &solved,
+                    const std::function<ChunkWorks(const Cells<2> &)> &integrate,
+                    std::vector<FieldWorks> &works) {
+  integrate_by_chunks<ChunkWorks, 2>(solved.space, integrate, [&works](const ChunkWorks &chunk) {
+    for (std::size_t k = 0; k < works.size(); ++k) {
+      works[k].strain += chunk.strain[k];
+      works[k].load += chunk.load[k];
+      works[k].margin += chunk.margin[k];
+    }
+  });
 }
 
 /** Returns the values at the middles of the faces of a cell. */
@@ -335,17 +346,10 @@ void sum_over_ranks(const MPI_Comm communicator, FieldWorks &works) {
     all.insert(all.end(), traces.begin(), traces.end());
   works.traces = std::move(all);
 }
-} // namespace
-
-std::vector<FieldWorks> works_of(const Solved<2> &solved) {
+/** Adds the traces of all fields, and their works on given tractions. */
+void add_traces(const Solved<2> &solved, const std::vector<EvaluatedField> &fields,
+                std::vector<FieldWorks> &works) {
   const Scene<2> &scene = solved.scene;
-  const Mesh<2> &mesh = solved.space.mesh();
-  std::vector<EvaluatedField> fields = {{&solved.U}};
-  if (mesh.has_parents() && !mesh.is_curved() && solved.space.max_element_degree() == 1)
-    fields.push_back({&solved.U, 1});
-  const ExactMaps maps(mesh, scene.geometry.sides);
-  std::vector<FieldWorks> works(fields.size());
-  add_cell_works(solved, fields, maps, works);
   TraceMaker maker(solved, fields);
   for (const auto &cell : solved.space.dofs().active_cell_iterators())
     for (unsigned int corner = 0; corner < 4; ++corner) {
@@ -362,11 +366,65 @@ std::vector<FieldWorks> works_of(const Solved<2> &solved) {
         else
           works[k].traces.push_back(traces[k]);
     }
-  const double hidden = 2. * HiddenLoad(scene).work(solved.space, solved.U);
-  for (FieldWorks &field : works) {
+}
+
+/** Returns u_h and, where cells of degree one have parents and straight edges, π^{2h} u_h. */
+std::vector<EvaluatedField> fields_of_level(const Solved<2> &solved) {
+  const Mesh<2> &mesh = solved.space.mesh();
+  std::vector<EvaluatedField> fields = {{&solved.U}};
+  if (mesh.has_parents() && !mesh.is_curved() && solved.space.max_element_degree() == 1)
+    fields.push_back({&solved.U, 1});
+  return fields;
+}
+
+/** Adds the work that loads may do between the points of rules. */
+void add_hidden_work(const Solved<2> &solved, std::vector<FieldWorks> &works) {
+  const double hidden = 2. * HiddenLoad(solved.scene).work(solved.space, solved.U);
+  for (FieldWorks &field : works)
     field.margin += hidden;
-    sum_over_ranks(mesh.communicator(), field);
+}
+} // namespace
+
+std::vector<FieldWorks> works_of(const Solved<2> &solved) {
+  const std::vector<EvaluatedField> fields = fields_of_level(solved);
+  const ExactMaps maps(solved.space.mesh(), solved.scene.geometry.sides);
+  std::vector<FieldWorks> works(fields.size());
+  add_cell_works(
+    solved,
+    [&](const Cells<2> &cells) { return WorkIntegrator(solved, fields, maps).integrate(cells); },
+    works);
+  add_traces(solved, fields, works);
+  for (FieldWorks &field : works)
+    sum_over_ranks(solved.space.mesh().communicator(), field);
+  add_hidden_work(solved, works);
+  return works;
+}
+
+std::vector<FieldWorks> works_by_sums(const Solved<2> &solved, const Energies &energies,
+                                      const std::optional<double> &post_strain) {
+  std::vector<EvaluatedField> fields = fields_of_level(solved);
+  if (!post_strain)
+    fields.resize(1);
+  const ExactMaps maps(solved.space.mesh(), solved.scene.geometry.sides);
+  std::vector<FieldWorks> works(fields.size());
+  if (post_strain && solved.scene.body_force != nullptr) {
+    std::vector<FieldWorks> post(1);
+    add_cell_works(
+      solved,
+      [&](const Cells<2> &cells) {
+        return WorkIntegrator(solved, {fields[1]}, maps).loads_by_first_rule(cells);
+      },
+      post);
+    works[1] = post[0];
   }
+  add_traces(solved, fields, works);
+  for (FieldWorks &field : works)
+    sum_over_ranks(solved.space.mesh().communicator(), field);
+  works[0].strain = 2. * energies.strain;
+  works[0].load = energies.loads;
+  if (post_strain)
+    works[1].strain = *post_strain;
+  add_hidden_work(solved, works);
   return works;
 }
 } // namespace Signorini

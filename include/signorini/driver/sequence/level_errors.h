@@ -40,10 +40,15 @@ private:
   };
 
   bool are_wanted() const;
+  /** Returns the works of a level. Those of a fine one are its own sums; their rest of quadrature
+   * is that of the last coarser level, where both were computed, since it falls with h. */
+  std::vector<FieldWorks> works_of_level(const BoundData &data, const LevelRecord &record);
   ErrorBound error_of(const Level &level) const;
 
   StudyContext<dim> context_;
   std::map<unsigned int, Level> levels_;
+  /** The rests of the quadrature of a level's own sums, relative to |||v|||², by field. */
+  std::vector<double> rests_;
   /** The graded run; none before it is made. */
   std::optional<ReferenceRun> run_;
 };

@@ -44,6 +44,8 @@ struct ErrorEstimate {
   std::optional<double> pressure;
   /** The parts of OtherErrors. */
   std::optional<double> algebra = {}, contact = {};
+  /** The energy |||π^{2h} u_h|||², by the same rule. */
+  std::optional<double> post_strain = {};
 
   static Columns<ErrorEstimate> columns();
 };

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/postprocessing/fields/energies.h>
 #include <signorini/solvers/methods/solved.h>
 
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <vector>
 
 namespace Signorini {
@@ -46,4 +48,14 @@ struct FieldWorks {
  * the work of loads that no point shows (HiddenLoad). Runs on all threads. Collective.
  */
 std::vector<FieldWorks> works_of(const Solved<2> &solved);
+
+/**
+ * Returns the same from the sums of the level itself: f(u_h) and |||u_h|||² of its matrices, and
+ * |||π^{2h} u_h|||² of the estimate. Only the load is integrated, for π^{2h} u_h, by a rule that is
+ * exact for linear loads. The margin lacks the rest of quadrature. There are no such sums on curved
+ * bodies and with mean dilatation. Collective.
+ * @param post_strain that of ErrorEstimate, of elements of degree one.
+ */
+std::vector<FieldWorks> works_by_sums(const Solved<2> &solved, const Energies &energies,
+                                      const std::optional<double> &post_strain);
 } // namespace Signorini
