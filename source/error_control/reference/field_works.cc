@@ -147,11 +147,13 @@ public:
     return chunk;
   }
 
-  /** Returns the works of the body force by the smallest rules. */
-  ChunkWorks loads_by_first_rule(const Cells<2> &cells) {
+  /** Returns the works of the body force by one rule, three points per direction for π^{2h} u_h. */
+  ChunkWorks loads_by_one_rule(const Cells<2> &cells) {
+    RuleSequence second;
+    second.n_rules = 1;
     std::vector<Pending> pending;
     for (const auto &cell : cells)
-      pending.push_back({cell, {}});
+      pending.push_back({cell, second});
     ChunkWorks chunk;
     for (const FieldSums &works : works_of_next_rule(pending))
       for (std::size_t k = 0; k < n_fields_; ++k)
@@ -412,7 +414,7 @@ std::vector<FieldWorks> works_by_sums(const Solved<2> &solved, const Energies &e
     add_cell_works(
       solved,
       [&](const Cells<2> &cells) {
-        return WorkIntegrator(solved, {fields[1]}, maps).loads_by_first_rule(cells);
+        return WorkIntegrator(solved, {fields[1]}, maps).loads_by_one_rule(cells);
       },
       post);
     works[1] = post[0];
