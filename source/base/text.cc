@@ -5,6 +5,7 @@
 
 #include <boost/algorithm/string.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -112,5 +113,21 @@ std::string number_text(const double number) {
 
 std::string join(const std::vector<std::string> &words, const std::string &separator) {
   return boost::join(words, separator);
+}
+
+std::string text_with_margin(const double value, const double margin, const std::string &unit) {
+  constexpr int most_digits = 6;
+  const auto exponent = [](const double number) {
+    return number > 0. ? static_cast<int>(std::floor(std::log10(number))) : -most_digits;
+  };
+  const int first = exponent(std::max(std::abs(value), margin)),
+            last = std::max(exponent(margin), first - most_digits + 1), places = std::max(0, -last);
+  const double step = std::pow(10., -places);
+  // The number is rounded, too.
+  const double rounded = std::round(value / step) * step,
+               up = std::ceil((margin + std::abs(value - rounded)) / step) * step;
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(places) << rounded << unit << " +- " << up << unit;
+  return text.str();
 }
 } // namespace Signorini

@@ -42,4 +42,7 @@ std::string number_text(double number);
 
 /** Returns the words joined by the separator: "a, b, c". */
 std::string join(const std::vector<std::string> &words, const std::string &separator = ", ");
+/** Returns "0.834876 +- 0.000006": a number to the first digit of its margin, which is rounded up,
+ * six digits at most. @param unit follows both: " %". */
+std::string text_with_margin(double value, double margin, const std::string &unit = "");
 } // namespace Signorini

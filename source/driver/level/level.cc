@@ -94,6 +94,8 @@ LocatedBound located_bound(const Given<WantedBound> &wanted, const Solved<2> &so
   else if (solved.U.size() > max_bounded_unknowns)
     none.bound.missing =
       "it is not computed for more than " + std::to_string(max_bounded_unknowns) + " unknowns";
+  else if (solved.space.mesh().is_shared())
+    none.bound.missing = "processes share the level, and no graded run tells its error";
   else
     return compute_located_bound(
       {solved, *solution.operators->inverse, solution.energies, solution.scale});

@@ -49,30 +49,35 @@ void LevelErrors<dim>::add(const Discretization<dim> &discretization,
     if (!are_wanted())
       return;
     const LevelRecord &record = solution.record;
-    const BoundData data(solution.on(discretization), *solution.operators->inverse,
-                         solution.energies, solution.scale);
+    const Solved<2> solved = solution.on(discretization);
+    ErrorBound bound;
+    // Samples are those of the whole body.
+    if (!discretization.mesh.is_shared())
+      bound =
+        with_penetration({solved, *solution.operators->inverse, solution.energies, solution.scale});
     levels_[record.sizes.level] = {
-      works_of_level(data, record), with_penetration(data), solution.scale,
+      works_of_level(solved, solution.energies, record), bound, solution.scale,
       solution.contact.P.normal() * discretization.multipliers.integrals()};
   }
 }
 
 template <int dim>
-std::vector<FieldWorks> LevelErrors<dim>::works_of_level(const BoundData &data,
+std::vector<FieldWorks> LevelErrors<dim>::works_of_level(const Solved<2> &solved,
+                                                         const Energies &energies,
                                                          const LevelRecord &record) {
   constexpr unsigned long long many_cells = 5000;
   const auto post_strain = record.estimate ? record.estimate->post_strain : std::nullopt;
-  const bool has_sums = !data.space.mesh().is_curved() &&
-                        data.space.strain_operator() == StrainOperator::symmetric_gradient;
+  const bool has_sums = !solved.space.mesh().is_curved() &&
+                        solved.space.strain_operator() == StrainOperator::symmetric_gradient;
   if (!has_sums)
-    return works_of(data);
-  std::vector<FieldWorks> sums = works_by_sums(data, data.energies, post_strain);
+    return works_of(solved);
+  std::vector<FieldWorks> sums = works_by_sums(solved, energies, post_strain);
   if (record.sizes.cells > many_cells && !rests_.empty()) {
     for (std::size_t k = 0; k < sums.size(); ++k)
       sums[k].margin += rests_[k] * sums[k].strain;
     return sums;
   }
-  const std::vector<FieldWorks> works = works_of(data);
+  const std::vector<FieldWorks> works = works_of(solved);
   rests_.resize(works.size());
   for (std::size_t k = 0; k < sums.size(); ++k)
     rests_[k] = (works[k].margin + std::abs(works[k].strain - sums[k].strain) +

@@ -30,8 +30,9 @@ namespace {
 void print_end(const std::vector<LevelRecord> &levels, const StudyReport &report) {
   if (levels.empty())
     return;
-  const std::string errors = error_table(levels);
+  const std::string errors = error_table(levels), distances = distance_table(levels);
   report.screen << "\n" << errors << (errors.empty() ? "" : "\n");
+  report.screen << distances << (distances.empty() ? "" : "\n");
   print_answer(report.screen, levels, report.directory);
   report.screen << "\n";
 }

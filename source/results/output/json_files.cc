@@ -108,6 +108,10 @@ static void to_json(Json &json, const Penetration &penetration) {
 static void to_json(Json &json, const ErrorBound &bound) {
   json = {{"absolute", bound.absolute},
           {"relative", bound.relative},
+          {"distance", bound.distance},
+          {"margin", bound.margin},
+          {"post_distance", bound.post_distance},
+          {"post_margin", bound.post_margin},
           {"mesh", bound.mesh},
           {"oscillation", bound.oscillation},
           {"contact", bound.contact},

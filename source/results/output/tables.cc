@@ -2,6 +2,7 @@
 // The tables of a run: convergence.csv, the lines on the screen, the errors at the end, and
 // cases.csv.
 
+#include <signorini/base/text.h>
 #include <signorini/results/output/tables.h>
 
 #include <boost/algorithm/string/replace.hpp>
@@ -150,6 +151,46 @@ std::string error_table(const std::vector<LevelRecord> &levels) {
   text << "\nErrors against the exact solution (1: norm of H1, 0: of L2; Iu: nodal\n"
           "interpolant; PI: interpolation on cells of 2h). Slope: least squares over the\n"
           "last four levels.\n";
+  return text.str();
+}
+
+std::string distance_table(const std::vector<LevelRecord> &levels) {
+  constexpr int percent_width = 26;
+  const auto percent = [](const LevelRecord &level, const std::optional<double> &error,
+                          const std::optional<double> &margin) {
+    const double scale = 100. * level.bound->relative.value() / level.bound->absolute.value();
+    return error ? text_with_margin(scale * *error, scale * margin.value()) : std::string("-");
+  };
+  const auto is_known = [](const LevelRecord &level) {
+    return level.bound && level.bound->distance && *level.bound->absolute > 0.;
+  };
+  if (!std::all_of(levels.begin(), levels.end(), is_known))
+    return "";
+  const bool has_post = levels.back().bound->post_distance.has_value();
+  std::ostringstream text;
+  text << "level" << std::setw(percent_width) << "error of u_h, %" << std::setw(order_width)
+       << "order";
+  if (has_post)
+    text << std::setw(percent_width) << "of its interpolation, %" << std::setw(order_width)
+         << "order";
+  const LevelRecord *before = nullptr;
+  for (const LevelRecord &level : levels) {
+    const ErrorBound &bound = *level.bound;
+    text << "\n"
+         << std::setw(5) << level.sizes.level << std::setw(percent_width)
+         << percent(level, bound.distance, bound.margin);
+    print_order(text, order_width, order(level, before, "distance"));
+    if (has_post) {
+      text << std::setw(percent_width) << percent(level, bound.post_distance, bound.post_margin);
+      print_order(text, order_width, order(level, before, "post_distance"));
+    }
+    before = &level;
+  }
+  text << "\nErrors in the energy norm, relative to u_h: distances to the stress of one graded\n"
+          "run, "
+       << (levels.back().bound->is_conditional
+             ? "if friction carried at most f times the pressure of that run.\n"
+             : "guaranteed within the margins.\n");
   return text.str();
 }
 

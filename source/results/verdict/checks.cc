@@ -157,7 +157,8 @@ std::string remedy_for(const LevelRecord &level) {
            "there have no solution.";
   constexpr const char *usual = "refine, or take cells that are as wide as high (long cells are "
                                 "too stiff in bending).";
-  if (!level.bound || !level.bound->relative) {
+  // A distance has no parts.
+  if (!level.bound || !level.bound->mesh) {
     const ErrorEstimate estimate = level.estimate.value_or(ErrorEstimate());
     const double algebra = estimate.algebra.value_or(0.), contact = estimate.contact.value_or(0.);
     const double largest =

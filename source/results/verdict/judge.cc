@@ -2,6 +2,7 @@
 // The judge: the rounding and the residuals of a level, the error of the finest one in words, and
 // the verdict.
 
+#include <signorini/base/text.h>
 #include <signorini/results/verdict/judge.h>
 
 #include <algorithm>
@@ -110,6 +111,19 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
     return text.str();
   }
   if (const std::optional<double> bound = bound_of(finest)) {
+    if (is_guaranteed(finest) && finest.bound->distance) {
+      const ErrorBound &known = *finest.bound;
+      const double scale = 100. * *known.relative / *known.absolute;
+      text << "the error is "
+           << text_with_margin(scale * *known.distance, scale * *known.margin, " %")
+           << " (energy norm, guaranteed";
+      if (known.post_distance)
+        text << "; "
+             << text_with_margin(scale * *known.post_distance, scale * *known.post_margin, " %")
+             << " for its interpolation on cells of 2h";
+      text << ")";
+      return text.str();
+    }
     if (is_guaranteed(finest)) {
       text << "the error is at most " << percent(*bound) << " (energy norm, guaranteed";
       if (finest.bound->post_relative)

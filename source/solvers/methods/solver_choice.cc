@@ -85,12 +85,10 @@ bool is_shared(const Parameters &parameters, const Scene<dim> &scene, const Solv
     !scene.contact_law.has_tangential_part() && scene.load_cases.empty() && scene.plates.empty() &&
     !scene.is_held_by_contact && scene.geometry.n_bodies() == 1 && !scene.has_pairs() &&
     scene.geometry.distortion == 0. && !parameters.output.compliance && !parameters.output.lemmas;
-  // The bound needs the whole body.
-  const bool has_bound = dim == 2 && parameters.output.bound != WantedBound::none;
   const bool solver_fits = solvers.is_matrix_free() || solvers.linear == LinearSolver::amesos_mumps;
   // Below its root a subtree has at least 4^dim cells.
   constexpr unsigned int min_depth = 2;
-  return n_ranks > 1 && scene_fits && solver_fits && !has_bound &&
+  return n_ranks > 1 && scene_fits && solver_fits &&
          level >= min_depth + level_of_subtrees(scene.geometry.n_coarse_cells, dim, n_ranks);
 }
 

@@ -42,7 +42,8 @@ private:
   bool are_wanted() const;
   /** Returns the works of a level. Those of a fine one are its own sums; their rest of quadrature
    * is that of the last coarser level, where both were computed, since it falls with h. */
-  std::vector<FieldWorks> works_of_level(const BoundData &data, const LevelRecord &record);
+  std::vector<FieldWorks> works_of_level(const Solved<2> &solved, const Energies &energies,
+                                         const LevelRecord &record);
   ErrorBound error_of(const Level &level) const;
 
   StudyContext<dim> context_;

@@ -62,6 +62,10 @@ std::string screen_legend(bool graded = false);
  */
 std::string error_table(const std::vector<LevelRecord> &levels);
 
+/** Returns the errors of nested levels that ErrorBound::distance tells, with their margins and
+ * orders; empty where they are not known. */
+std::string distance_table(const std::vector<LevelRecord> &levels);
+
 /** Writes convergence.csv, all levels. */
 void write_convergence_csv(std::ostream &stream, const std::vector<LevelRecord> &levels);
 
