@@ -115,9 +115,10 @@ private:
       const StageTimer timer(record.times.postprocess), bound_timer(record.times.bound);
       knows_errors_ = errors_.know_last(record, progress);
     }
-    if (knows_errors_)
+    if (knows_errors_) {
       record.bound = errors_.all().at(next_level_);
-    else
+      solution.reference = errors_.stress();
+    } else
       add_bound(context_.parameters, discretization, progress, solution);
   }
 

@@ -147,6 +147,10 @@ public:
         add(k == 0 && !is_point ? label : "",
             name + " " + maximum_text(report.extremes[k], summary_.reports[i][k]));
       }
+      for (const BoundedValue &mean : report.means)
+        add("", mean.name + " " + digits(mean.value) +
+                  (mean.error ? " +- " + digits(*mean.error) + " at most (guaranteed)"
+                              : ": no interval, because " + mean.missing));
       for (const GrowthEdge &edge : report.growth)
         add("", (is_point ? "grows without limit" : "left out") + growth_text(edge) +
                   ", closer than " + digits(edge.radius));
