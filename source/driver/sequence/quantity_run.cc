@@ -3,7 +3,7 @@
 
 #include <signorini/driver/sequence/quantity_run.h>
 #include <signorini/driver/sequence/reference_run.h>
-#include <signorini/error_control/reference/place_mean.h>
+#include <signorini/error_control/reference/probe_mean.h>
 #include <signorini/problem/scene/contradictions.h>
 #include <signorini/problem/scene/functions.h>
 #include <signorini/problem/scene/rigid_motions.h>
@@ -138,7 +138,7 @@ public:
 
 private:
   void add_stress(const Probe<2> &probe, std::vector<BoundedValue> &means) const {
-    const PlaceMean mean = mean_stress(level_.solved(), probe);
+    const ProbeMean mean = mean_stress(level_.solved(), probe);
     for (const auto &[i, j] : {std::pair(0, 0), {1, 1}, {0, 1}}) {
       BoundedValue &value =
         means.emplace_back(BoundedValue{"mean stress_" + axes[i] + axes[j], mean.value[i][j]});
@@ -181,7 +181,7 @@ private:
 
   void add_displacement(const unsigned int side, const unsigned int i,
                         std::vector<BoundedValue> &means) const {
-    const PlaceMean mean = mean_displacement(level_.solved(), side);
+    const ProbeMean mean = mean_displacement(level_.solved(), side);
     BoundedValue &value = means.emplace_back(BoundedValue{"mean u_" + axes[i], mean.value[0][i]});
     const Scene<2> loaded = with_unit_load(scene_, side, i);
     if (!free_rigid_motions(scene_, Plates::released).empty())

@@ -4,7 +4,7 @@
 #include <signorini/discretization/mesh/arc_mapping.h>
 #include <signorini/discretization/space/cell_evaluator.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
-#include <signorini/error_control/reference/place_mean.h>
+#include <signorini/error_control/reference/probe_mean.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -88,7 +88,7 @@ public:
           parts_.push_back({cell, nullptr, f, 0., 1.});
   }
   /** Collects the parts of a contour in the body, and of the body's boundary in the contour. */
-  void add_place(const Probe<2> &probe, const std::vector<Curve> &contour) {
+  void add_contour(const Probe<2> &probe, const std::vector<Curve> &contour) {
     std::vector<std::vector<double>> cuts;
     for (const Curve &curve : contour)
       for (unsigned int k = 0; k <= n_first_parts; ++k)
@@ -117,7 +117,7 @@ public:
       });
   }
 
-  /** Returns cells that a place contains or that its boundary meets, one for each part. */
+  /** Returns cells that a probe contains or that its boundary meets, one for each part. */
   std::vector<Cell> touched(const Probe<2> &probe) const {
     std::vector<Cell> found;
     for (const LinePart &part : parts_)
@@ -278,14 +278,14 @@ Tensor<2, 2> margin_of(const Tensor<2, 2> &first, const Tensor<2, 2> &second) {
 constexpr unsigned int few = 6, more = 12;
 } // namespace
 
-PlaceMean mean_stress(const DisplacedBody<2> &body, const Probe<2> &probe) {
-  PlaceMean mean;
+ProbeMean mean_stress(const DisplacedBody<2> &body, const Probe<2> &probe) {
+  ProbeMean mean;
   const std::vector<Curve> contour = contour_of(probe);
   LineIntegrals lines(body);
   if (probe.region)
     lines.add_region(*probe.region);
   else
-    lines.add_place(probe, contour);
+    lines.add_contour(probe, contour);
   const Material<2> &material = *body.scene.material;
   if (!material.is_constant_on_cells())
     mean.missing = "the moduli vary in it";
@@ -312,11 +312,11 @@ PlaceMean mean_stress(const DisplacedBody<2> &body, const Probe<2> &probe) {
   return mean;
 }
 
-PlaceMean mean_displacement(const DisplacedBody<2> &body, const unsigned int side) {
+ProbeMean mean_displacement(const DisplacedBody<2> &body, const unsigned int side) {
   LineIntegrals lines(body);
   lines.add_side(side);
   const LineIntegrals::Sums a = lines.sums(few), b = lines.sums(more);
-  PlaceMean mean;
+  ProbeMean mean;
   Tensor<2, 2> first;
   first[0] = a.u / a.length;
   mean.value[0] = b.u / b.length;

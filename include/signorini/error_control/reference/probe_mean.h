@@ -16,7 +16,7 @@ namespace Signorini {
  * meets edges of cells, at roots of polynomials, and on each part Gauss' rule is applied to a
  * smooth function. Moduli have to be the same everywhere in P.
  */
-struct PlaceMean {
+struct ProbeMean {
   /** Why there is no mean, one sentence; mostly empty. */
   std::string missing;
   /** The mean stress (force/area), or in the first row of a tensor the mean displacement. */
@@ -30,6 +30,6 @@ struct PlaceMean {
   SymmetricTensor<4, 2> hooke;
 };
 
-PlaceMean mean_stress(const DisplacedBody<2> &body, const Probe<2> &probe);
-PlaceMean mean_displacement(const DisplacedBody<2> &body, unsigned int side);
+ProbeMean mean_stress(const DisplacedBody<2> &body, const Probe<2> &probe);
+ProbeMean mean_displacement(const DisplacedBody<2> &body, unsigned int side);
 } // namespace Signorini
