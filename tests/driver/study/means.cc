@@ -133,7 +133,7 @@ struct Kirsch {
     double laplacian = 0.;
     for (const auto &[k, weight] : {std::pair(0., -5.), {1., 4. / 3.}, {2., -1. / 12.}})
       for (const double sign : {-1., 1.})
-        laplacian += weight / (h * h) * (k == 0. ? 0.5 : 1.) *
+        laplacian += weight / (h * h) * (k == 0. ? 0.25 : 1.) *
                      (stress(x + sign * k * h, y)[i] + stress(x, y + sign * k * h)[i]);
     return stress(x, y)[i] + R * R / 8. * laplacian;
   }
@@ -240,22 +240,20 @@ void check_catalogue(Checks &checks, const std::string &name,
             0., 1.),
           3. * b);
   }
-  const double xi = 1. / std::sqrt(2.);
+  const double xi = 1. / std::sqrt(2.), sides = 5. * b + 1e-5;
   const auto pressure = [&](const double x) {
     return scene.contacts[0].exact_pressure->value({x, 0.});
   };
   // The root at the end of contact: x = xi - t^2.
   const double force =
     integral([&](const double t) { return 2. * t * pressure(xi - t * t); }, 0., std::sqrt(xi));
-  check(checks, means, "force_y at bottom", -force, 0.5 * b + 1e-5);
+  check(checks, means, "force_y at bottom", -force, sides);
   const auto weight = [](const double x) {
     const double r = std::clamp(std::min(x - 0.1, 0.6 - x) / 0.125, 0., 1.);
     return r * r * r * (10. - 15. * r + 6. * r * r);
   };
   check(checks, means, "weighted force_n at bottom from 0.1 to 0.6",
-        integral([&](const double x) { return weight(x) * pressure(x); }, 0.1, 0.6),
-        0.5 * b + 1e-5);
-  const double sides = 3. * b;
+        integral([&](const double x) { return weight(x) * pressure(x); }, 0.1, 0.6), sides);
   check(checks, means, "force_y at top",
         integral([&](const double x) { return stress(x, 1.)[1]; }, 0., 1.), sides);
   const double in_box =
@@ -305,11 +303,11 @@ int main(int argc, char *argv[]) {
   checks.about("block");
   check_block(checks);
   for (const std::string name : {"A1", "B1"}) {
-    for (unsigned int level = 3; level < 6; ++level) {
+    for (const unsigned int level : {3, 5}) {
       checks.about(name + " on level " + std::to_string(level));
       check_catalogue(checks, name, levels(2, level, {"Output/Inf-sup constant=false"}));
     }
-    for (const std::string target : {"1e-2", "1e-3", "1e-4"}) {
+    for (const std::string target : {"1e-2", "1e-4"}) {
       checks.about(name + " with the target " + target);
       check_catalogue(checks, name,
                       {"Discretization/Strategy=hp", "Discretization/Target error=" + target});
