@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 namespace Signorini {
@@ -201,18 +200,13 @@ private:
     }
     for (const BoundaryTrace &trace : phi)
       value.value += thickness * stress->traction.work(trace, stress->sides);
-    // ∫ |τn| or more: the size of what rounding and the balance of the stress leave.
-    double size = 0.;
-    for (const BoundaryTraction::Part &part : stress->traction.on_side(side))
-      for (const std::vector<double> &component : part.coefficients)
-        size +=
-          thickness * (part.to - part.from) *
-          std::sqrt(std::inner_product(component.begin(), component.end(), component.begin(), 0.));
     const Scene<2> moved = with_motion(scene_, side, phi);
     if (!find_contradiction(moved).empty())
       value.missing = "it meets another side that may hold the body: the energy is infinite";
     else
-      set_error(moved, thickness * stress->stress_error, rounding * size, value);
+      set_error(moved, thickness * stress->stress_error,
+                rounding * thickness * stress->energy_norm * std::sqrt(scene_.material->modulus()),
+                value);
   }
 
   /** Sets the error to |||u||| of a linear scene times a factor, and a margin. */
@@ -229,6 +223,7 @@ private:
       value.missing = missing;
   }
 
+  /** The share of the size of all forces, |||u||| E_0^{1/2}, that rounding leaves of a balance. */
   static constexpr double rounding = 1e-11;
   const Parameters &parameters_;
   const Scene<2> &scene_;

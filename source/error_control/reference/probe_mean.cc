@@ -68,7 +68,7 @@ public:
   explicit LineIntegrals(const DisplacedBody<2> &body)
     : body_(body)
     , maps_(body.space.mesh(), body.scene.geometry.sides)
-    , rounding_(1e-9 * body.scene.geometry.diameter()) {}
+    , rounding_(1e-12 * body.scene.geometry.diameter()) {}
 
   /** Collects the edges of cells on a side. */
   void add_side(const unsigned int side) {
@@ -144,7 +144,7 @@ public:
                                                : maps_.of(part.cell).transform_real_to_unit_cell(
                                                    part.cell, part.curve->point(s)));
         sums.is_inside =
-          sums.is_inside && GeometryInfo<2>::distance_to_unit_cell(points.back()) < 1e-5;
+          sums.is_inside && GeometryInfo<2>::distance_to_unit_cell(points.back()) < 1e-3;
         weights.push_back((part.to - part.from) * rule.weight(q));
       }
       u.reinit_once(part.cell, Quadrature<2>(points, weights));
@@ -205,7 +205,7 @@ private:
     for (const double coefficient : b)
       size = std::max(size, std::abs(coefficient));
     if (size > rounding_)
-      add_roots(b, 0., 1., 1e-13 * size, found);
+      add_roots(b, 0., 1., 1e-13 * size + 1e-3 * rounding_, found);
     return found;
   }
   /** Calls @p use for consecutive cuts. */
