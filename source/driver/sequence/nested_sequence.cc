@@ -118,9 +118,10 @@ private:
     knows_errors_ = errors_.know_last(record, progress);
     record.times.bound +=
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (knows_errors_)
+    if (knows_errors_) {
       record.bound = errors_.all().at(next_level_);
-    else
+      solution.reference = errors_.stress();
+    } else
       add_bound(context_.parameters, discretization, progress, solution);
   }
 

@@ -6,6 +6,7 @@
 #include <signorini/base/parallel.h>
 #include <signorini/base/text.h>
 #include <signorini/driver/sequence/level_clock.h>
+#include <signorini/driver/sequence/quantity_run.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/driver/study/settings.h>
 #include <signorini/driver/study/study.h>
@@ -114,6 +115,7 @@ private:
     agree(communicator_, [&]() { level = sequence_->solve_next(progress); });
     LevelRecord &record = level.solution.record;
     std::vector<CaseResult> cases = solve_cases(level, progress);
+    add_means(level, progress);
     multiply_forces(scene_.geometry.thickness, record, cases);
     if (!cases.empty()) {
       cases_.insert(cases_.end(), cases.begin(), cases.end());
@@ -181,6 +183,13 @@ private:
       }
     }
     return {};
+  }
+
+  /** Adds the means that are wanted with guaranteed errors. */
+  void add_means(LevelResult<dim> &level, const Progress &progress) {
+    if constexpr (dim == 2)
+      if (level.is_last)
+        add_guaranteed_means(parameters_, sequence_->scene(), level, progress);
   }
 
   const Parameters &parameters_;

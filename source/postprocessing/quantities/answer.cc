@@ -116,8 +116,9 @@ Answer compute_answer(const BodyInContact<dim> &body, const NodalForces &forces)
   answer.dimension = dim;
   answer.size = scene.geometry.diameter();
   answer.contact_by_side = contact_forces(multipliers, multiplier);
-  answer.contact_force = contact_force(multipliers, contacts_of_contact_force(scene), multiplier,
-                                       body_of_contact_force(scene));
+  if (!scene.contacts.empty())
+    answer.contact_force = contact_force(multipliers, contacts_of_contact_force(scene), multiplier,
+                                         body_of_contact_force(scene));
   answer.contact_force.side.clear();
   answer.reactions = reactions(body.space, scene, forces);
   if constexpr (dim == 2) {

@@ -119,14 +119,25 @@ private:
   bool may_contain(const Probe<dim> &probe, const Cell &cell) const {
     if (probe.radius > 0.)
       return cell->center().distance(probe.centre) <= probe.radius + cell->diameter();
+    if (probe.box) {
+      BoundingBox<dim> around = *probe.box;
+      around.extend(cell->diameter());
+      return around.point_inside(cell->center());
+    }
     return is_in_region(probe, cell) || (!probe.sides.empty() && cell->at_boundary());
   }
-  static bool contains(const Probe<dim> &probe, const Cell &cell, const FieldSample<dim> &sample) {
+  bool contains(const Probe<dim> &probe, const Cell &cell, const FieldSample<dim> &sample) const {
+    if constexpr (dim == 2)
+      if (probe.stretch) {
+        const double s = field_.scene.geometry.sides[probe.sides[0]].arc_length(sample.x);
+        if (s < (*probe.stretch)[0] || s > (*probe.stretch)[1])
+          return false;
+      }
     for (const unsigned int f : cell->face_indices())
       if (cell->at_boundary(f) && std::abs(sample.unit[f / 2] - f % 2) < 1e-12 &&
           std::count(probe.sides.begin(), probe.sides.end(), cell->face(f)->boundary_id()) > 0)
         return true;
-    return sample.x.distance(probe.centre) <= probe.radius;
+    return probe.contains(sample.x);
   }
 
   Stress3D stress_of(const Cell &cell, const FieldSample<dim> &sample) const {
@@ -209,6 +220,13 @@ named_extremes(const std::vector<ProbeReport> &reports) {
     for (std::size_t k = 0; k < report.extremes.size(); ++k)
       numbers.emplace_back(to_text(static_cast<ReportField>(k)) + " at " + report.probe,
                            report.extremes[k].value);
+  for (const ProbeReport &report : reports)
+    for (const BoundedValue &mean : report.means)
+      if (mean.error) {
+        const std::string name = mean.name + " at " + report.probe;
+        numbers.emplace_back(name, mean.value);
+        numbers.emplace_back("error of " + name, *mean.error);
+      }
   return numbers;
 }
 
@@ -232,7 +250,7 @@ std::vector<ProbeReport> report_on_probes(const BodyInContact<dim> &body,
     if (!probes[i].points.empty() && all[i].rows.empty())
       throw input_error(probes[i].where, ": found ", quote(probes[i].name),
                         ", which is outside of the body, allowed: points of the body.");
-    reports.push_back({probes[i].name, all[i].largest, all[i].growth, all[i].rows});
+    reports.push_back({probes[i].name, all[i].largest, all[i].growth, all[i].rows, {}});
     for (std::size_t k = 0; k < reports[i].extremes.size(); ++k)
       reports[i].extremes[k].value *= signs[k];
     std::sort(reports[i].rows.begin(), reports[i].rows.end());

@@ -243,8 +243,11 @@ void Declarations::declare_solver(SolverParameters &solver) {
 void Declarations::declare_output(OutputParameters &output) {
   add("Output/Report", output.report,
       "Places separated by '|' for which the answer has the largest von Mises and principal "
-      "stresses and displacement: the name of a side or of a region, 'x,y radius r', a point "
-      "'x,y', or a line 'x,y to x,y', along which line-N.csv has them.");
+      "stresses and displacement: the name of a side or of a region, 'SIDE from s to s' (arc "
+      "lengths), 'x,y radius r', 'x,y box x,y', a point 'x,y', or a line 'x,y to x,y', along which "
+      "line-N.csv has them. With 'guaranteed' behind a place in 2-D, not behind a point or a line, "
+      "also mean stresses over it, or for a side the mean displacement and the force, with bounds "
+      "of their errors that hold for certain.");
   add("Output/VTU", output.vtu, "Levels for which solution-LL.vtu and contact-LL.vtu are written.");
   add(
     "Output/Inf-sup constant", output.inf_sup_constant,

@@ -48,6 +48,18 @@ std::string scaled_text(const AnswerVector &x, const double size) {
   return "(" + join(texts) + ")";
 }
 
+/** Returns "1.234567 +- 1.2e-06 at most (guaranteed)", with the digits that are known. */
+std::string interval_text(const BoundedValue &mean) {
+  if (!mean.error)
+    return digits(mean.value) + ": no interval, because " + mean.missing;
+  const double known = std::log10(std::abs(mean.value) / *mean.error);
+  std::ostringstream text;
+  text << std::setprecision(known > 5. ? static_cast<int>(std::min(known, 13.)) + 2 : 6)
+       << mean.value << " +- " << std::setprecision(2) << 1.05 * *mean.error
+       << " at most (guaranteed)";
+  return text.str();
+}
+
 /** Prints an answer; the size of the body decides which lengths are rounding. */
 class AnswerLines {
 public:
@@ -147,6 +159,8 @@ public:
         add(k == 0 && !is_point ? label : "",
             name + " " + maximum_text(report.extremes[k], summary_.reports[i][k]));
       }
+      for (const BoundedValue &mean : report.means)
+        add("", mean.name + " " + interval_text(mean));
       for (const GrowthEdge &edge : report.growth)
         add("", (is_point ? "grows without limit" : "left out") + growth_text(edge) +
                   ", closer than " + digits(edge.radius));

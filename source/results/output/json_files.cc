@@ -166,6 +166,9 @@ Json report_of(const ProbeReport &report, const std::vector<Trend> &trends,
   for (std::size_t k = 0; k < report.extremes.size(); ++k)
     json[to_text(static_cast<ReportField>(k))] = with_trend(report.extremes[k], trends[k]);
   json["growth"] = report.growth;
+  for (const BoundedValue &mean : report.means)
+    json["means"][mean.name] = {
+      {"value", mean.value}, {"error", mean.error}, {"missing", mean.missing}};
   for (const auto &[name, value] : values_at_point(report, dimension))
     json["values"][name] = value;
   return json;

@@ -98,7 +98,9 @@ std::vector<types::global_dof_index> contact_unknowns(const Coupling &condensed_
 std::shared_ptr<const ComplianceOperator> make_compliance(const StiffnessInverse &inverse,
                                                           const Coupling &condensed_D,
                                                           const ColumnProgress &progress) {
-  if (auto factor = inverse.trailing_factor(contact_unknowns(condensed_D)))
+  // A scene without contact has no columns.
+  const auto rows = contact_unknowns(condensed_D);
+  if (auto factor = rows.empty() ? std::nullopt : inverse.trailing_factor(rows))
     return std::make_shared<const DenseCompliance>(compliance_from(*factor, condensed_D));
   return std::make_shared<const ColumnCompliance>(inverse, condensed_D, progress);
 }

@@ -25,6 +25,10 @@ public:
   /** Returns whether the error of the last level is known to a third at least. Makes the graded run
    * first, if that is still to be done. */
   bool know_last(const LevelRecord &record, const Progress &progress);
+  /** Returns the stress of the run. */
+  const std::optional<ReferenceStress> &stress() const {
+    return run_->stress;
+  }
   /** Returns the errors of all levels by their numbers, after know_last() has made the run. */
   std::map<unsigned int, ErrorBound> all() const;
 

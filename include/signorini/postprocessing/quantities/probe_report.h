@@ -5,6 +5,7 @@
 #include <signorini/postprocessing/quantities/von_mises.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,16 @@ constexpr std::size_t n_report_fields = 4;
 /** Returns "von_mises", ... */
 std::string to_text(ReportField field);
 
+/** A mean over a probe or a force (unit of its field; force), with a bound of its error. */
+struct BoundedValue {
+  /** "mean stress_xx", "mean u_x", "force_x" or, on a stretch, "weighted force_n". */
+  std::string name;
+  double value = 0.;
+  /** The guaranteed bound of |value - exact value|, or why there is none, a clause. */
+  std::optional<double> error = {};
+  std::string missing = {};
+};
+
 /** The values at a probe. */
 struct ProbeReport {
   std::string probe;
@@ -30,9 +41,12 @@ struct ProbeReport {
   /** For a point and for points along a line: those in the body, with the distance from the start,
    * the coordinates, u, the stresses xx, yy, zz, xy (in space also xz, yz), and the four fields. */
   std::vector<std::vector<double>> rows;
+  /** Where guaranteed means are wanted, those of the finest level. */
+  std::vector<BoundedValue> means = {};
 };
 
-/** Returns the extremes of all probes with names for a table: "von_mises at 1,2 radius 3". */
+/** Returns the extremes and means of all probes with names for a table: "von_mises at 1,2 radius
+ * 3", "mean u_x at top", "error of mean u_x at top". */
 std::vector<std::pair<std::string, double>> named_extremes(const std::vector<ProbeReport> &reports);
 
 /** Returns the names of the columns of ProbeReport::rows, separated by commas. */
