@@ -46,7 +46,7 @@ template <int dim>
 void LevelErrors<dim>::add(const Discretization<dim> &discretization,
                            const LevelSolution<dim> &solution) {
   if constexpr (dim == 2) {
-    if (!are_wanted())
+    if (!are_wanted() || !gap_on_all_meshes(solution.on(discretization)).empty())
       return;
     const LevelRecord &record = solution.record;
     const Solved<2> solved = solution.on(discretization);
@@ -90,7 +90,7 @@ template <int dim>
 bool LevelErrors<dim>::know_last(const LevelRecord &record, const Progress &progress) {
   constexpr double share = 1. / 3.;
   if constexpr (dim == 2) {
-    if (!are_wanted() || !record.dual.converged)
+    if (levels_.count(record.sizes.level) == 0 || !record.dual.converged)
       return false;
     if (!run_)
       run_ = run_reference(context_.parameters, context_.scene, target_for(record), progress);

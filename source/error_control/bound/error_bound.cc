@@ -179,22 +179,17 @@ bool is_resolved(const Scene<2> &scene, const TractionEdge &edge) {
  * empty if there is none. */
 std::string gap_of_proof(const BoundData &data, const BestStress &best) {
   const Scene<2> &scene = data.scene;
+  if (const std::string gap = gap_on_all_meshes(data); !gap.empty())
+    return gap;
   if (!data.space.mesh().is_curved())
     return "";
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-    if (!scene.geometry.sides[i].is_flat() && scene.boundary[i].role == Role::roller)
-      return "rollers hold a curved side";
   for (const TractionEdge &edge : best.stress.tractions.space.edges())
     if (!edge.line.is_flat() && scene.boundary[edge.side].role == Role::traction &&
         !is_resolved(scene, edge))
       return "the traction on a curved side jumps or varies fast";
-  const bool has_load = scene.body_force != nullptr && !is_constant(*scene.body_force);
-  for (const auto &cell : data.space.mesh().triangulation().active_cell_iterators()) {
+  for (const auto &cell : data.space.mesh().triangulation().active_cell_iterators())
     if (varies_fast(scene.law_kinks, cell))
       return "the material jumps or varies fast in a curved body";
-    if (has_load && may_jump(scene.kinks, cell))
-      return "the body force jumps in a curved body, or varies faster than the smallest boxes show";
-  }
   return "";
 }
 
@@ -233,6 +228,21 @@ LocatedBound sum_up(const BoundData &data, const BestStress &best) {
   return located;
 }
 } // namespace
+
+std::string gap_on_all_meshes(const DisplacedBody<2> &body) {
+  const Scene<2> &scene = body.scene;
+  if (!body.space.mesh().is_curved())
+    return "";
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+    if (!scene.geometry.sides[i].is_flat() && scene.boundary[i].role == Role::roller)
+      return "rollers hold a curved side";
+  if (scene.body_force != nullptr && !is_constant(*scene.body_force))
+    for (const auto &cell : body.space.mesh().triangulation().active_cell_iterators())
+      if (may_jump(scene.kinks, cell))
+        return "the body force jumps in a curved body, or varies faster than the smallest boxes "
+               "show";
+  return "";
+}
 
 LocatedBound compute_located_bound(const BoundData &data) {
   LocatedBound none;

@@ -96,6 +96,10 @@ struct LocatedBound {
   std::optional<ReferenceStress> reference;
 };
 
+/** Returns the part of a curved body that the proof of the bound covers on no mesh, one sentence;
+ * empty if there is none. */
+std::string gap_on_all_meshes(const DisplacedBody<2> &body);
+
 /** Computes the bound of a 2-D body. ErrorBound::missing has the reason if there is none.
  * Collective. */
 LocatedBound compute_located_bound(const BoundData &data);
