@@ -29,7 +29,7 @@ ErrorBound with_penetration(const BoundData &data) {
   ErrorBound bound;
   const Polynomials::Polynomial<double> zero(0);
   const ContactTrace trace(
-    data, std::vector<FaceField>(data.surface().faces().size(), {Tensor<1, 2>(), {{zero, zero}}}));
+    data, std::vector<FaceTractions>(data.surface().faces().size(), {{zero, zero}}));
   bound.penetration = trace.max_penetration();
   bound.place_of_penetration = name_of(trace.point_of_largest(), data.scene);
   return bound;

@@ -161,8 +161,8 @@ ContactBound evaluate(const BoundData &data, const ContactTrace &trace, const Li
 }
 } // namespace
 
-ContactLift::ContactLift(const BoundData &data, const std::vector<FaceField> &fields)
-  : trace(data, fields) {
+ContactLift::ContactLift(const BoundData &data, const std::vector<FaceTractions> &tractions)
+  : trace(data, tractions) {
   if (trace.obstacle()) {
     no_bound =
       "u_n - g > 0 where the contact side meets a side that holds the body: no displacement "

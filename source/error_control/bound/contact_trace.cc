@@ -115,11 +115,11 @@ void PenetrationFace::for_each_point(const EdgeFunction &function,
     }
 }
 
-ContactTrace::ContactTrace(const BoundData &data, const std::vector<FaceField> &fields)
+ContactTrace::ContactTrace(const BoundData &data, const std::vector<FaceTractions> &tractions)
   : data_(data)
   , size_of_U_(data.U.linfty_norm()) {
   find_faces();
-  set_fields(fields);
+  set_tractions(tractions);
   find_conditions();
   sample();
   require();
@@ -155,16 +155,10 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact) const {
   return face;
 }
 
-void ContactTrace::set_fields(const std::vector<FaceField> &fields) {
+void ContactTrace::set_tractions(const std::vector<FaceTractions> &tractions) {
   u_ = traces(data_.U);
-  for (std::size_t i = 0; i < faces_.size(); ++i) {
-    // Where π^{2h} u_h = u_h but for rounding, the contact term would be rounding, and the root of
-    // rounding is not.
-    const Tensor<1, 2> &bubble = fields[i].bubble;
-    for (unsigned int d = 0; d < 2 && bubble.norm() > 1e-14 * size_of_U_; ++d)
-      u_[i][d].inner += PenetrationFace::Polynomial(std::vector<double>{4. * bubble[d]});
-    faces_[i].traction = fields[i].traction;
-  }
+  for (std::size_t i = 0; i < faces_.size(); ++i)
+    faces_[i].traction = tractions[i];
   for (PenetrationFace &face : faces_)
     face.lifts_slip = data_.has_tangential_part() && face.is_contact() && wants_lift_of_slip(face);
 }

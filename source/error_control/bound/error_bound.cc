@@ -59,41 +59,25 @@ double total(const double stress_square, const double lift, const ContactBound &
   return lift + std::sqrt(stress_square + std::max(0., contact.square()));
 }
 
-/** The bounds of the energy and of the stress that follow from the bounds of u_h and π^{2h} u_h.
- */
-struct Consequences {
-  Consequences(const Bracket &J_star, const double stress_square, const ContactBound &contact)
-    : J_star(J_star) {
-    consider(stress_square, contact);
-  }
-  void consider(const double stress_square, const ContactBound &contact) {
-    const double eta = std::sqrt(stress_square), lift_norm = std::sqrt(contact.lift_energy);
-    const Bracket found = energy_bracket(J_star, eta, lift_norm, contact.contact_term);
-    energy = {found.lower, std::min(energy.upper, found.upper)};
-    stress_error = std::min(stress_error, stress_error_bound(eta, lift_norm, contact.contact_term));
-  }
-
-  Bracket J_star;
-  Bracket energy = {0., std::numeric_limits<double>::infinity()};
-  /** The bound of ‖σ(u) - τ‖. */
-  double stress_error = std::numeric_limits<double>::infinity();
-};
-
 /** Adds the bracket of the energy and the bound of the force.
+ * @param J_star bounds of J*(τ). @param stress_error that of ‖σ(u) - τ‖.
  * @param change ∫ (τ_n - p_H) over Γ_c. */
-void add_consequences(const BoundData &data, const Consequences &known, const ContactLift &lift,
-                      const double change, ErrorBound &result) {
-  result.energy_lower = known.energy.lower - data.energies.plates;
-  result.energy_upper = known.energy.upper - data.energies.plates;
+void add_consequences(const BoundData &data, const Bracket &J_star, const StressBound &stress,
+                      const ContactLift &lift, const double stress_error, const double change,
+                      ErrorBound &result) {
+  const Bracket energy = energy_bracket(
+    J_star, std::sqrt(stress.square), std::sqrt(lift.bound->lift_energy), lift.bound->contact_term);
+  result.energy_lower = energy.lower - data.energies.plates;
+  result.energy_upper = energy.upper - data.energies.plates;
   // The contact force is that of one pair.
   if (data.scene.has_pairs() && data.scene.contacts.size() > 1)
     return;
   if (const auto unit_lift = norm_of_unit_lift(data, lift.trace))
-    result.force_error = contact_force_bound(known.stress_error, *unit_lift) + std::abs(change);
+    result.force_error = contact_force_bound(stress_error, *unit_lift) + std::abs(change);
 }
 
-/** Adds the results that need an exact stress: the bound for π^{2h} u_h, the bracket of the energy
- * and the bound of the contact force. */
+/** Adds the results that need an exact stress: the bracket of the energy, the bound of the contact
+ * force, and the reference. */
 void add_guaranteed(const BoundData &data, const BestStress &best, const ContactLift &lift,
                     const double scale, LocatedBound &located) {
   ErrorBound &result = located.bound;
@@ -107,26 +91,18 @@ void add_guaranteed(const BoundData &data, const BestStress &best, const Contact
                hidden_work = load.work(data.space, data.U) +
                              load.force() * data.U.linfty_norm() * result.relative.value_or(1.),
                margin = hidden_work + 2e-13 * scale * scale; // and rounding
-  Consequences consequences(J ? Bracket{J->lower + work - margin, J->upper + work + margin}
-                              : Bracket{0., 0.},
-                            stress_data.square, *lift.bound);
-  if (const auto &post = stress_data.interpolated_part) {
-    const ContactLift post_lift(data,
-                                stress.face_fields(data.multipliers.surface(), post->bubbles));
-    if (post_lift.bound && std::isfinite(post->square + post_lift.bound->square())) {
-      result.post_absolute = total(post->square, post->lift, *post_lift.bound);
-      result.post_relative = ratio(*result.post_absolute, scale);
-      consequences.consider(post->square, *post_lift.bound);
-    }
-  }
+  const Bracket J_star =
+    J ? Bracket{J->lower + work - margin, J->upper + work + margin} : Bracket{0., 0.};
+  const double stress_error = stress_error_bound(
+    std::sqrt(stress_data.square), std::sqrt(lift.bound->lift_energy), lift.bound->contact_term);
   if (data.space.mesh().is_graded())
-    located.reference = make_reference(data, best, consequences.stress_error);
+    located.reference = make_reference(data, best, stress_error);
   // With Coulomb's law the stress is compared with that of another solution.
   if (result.is_conditional)
     return;
   const double change =
     stress.contact_force(data.scene) - data.P.normal() * data.multipliers.integrals();
-  add_consequences(data, consequences, lift, change, result);
+  add_consequences(data, J_star, stress_data, lift, stress_error, change, result);
   constexpr double most_hidden = 0.01;
   if (!J || hidden_work > most_hidden * std::abs(J->upper))
     result.energy_lower = result.energy_upper = {};
@@ -198,7 +174,7 @@ LocatedBound sum_up(const BoundData &data, const BestStress &best) {
   LocatedBound located;
   ErrorBound &result = located.bound;
   const StressBound &stress_data = best.bound;
-  const ContactLift lift(data, best.stress.face_fields(data.multipliers.surface(), {}));
+  const ContactLift lift(data, best.stress.face_tractions(data.multipliers.surface()));
   result.penetration = lift.trace.max_penetration();
   result.place_of_penetration = name_of(lift.trace.point_of_largest(), data.scene);
   result.missing = doubt(stress_data, lift);

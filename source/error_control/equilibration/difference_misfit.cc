@@ -12,11 +12,10 @@ DifferenceMisfit::DifferenceMisfit(const BoundData &data)
   : data_(data)
   , lift_(data)
   , lift_norms_(data.space.mesh().triangulation().n_active_cells()) {
-  lift_.visit_cells(data, 0, ExactMaps(data.space.mesh(), data.scene.geometry.sides),
-                    [&](const LiftedCell &lifted) {
-                      lift_norms_[lifted.u.cell()->active_cell_index()] =
-                        std::sqrt(lifted.energy());
-                    });
+  lift_.visit_cells(
+    data, ExactMaps(data.space.mesh(), data.scene.geometry.sides), [&](const LiftedCell &lifted) {
+      lift_norms_[lifted.u.cell()->active_cell_index()] = std::sqrt(lifted.energy());
+    });
 }
 
 double DifferenceMisfit::expected(const EquilibratedStress &stress) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The misfit on a mesh of its own: the integrals of u_h and π^{2h} u_h that it needs.
+// The misfit on a mesh of its own: the integrals of u_h that it needs.
 
 #include <signorini/discretization/mesh/cut_quadrature.h>
 #include <signorini/error_control/equilibration/carrier.h>
@@ -19,7 +19,7 @@
 
 namespace Signorini {
 namespace {
-/** Returns u_h and, where cells have parents, π^{2h} u_h. */
+/** Returns u_h and, where cells have parents, π^{2h} u_h, which shows where the error is. */
 std::vector<EvaluatedField> fields_of(const BoundData &data) {
   std::vector<EvaluatedField> fields = {{&data.U}};
   if (data.space.mesh().has_parents())
@@ -97,29 +97,29 @@ private:
 
 /** The energies on the cells of a chunk, and the norms of π^{2h} u_h - u_h or of u_h. */
 struct ChunkEnergies {
-  std::array<double, 2> strain = {{0., 0.}};
+  double strain = 0.;
   std::vector<std::pair<unsigned int, double>> distances;
 };
 
-/** Returns the energies of u_h, of the last field and of their difference, or of u_h, on a part of
- * a cell; from above where the law is rough. */
-std::array<double, 3> energies(EnergyMeasure<2> &measure, const CellEvaluator<2> &u,
+/** Returns the energies of u_h, and of the difference of the last field to u_h or of u_h, on a part
+ * of a cell; from above where the law is rough. */
+std::array<double, 2> energies(EnergyMeasure<2> &measure, const CellEvaluator<2> &u,
                                const unsigned int last, const bool is_rough) {
-  std::array<double, 3> sums = {{0., 0., 0.}}, largest = sums;
+  std::array<double, 2> sums = {{0., 0.}}, largest = sums;
   double area = 0.;
   for (unsigned int q = 0; q < u.size(); ++q) {
     measure.at(u.points()[q]);
-    const Tensor<2, 2> of_u = u.gradient(q), of_last = u.gradient(q, last);
-    const std::array<Tensor<2, 2>, 3> gradients = {
-      {of_u, of_last, last > 0 ? of_last - of_u : of_u}};
+    const Tensor<2, 2> of_u = u.gradient(q);
+    const std::array<Tensor<2, 2>, 2> gradients = {
+      {of_u, last > 0 ? u.gradient(q, last) - of_u : of_u}};
     area += u.measure(q);
-    for (unsigned int k = 0; k < 3; ++k) {
+    for (unsigned int k = 0; k < 2; ++k) {
       const double density = measure.density(strain_of(gradients[k]));
       sums[k] += u.measure(q) * density;
       largest[k] = std::max(largest[k], density);
     }
   }
-  for (unsigned int k = 0; k < 3 && is_rough; ++k)
+  for (unsigned int k = 0; k < 2 && is_rough; ++k)
     sums[k] = area * largest[k];
   return sums;
 }
@@ -144,32 +144,22 @@ EnergyMisfit::EnergyMisfit(const BoundData &data)
   : data_(data)
   , maps_(data.space.mesh(), data.scene.geometry.sides)
   , translations_(displacements_of_smallest_cells(data))
+  , lift_(data)
   , distances_(data.space.mesh().triangulation().n_active_cells()) {
-  find_bubbles();
-  for (std::size_t k = 0; k < fields_of(data).size(); ++k)
-    fields_.push_back({0., k == 0 ? PrescribedLift(data) : PrescribedLift(data, bubbles_), 0.});
   integrate_energies();
-  add_lifts();
-}
-
-void EnergyMisfit::find_bubbles() {
-  std::optional<PatchInterpolation<2>> post;
-  if (data_.space.mesh().has_parents())
-    post.emplace(data_.space, data_.U, Quadrature<2>({{0., 0.5}, {1., 0.5}, {0.5, 0.}, {0.5, 1.}}));
-  const double rounding = 1e-13 * data_.U.linfty_norm();
-  for (const auto &cell : data_.space.dofs().active_cell_iterators())
-    for (const unsigned int f : cell->face_indices()) {
-      if (!cell->at_boundary(f))
-        continue;
-      Tensor<1, 2> &bubble = bubbles_[cell->face(f)->index()];
-      if (post)
-        bubble = post->on_reference_cell(cell).values[f] - CellField(cell, data_.U).on_face(f, 0.5);
-      if (bubble.norm() <= rounding)
-        bubble = 0.;
-    }
+  double square = 0.;
+  lift_.visit_cells(data, maps_, [&](const LiftedCell &lifted) {
+    square += lifted.energy();
+    for (unsigned int q = 0; q < lifted.u.size(); ++q)
+      strain_ += lifted.points[q].weight *
+                 ((components_of(strain_of(lifted.u.gradient(q))) * 2. + lifted.points[q].strain) *
+                  lifted.points[q].stress);
+  });
+  lift_norm_ = std::sqrt(square);
 }
 
 void EnergyMisfit::integrate_energies() {
+  const unsigned int last = static_cast<unsigned int>(fields_of(data_).size()) - 1;
   integrate_by_chunks<ChunkEnergies, 2>(
     data_.space,
     [&](const Cells<2> &cells) {
@@ -179,9 +169,8 @@ void EnergyMisfit::integrate_energies() {
       for (const auto &cell : cells) {
         double distance = 0.;
         visit(cell, 0, [&](const CellEvaluator<2> &u, const bool is_rough) {
-          const auto [first, last, difference] = energies(measure, u, fields_.size() - 1, is_rough);
-          chunk.strain[0] += first;
-          chunk.strain[1] += last;
+          const auto [of_u, difference] = energies(measure, u, last, is_rough);
+          chunk.strain += of_u;
           distance += difference;
         });
         chunk.distances.emplace_back(cell->active_cell_index(), std::sqrt(distance));
@@ -189,30 +178,13 @@ void EnergyMisfit::integrate_energies() {
       return chunk;
     },
     [this](const ChunkEnergies &chunk) {
-      for (std::size_t k = 0; k < fields_.size(); ++k)
-        fields_[k].strain += chunk.strain[k];
+      strain_ += chunk.strain;
       for (const auto &[cell, distance] : chunk.distances)
         distances_[cell] = distance;
     });
   const MPI_Comm communicator = data_.space.mesh().communicator();
-  for (Field &field : fields_)
-    field.strain = Utilities::MPI::sum(field.strain, communicator);
+  strain_ = Utilities::MPI::sum(strain_, communicator);
   Utilities::MPI::sum(distances_, communicator, distances_);
-}
-
-void EnergyMisfit::add_lifts() {
-  for (unsigned int k = 0; k < fields_.size(); ++k) {
-    double square = 0.;
-    fields_[k].lift.visit_cells(data_, k, maps_, [&](const LiftedCell &lifted) {
-      square += lifted.energy();
-      for (unsigned int q = 0; q < lifted.u.size(); ++q)
-        fields_[k].strain +=
-          lifted.points[q].weight *
-          ((components_of(strain_of(lifted.u.gradient(q))) * 2. + lifted.points[q].strain) *
-           lifted.points[q].stress);
-    });
-    fields_[k].lift_norm = std::sqrt(square);
-  }
 }
 
 std::vector<Tensor<1, 2>> EnergyMisfit::force(const EquilibrationMesh &mesh,
@@ -234,7 +206,7 @@ std::vector<Tensor<1, 2>> EnergyMisfit::force(const EquilibrationMesh &mesh,
 EnergyMisfit::Works EnergyMisfit::works(const EquilibrationMesh &mesh,
                                         const EquilibratedStress &stress) const {
   const dealii::Vector<double> none(stress.tractions.x.size());
-  Works works(fields_.size(), {0., none, none});
+  Works works = {0., none, none};
   if (data_.scene.body_force != nullptr)
     add_load_works(mesh, stress, works);
   add_moments(stress.tractions.space, works);
@@ -244,39 +216,32 @@ EnergyMisfit::Works EnergyMisfit::works(const EquilibrationMesh &mesh,
 
 void EnergyMisfit::add_load_works(const EquilibrationMesh &mesh, const EquilibratedStress &stress,
                                   Works &works) const {
-  using Sums = std::array<double, 2>;
   const Kinks<2> none;
-  integrate_by_chunks<Sums, 2>(
+  integrate_by_chunks<double, 2>(
     data_.space,
     [&](const Cells<2> &cells) {
       // f_K is smooth in cells of u_h, but may have a higher degree than the fields.
       const Kinks<2> &kinks = is_aligned() ? none : data_.scene.kinks;
       PartVisitor visit(data_, kinks, maps_);
-      Sums sums = {{0., 0.}};
+      double sum = 0.;
       for (const auto &cell : cells) {
         const unsigned int degree =
           is_aligned() ? stress.fits[mesh.find(cell)->active_cell_index()].load_degree() : 0;
         visit(cell, degree, [&](const CellEvaluator<2> &u, bool) {
           const auto f = force(mesh, stress, cell, u.points());
-          for (std::size_t k = 0; k < fields_.size(); ++k)
-            for (unsigned int q = 0; q < u.size(); ++q)
-              sums[k] += u.measure(q) * (f[q] * (u.value(q, k) - translation_of(cell)));
+          for (unsigned int q = 0; q < u.size(); ++q)
+            sum += u.measure(q) * (f[q] * (u.value(q) - translation_of(cell)));
         });
       }
-      return sums;
+      return sum;
     },
-    [&works](const Sums &sums) {
-      for (std::size_t k = 0; k < works.size(); ++k)
-        works[k].load += sums[k];
-    });
-  for (std::size_t k = 0; k < works.size(); ++k) {
-    works[k].load = Utilities::MPI::sum(works[k].load, data_.space.mesh().communicator());
-    fields_[k].lift.visit_cells(data_, k, maps_, [&](const LiftedCell &lifted) {
-      const auto f = force(mesh, stress, lifted.u.cell(), lifted.u.points());
-      for (std::size_t q = 0; q < f.size(); ++q)
-        works[k].load += lifted.points[q].weight * (f[q] * lifted.points[q].z);
-    });
-  }
+    [&works](const double sum) { works.load += sum; });
+  works.load = Utilities::MPI::sum(works.load, data_.space.mesh().communicator());
+  lift_.visit_cells(data_, maps_, [&](const LiftedCell &lifted) {
+    const auto f = force(mesh, stress, lifted.u.cell(), lifted.u.points());
+    for (std::size_t q = 0; q < f.size(); ++q)
+      works.load += lifted.points[q].weight * (f[q] * lifted.points[q].z);
+  });
 }
 
 void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
@@ -301,19 +266,17 @@ void EnergyMisfit::add_moments(const TractionSpace &space, Works &works) const {
         const Point<2> x = face.point(length);
         const Tensor<1, 2> t = face.tangent(length, 0.), n({t[1], -t[0]});
         const auto L = legendre_values(edge.degree, edge.position_of(x));
-        for (std::size_t k = 0; k < works.size(); ++k) {
-          Tensor<1, 2> v = on_face(k, u, cell, f, s);
-          if (condition.role == Role::displacement || condition.role == Role::traction)
-            condition.data->vector_value(x, given);
-          if (condition.role == Role::displacement)
-            v = Tensor<1, 2>({given[0], given[1]}) - translation_of(cell);
-          // Tractions that are given on arcs are no coefficients.
-          if (condition.role == Role::traction && !edge.line.is_flat())
-            works[k].load += weight * (given[0] * v[0] + given[1] * v[1]);
-          for (unsigned int i = 0; i <= edge.degree; ++i)
-            for (unsigned int c = 0; c < 2; ++c)
-              works[k].moments[edge.position(c, i)] += weight * L[i] * edge.axis(c, n) * v;
-        }
+        Tensor<1, 2> v = u.on_face(f, s) - translation_of(cell);
+        if (condition.role == Role::displacement || condition.role == Role::traction)
+          condition.data->vector_value(x, given);
+        if (condition.role == Role::displacement)
+          v = Tensor<1, 2>({given[0], given[1]}) - translation_of(cell);
+        // Tractions that are given on arcs are no coefficients.
+        if (condition.role == Role::traction && !edge.line.is_flat())
+          works.load += weight * (given[0] * v[0] + given[1] * v[1]);
+        for (unsigned int i = 0; i <= edge.degree; ++i)
+          for (unsigned int c = 0; c < 2; ++c)
+            works.moments[edge.position(c, i)] += weight * L[i] * edge.axis(c, n) * v;
       }
     }
 }
@@ -333,16 +296,14 @@ void EnergyMisfit::add_pair_moments(const TractionSpace &space, Works &works) co
       for (std::size_t q = 0; q < rule.size(); ++q) {
         const auto L = legendre_values(edge.degree, edge.position_of(rule.points[q]));
         const double s = points[q][0];
-        for (std::size_t k = 0; k < works.size(); ++k) {
-          const Tensor<1, 2> v = on_face(k, u, face.cell, face.face_no, s);
-          for (unsigned int c = 0; c < 2; ++c)
-            for (unsigned int i = 0; i <= edge.degree; ++i) {
-              const Tensor<1, 2> traction = sign * rule.weights[q] * L[i] *
-                                            direction_of(contact_components[c], rule.directions[q]);
-              works[k].moments[edge.position(c, i)] += traction * v;
-              works[k].translated[edge.position(c, i)] += traction * translation_of(face.cell);
-            }
-        }
+        const Tensor<1, 2> v = u.on_face(face.face_no, s) - translation_of(face.cell);
+        for (unsigned int c = 0; c < 2; ++c)
+          for (unsigned int i = 0; i <= edge.degree; ++i) {
+            const Tensor<1, 2> traction = sign * rule.weights[q] * L[i] *
+                                          direction_of(contact_components[c], rule.directions[q]);
+            works.moments[edge.position(c, i)] += traction * v;
+            works.translated[edge.position(c, i)] += traction * translation_of(face.cell);
+          }
       }
     }
   }
@@ -353,17 +314,17 @@ double EnergyMisfit::expected(const EquilibratedStress & /*stress*/) const {
     return std::numeric_limits<double>::infinity();
   // Where cells of u_h are no parts of cells of the stress, osc_K counts with |||u_h|||_K.
   const double distance = distances_.l2_norm();
-  return 0.03 * distance * (is_aligned() ? 1. : 5. * distance / std::sqrt(fields_[0].strain));
+  return 0.03 * distance * (is_aligned() ? 1. : 5. * distance / std::sqrt(strain_));
 }
 
-EnergyMisfit::Square EnergyMisfit::square(const std::size_t k, const EquilibratedStress &stress,
+EnergyMisfit::Square EnergyMisfit::square(const EquilibratedStress &stress,
                                           const Works &works) const {
-  const double strain = fields_[k].strain + stress.distance_square(), load = works[k].load;
+  const double strain = strain_ + stress.distance_square(), load = works.load;
   double value = strain - 2. * load, size = strain + 2. * std::abs(load);
   for (const TractionEdge &edge : stress.tractions.space.edges())
     for (unsigned int i = edge.first; i < edge.first + edge.n_coefficients() && !edge.is_shared;
          ++i) {
-      const double work = 2. * works[k].moments[i] * stress.tractions.x[i];
+      const double work = 2. * works.moments[i] * stress.tractions.x[i];
       value -= work;
       size += std::abs(work);
     }
@@ -378,14 +339,13 @@ double EnergyMisfit::load_square(const EquilibratedStress &stress) const {
   return square;
 }
 
-double EnergyMisfit::load_term(const std::size_t k, const EquilibratedStress &stress) const {
-  return 2. * std::sqrt(load_square(stress) * fields_[k].strain);
+double EnergyMisfit::load_term(const EquilibratedStress &stress) const {
+  return 2. * std::sqrt(load_square(stress) * strain_);
 }
 
-double EnergyMisfit::distance(const std::size_t k, const EquilibratedStress &stress,
-                              const Works &works) const {
-  const double oscillation = load_term(k, stress);
-  const auto [value, rounding] = square(k, stress, works);
+double EnergyMisfit::distance(const EquilibratedStress &stress, const Works &works) const {
+  const double oscillation = load_term(stress);
+  const auto [value, rounding] = square(stress, works);
   constexpr double most = 100.;
   if (!(value >= -most * rounding - oscillation))
     return std::numeric_limits<double>::infinity();
@@ -394,9 +354,9 @@ double EnergyMisfit::distance(const std::size_t k, const EquilibratedStress &str
 
 double EnergyMisfit::allowed_load(const EquilibratedStress &stress, const Works &works) const {
   if (is_aligned())
-    return distance(0, stress, works);
-  const auto [value, rounding] = square(0, stress, works);
-  return 0.5 * std::max(value, rounding) / std::sqrt(fields_[0].strain);
+    return distance(stress, works);
+  const auto [value, rounding] = square(stress, works);
+  return 0.5 * std::max(value, rounding) / std::sqrt(strain_);
 }
 
 Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
@@ -411,7 +371,7 @@ Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
         !stress.tractions.space.shared_parts(e).empty())
       continue;
     for (unsigned int i = edge.first; i < edge.first + edge.n_coefficients(); ++i)
-      work += x[i] * (works[0].moments[i] + works[0].translated[i]);
+      work += x[i] * (works.moments[i] + works.translated[i]);
     // Shared tractions push both bodies: a translation of both would do no work.
     if (edge.is_shared)
       continue;
@@ -431,7 +391,7 @@ Bracket EnergyMisfit::complementary_energy(const EquilibratedStress &stress,
 
 std::vector<double> EnergyMisfit::oscillations_by_cell(const EquilibratedStress &stress) const {
   // Σ osc_K²/(Σ osc_K²)^{1/2} is the term that f instead of f_K adds.
-  const double factor = load_term(0, stress) > 0. ? load_term(0, stress) / load_square(stress) : 0.;
+  const double factor = load_term(stress) > 0. ? load_term(stress) / load_square(stress) : 0.;
   std::map<CellId, double> squares;
   for (std::size_t c = 0; c < stress.fits.size(); ++c)
     squares[stress.fits[c].id] =
@@ -443,11 +403,11 @@ std::vector<double> EnergyMisfit::oscillations_by_cell(const EquilibratedStress 
 }
 
 StressBound EnergyMisfit::bound(const EquilibratedStress &stress, const Works &works) const {
-  const double mesh = distance(0, stress, works), rest = std::sqrt(stress.oscillation_square());
+  const double mesh = distance(stress, works), rest = std::sqrt(stress.oscillation_square());
   StressBound result;
-  result.energy_norm = std::sqrt(fields_[0].strain);
-  result.lift_misfit = fields_[0].lift.max_misfit();
-  result.lift = fields_[0].lift_norm;
+  result.energy_norm = std::sqrt(strain_);
+  result.lift_misfit = lift_.max_misfit();
+  result.lift = lift_norm_;
   result.square = std::pow(mesh + rest, 2);
   result.oscillation_square = rest * rest;
   result.complementary_energy = complementary_energy(stress, works);
@@ -459,10 +419,6 @@ StressBound EnergyMisfit::bound(const EquilibratedStress &stress, const Works &w
   }
   if (data_.space.mesh().is_graded())
     result.oscillation = oscillations_by_cell(stress);
-  if (fields_.size() > 1 && !data_.space.mesh().is_curved() &&
-      data_.space.max_element_degree() == 1)
-    result.interpolated_part = {std::pow(distance(1, stress, works) + rest, 2),
-                                fields_[1].lift_norm, bubbles_};
   return result;
 }
 } // namespace Signorini

@@ -70,18 +70,18 @@ double EquilibratedStress::contact_force(const Scene<2> &scene) const {
   return force;
 }
 
-std::vector<FaceField> EquilibratedStress::face_fields(
-  const ContactSurface<2> &surface, const std::map<unsigned int, Tensor<1, 2>> &bubbles) const {
-  std::vector<FaceField> fields;
+std::vector<FaceTractions>
+EquilibratedStress::face_tractions(const ContactSurface<2> &surface) const {
+  std::vector<FaceTractions> tractions_of_faces;
   for (const ContactFace<2> &face : surface.faces()) {
     const unsigned int number = tractions.space.contact_edge_at(face.cell, face.face_no);
     const auto line = face.cell->face(face.face_no);
-    FaceField &field = fields.emplace_back();
+    FaceTractions &on_face = tractions_of_faces.emplace_back();
     for (unsigned int c = 0; c < 2 && number != TractionSpace::none; ++c) {
       const TractionEdge &edge = tractions.space.edges()[number];
       const double from = edge.position_of(line->vertex(0)),
                    share = edge.position_of(line->vertex(1)) - from;
-      Polynomials::Polynomial<double> &sum = field.traction[c] = Polynomials::Polynomial<double>(0);
+      Polynomials::Polynomial<double> &sum = on_face[c] = Polynomials::Polynomial<double>(0);
       for (unsigned int k = 0; k <= edge.degree; ++k) {
         Polynomials::Polynomial<double> term = Polynomials::Legendre(k);
         term *= tractions.x[edge.position(c, k)];
@@ -90,9 +90,7 @@ std::vector<FaceField> EquilibratedStress::face_fields(
       sum.shift(from);
       sum.scale(share);
     }
-    if (const auto bubble = bubbles.find(line->index()); bubble != bubbles.end())
-      field.bubble = bubble->second;
   }
-  return fields;
+  return tractions_of_faces;
 }
 } // namespace Signorini

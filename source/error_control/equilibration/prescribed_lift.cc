@@ -34,8 +34,7 @@ Tensor<1, 2> PrescribedLift::EdgeRest::evaluate(const double s, const bool deriv
   return sum;
 }
 
-PrescribedLift::PrescribedLift(const BoundData &data,
-                               const std::map<unsigned int, Tensor<1, 2>> &bubbles) {
+PrescribedLift::PrescribedLift(const BoundData &data) {
   const double scale = data.U.linfty_norm();
   std::vector<std::pair<DoFHandler<2>::active_cell_iterator, unsigned int>> edges;
   for (const auto &cell : data.space.dofs().active_cell_iterators())
@@ -45,11 +44,9 @@ PrescribedLift::PrescribedLift(const BoundData &data,
           data.scene.boundary[cell->face(face)->boundary_id()].role == Role::displacement)
         edges.emplace_back(cell, k);
   for (const auto &[cell, k] : edges) {
-    const auto found = bubbles.find(cell->face(face_in_circle[k])->index());
     EdgeRest rest = {k, {}};
     rest.interpolate(data, cell, face_in_circle[k],
-                     std::min<std::size_t>(256, 20000 / edges.size()),
-                     found == bubbles.end() ? Tensor<1, 2>() : found->second);
+                     std::min<std::size_t>(256, 20000 / edges.size()));
     // A smaller rest is rounding.
     if (rest.size > 1e-10 * scale)
       max_misfit_ = std::max(max_misfit_, rest.misfit / rest.size);
@@ -60,8 +57,7 @@ PrescribedLift::PrescribedLift(const BoundData &data,
 
 void PrescribedLift::EdgeRest::interpolate(const BoundData &data,
                                            const DoFHandler<2>::active_cell_iterator &cell,
-                                           const unsigned int face, const std::size_t n_scanned,
-                                           const Tensor<1, 2> &bubble) {
+                                           const unsigned int face, const std::size_t n_scanned) {
   constexpr double allowed = 1e-3;
   constexpr unsigned int max_pieces = 32;
   const auto line = cell->face(face);
@@ -72,8 +68,7 @@ void PrescribedLift::EdgeRest::interpolate(const BoundData &data,
     dealii::Vector<double> u_D(2);
     prescribed.vector_value(edge.point(s * edge.length()), u_D);
     // Sides 0 and 1 run along a reference coordinate, 2 and 3 backwards.
-    return Tensor<1, 2>({u_D[0], u_D[1]}) -
-           (u.on_face(face, k < 2 ? s : 1. - s) + 4. * s * (1. - s) * bubble);
+    return Tensor<1, 2>({u_D[0], u_D[1]}) - u.on_face(face, k < 2 ? s : 1. - s);
   };
   std::vector<Point<1>> scanned;
   if (n_scanned > 0 && !is_constant(prescribed)) {
@@ -122,11 +117,10 @@ std::array<double, 2> PrescribedLift::EdgeRest::coordinates(const Point<2> &at) 
   return {{k < 2 ? along : 1. - along, k % 3 == 0 ? behind : 1. - behind}};
 }
 
-void PrescribedLift::visit_cells(const BoundData &data, const unsigned int n_generations,
-                                 const ExactMaps &maps,
+void PrescribedLift::visit_cells(const BoundData &data, const ExactMaps &maps,
                                  const std::function<void(const LiftedCell &)> &visit) const {
   const Quadrature<2> rule = triangle_rule(16);
-  CellEvaluator<2> u = evaluator_of(data, {{&data.U, n_generations}}, maps);
+  CellEvaluator<2> u = evaluator_of(data, {{&data.U}}, maps);
   for (const auto &cell : data.space.dofs().active_cell_iterators()) {
     const auto found = rests_.find(cell->active_cell_index());
     if (found == rests_.end())

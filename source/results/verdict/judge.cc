@@ -125,10 +125,7 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
       return text.str();
     }
     if (is_guaranteed(finest)) {
-      text << "the error is at most " << percent(*bound) << " (energy norm, guaranteed";
-      if (finest.bound->post_relative)
-        text << "; " << percent(*finest.bound->post_relative) << " for pi^2h u_h";
-      text << ")";
+      text << "the error is at most " << percent(*bound) << " (energy norm, guaranteed)";
     } else
       text << "the error is at most about " << percent(*bound)
            << " (energy norm, estimated bound: " << finest.bound->only_estimated << ")";

@@ -135,10 +135,10 @@ struct ContactBound {
 struct ContactLift {
   /**
    * Computes the bound. The data must outlive the object. Collective.
-   * @param fields see ContactTrace.
+   * @param tractions see ContactTrace.
    * @throws InputError where g has no value.
    */
-  explicit ContactLift(const BoundData &data, const std::vector<FaceField> &fields);
+  explicit ContactLift(const BoundData &data, const std::vector<FaceTractions> &tractions);
 
   /** The penetration d along Γ_c, with its largest value and where that is. */
   ContactTrace trace;

@@ -173,10 +173,10 @@ class ContactTrace {
 public:
   /**
    * Samples d. The data must outlive the object.
-   * @param fields in the order of ContactSurface::faces().
+   * @param tractions τ_n and τ_t in the order of ContactSurface::faces().
    * @throws InputError where g has no value.
    */
-  explicit ContactTrace(const BoundData &data, const std::vector<FaceField> &fields);
+  explicit ContactTrace(const BoundData &data, const std::vector<FaceTractions> &tractions);
 
   const std::vector<PenetrationFace> &faces() const {
     return faces_;
@@ -238,7 +238,7 @@ public:
 private:
   void find_faces();
   PenetrationFace make_face(const ContactFace<2> &contact) const;
-  void set_fields(const std::vector<FaceField> &fields);
+  void set_tractions(const std::vector<FaceTractions> &tractions);
   /** Returns whether friction holds the whole face, and a w with w_t = ũ_t - g_t costs less than
    * the work of friction: an energy of about μ A², A = max |ũ_t - g_t|, less than s A length. It
    * does not where g_t jumps. */

@@ -26,8 +26,6 @@ namespace Signorini {
  * Where u_h only interpolates prescribed displacements, |||z|||_K is added to osc_K and |||z||| to
  * the bound (PrescribedLift).
  *
- * The same τ and another w bound the error of π^{2h} u_h.
- *
  * E is Hooke's tensor. Norms are roots of energies (force x length per thickness).
  */
 struct ErrorBound {
@@ -39,12 +37,12 @@ struct ErrorBound {
   /** The bound divided by |||u_h|||, or by its rounding where that is larger; infinite
    * where u_h vanishes. */
   std::optional<double> relative;
-  /** The bound of |||u - π^{2h} u_h|||, and the same divided like relative. There is none where
-   * cells have no parents and on curved bodies. */
-  std::optional<double> post_absolute, post_relative;
   /** Where one graded run tells the errors of all levels (ReferenceStress): |||u - u_h||| =
-   * distance ± margin, and the same for π^{2h} u_h. The bounds are the upper ends. */
-  std::optional<double> distance, margin, post_distance, post_margin;
+   * distance ± margin. The bound is the upper end. */
+  std::optional<double> distance, margin;
+  /** The same for π^{2h} u_h, its bound, and that divided like relative. There are none where cells
+   * have no parents and on curved bodies. */
+  std::optional<double> post_distance, post_margin, post_absolute, post_relative;
   /** The parts of the bound for u_h: the first sum without oscillation, the oscillation of loads
    * and of prescribed displacements, and the contact part. */
   std::optional<double> mesh, oscillation, contact;

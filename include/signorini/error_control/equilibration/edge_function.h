@@ -97,11 +97,6 @@ UpperInterpolant interpolate_from_above(const std::function<double(double)> &f,
                                         const Pinned &pinned = {}, unsigned int n_scanned = 0,
                                         double resolution = 0.);
 
-/** The fields ũ and τ on a contact face. */
-struct FaceField {
-  /** The coefficient in ũ = u_h + 4 t (1 - t) bubble. */
-  Tensor<1, 2> bubble;
-  /** The tractions τ_n and τ_t as polynomials of t. */
-  std::array<Polynomials::Polynomial<double>, 2> traction;
-};
+/** The tractions τ_n and τ_t on a contact face, as polynomials of t. */
+using FaceTractions = std::array<Polynomials::Polynomial<double>, 2>;
 } // namespace Signorini

@@ -7,8 +7,6 @@
 #include <signorini/error_control/equilibration/prescribed_lift.h>
 #include <signorini/error_control/equilibration/stress_bound.h>
 
-#include <array>
-#include <map>
 #include <vector>
 
 namespace Signorini {
@@ -18,15 +16,15 @@ namespace Signorini {
  *
  *     ‖σ(v) - τ‖² = |||v|||² - 2 ∫ f_K.(v - c) - 2 ∫_Γ τ n.(v - c) + ‖τ‖².
  *
- * v is u_h + z or, where cells have parents, π^{2h} u_h + z' with the PrescribedLift: v = u_D where
- * that is given. Cells with an arc have exact arcs (ExactMaps).
+ * v is u_h + z with the PrescribedLift: v = u_D where that is given. Cells with an arc have exact
+ * arcs (ExactMaps).
  */
 class EnergyMisfit {
 public:
   /** Fits are compared with zero. */
   static constexpr bool compares = false;
   /** The works on v - c on a mesh of the stress. */
-  struct Work {
+  struct Works {
     /** ∫ f_K.(v - c), and that of tractions given on arcs (force x length per thickness). */
     double load = 0.;
     /** The integrals of (v - c)_n and (v - c)_t times Legendre's polynomials, by coefficients of
@@ -35,16 +33,15 @@ public:
     /** The same of c, on shared edges. */
     dealii::Vector<double> translated;
   };
-  using Works = std::vector<Work>;
 
   /** Integrates the energies of v. Collective. */
   explicit EnergyMisfit(const BoundData &data);
 
-  /** Returns the works of both v. Collective. */
+  /** Returns the works of v. Collective. */
   Works works(const EquilibrationMesh &mesh, const EquilibratedStress &stress) const;
   static const dealii::Vector<double> &moments(const EquilibratedStress & /*stress*/,
                                                const Works &works) {
-    return works[0].moments;
+    return works.moments;
   }
   static double least(const CellFit & /*fit*/) {
     return 0.;
@@ -66,29 +63,20 @@ private:
   const Tensor<1, 2> &translation_of(const AnyCell &cell) const {
     return translations_[data_.scene.geometry.body_of(cell)];
   }
-  /** Returns v - c at a point of a face of a cell. */
-  template <typename AnyCell>
-  Tensor<1, 2> on_face(const std::size_t field, const CellField &u, const AnyCell &cell,
-                       const unsigned int face, const double s) const {
-    const Tensor<1, 2> v = u.on_face(face, s) - translation_of(cell);
-    return field == 1 ? v + 4. * s * (1. - s) * bubbles_.at(cell->face(face)->index()) : v;
-  }
   void integrate_energies();
-  void find_bubbles();
-  void add_lifts();
   /** The sum of the terms of ‖σ(v) - τ‖², which cancel, and its rounding. */
   struct Square {
     double value, rounding;
   };
-  Square square(std::size_t field, const EquilibratedStress &stress, const Works &works) const;
+  Square square(const EquilibratedStress &stress, const Works &works) const;
   /** Returns Σ osc_K² of body forces where f stands for f_K, otherwise zero. */
   double load_square(const EquilibratedStress &stress) const;
   /** Returns the bound 2 (Σ osc_K²)^{1/2} |||v||| of 2 ∫ (f - f_K).v. */
-  double load_term(std::size_t field, const EquilibratedStress &stress) const;
+  double load_term(const EquilibratedStress &stress) const;
   /** Returns osc_K with the share of the cell in load_term(), in the order of active cells. */
   std::vector<double> oscillations_by_cell(const EquilibratedStress &stress) const;
   /** Returns ‖σ(v) - τ‖. */
-  double distance(std::size_t field, const EquilibratedStress &stress, const Works &works) const;
+  double distance(const EquilibratedStress &stress, const Works &works) const;
   /** Returns f_K, or where cells are not aligned f, at points of a cell of u_h. */
   std::vector<Tensor<1, 2>> force(const EquilibrationMesh &mesh, const EquilibratedStress &stress,
                                   const Cell &cell, const std::vector<Point<2>> &points) const;
@@ -104,16 +92,10 @@ private:
   /** The translation c of each body. Of two bodies that move apart, one c would do work on the
    * rounding of tractions. */
   std::vector<Tensor<1, 2>> translations_;
-  /** The numbers of one v: |||v|||², z and |||z|||. */
-  struct Field {
-    double strain = 0.;
-    PrescribedLift lift;
-    double lift_norm = 0.;
-  };
-  std::vector<Field> fields_;
+  /** z, |||v|||² and |||z|||. */
+  PrescribedLift lift_;
+  double strain_ = 0., lift_norm_ = 0.;
   /** The norms |||π^{2h} u_h - u_h|||_K by active cell; where cells have no parents |||u_h|||_K. */
   dealii::Vector<double> distances_;
-  /** The values of π^{2h} u_h - u_h in the middles of boundary faces, by line. */
-  std::map<unsigned int, Tensor<1, 2>> bubbles_;
 };
 } // namespace Signorini

@@ -6,7 +6,6 @@
 #include <signorini/error_control/equilibration/edge_function.h>
 #include <signorini/error_control/equilibration/tractions.h>
 
-#include <map>
 #include <vector>
 
 namespace Signorini {
@@ -26,10 +25,8 @@ struct EquilibratedStress {
 
   /** Returns ∫ τ_n over Γ_c. */
   double contact_force(const Scene<2> &scene) const;
-  /** Returns the tractions on the faces of the contact surface, and ũ on them.
-   * @param bubbles of ũ by line; none: ũ is u_h. */
-  std::vector<FaceField> face_fields(const ContactSurface<2> &surface,
-                                     const std::map<unsigned int, Tensor<1, 2>> &bubbles) const;
+  /** Returns the tractions on the faces of the contact surface. */
+  std::vector<FaceTractions> face_tractions(const ContactSurface<2> &surface) const;
 
   Tractions tractions;
   std::vector<CellFit> fits;

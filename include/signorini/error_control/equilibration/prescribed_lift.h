@@ -39,7 +39,7 @@ struct LiftedCell {
     return sum;
   }
 
-  /** u_h, or its interpolation, at the points. */
+  /** u_h at the points. */
   const CellEvaluator<2> &u;
   std::vector<RulePoint> points;
 };
@@ -56,17 +56,16 @@ struct LiftedCell {
  */
 class PrescribedLift {
 public:
-  /** Interpolates r for u_h + 4 s (1 - s) bubble on edges. @param bubbles by line; none: zero. */
-  explicit PrescribedLift(const BoundData &data,
-                          const std::map<unsigned int, Tensor<1, 2>> &bubbles = {});
+  /** Interpolates r. */
+  explicit PrescribedLift(const BoundData &data);
 
   /** Returns the largest difference between r and its interpolation, relative to the largest |r| on
    * the edge. */
   double max_misfit() const {
     return max_misfit_;
   }
-  /** Visits all cells on which z is not zero, with u_h interpolated over generations. */
-  void visit_cells(const BoundData &data, unsigned int n_generations, const ExactMaps &maps,
+  /** Visits all cells on which z is not zero. */
+  void visit_cells(const BoundData &data, const ExactMaps &maps,
                    const std::function<void(const LiftedCell &)> &visit) const;
 
 private:
@@ -79,9 +78,9 @@ private:
     /** Returns the position along the edge and the depth behind it. */
     std::array<double, 2> coordinates(const Point<2> &at) const;
 
-    /** Fills the pieces, for u_h + 4 s (1 - s) bubble on a face of a cell. */
+    /** Fills the pieces on a face of a cell. */
     void interpolate(const BoundData &data, const DoFHandler<2>::active_cell_iterator &cell,
-                     unsigned int face, std::size_t n_scanned, const Tensor<1, 2> &bubble);
+                     unsigned int face, std::size_t n_scanned);
 
     unsigned int k;
     std::vector<std::vector<Tensor<1, 2>>> pieces;

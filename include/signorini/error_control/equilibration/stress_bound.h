@@ -3,11 +3,8 @@
 
 #include <signorini/base/dealii.h>
 
-#include <deal.II/base/tensor.h>
-
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -81,13 +78,6 @@ struct StressBound {
    * no polynomials along edges and is zero elsewhere. The bound is for u_h + z; that for u_h is
    * larger by |||z|||. */
   double lift = 0.;
-  /** The same sum for π^{2h} u_h, and |||z'|||; z' makes up for u_D - π^{2h} u_h. The bubbles are
-   * the values of π^{2h} u_h - u_h in the middles of boundary faces, by line. */
-  struct Interpolated {
-    double square, lift;
-    std::map<unsigned int, Tensor<1, 2>> bubbles;
-  };
-  std::optional<Interpolated> interpolated_part;
   /** Bounds of J*(τ) + ∫ τ_n d over Γ_c for the stress that balances the loads themselves, with
    * d = u_{h,n} - g; none where they would say little. */
   std::optional<Bracket> complementary_energy;
