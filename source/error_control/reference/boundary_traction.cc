@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The traction of a stress on the boundary, and its work on displacements of any mesh.
 
+#include <signorini/error_control/equilibration/carrier.h>
 #include <signorini/error_control/equilibration/edge_polynomials.h>
 #include <signorini/error_control/reference/boundary_traction.h>
 
