@@ -13,6 +13,7 @@ import signorini
 # Each of these registers its tables.
 import tables.answers
 import tables.cost
+import tables.intervals
 import tables.multigrid
 import tables.orders
 import tables.paper

@@ -300,7 +300,7 @@ ProbeMean mean_stress(const DisplacedBody<2> &body, const Probe<2> &probe) {
   mean.measure = b.area;
   if (!(b.area > 0.))
     mean.missing = "nothing of the body lies in it";
-  if (!a.is_inside || !b.is_inside || b.n.norm() > 1e-6 * b.length)
+  if (!a.is_inside || !b.is_inside || b.n.norm() > 1e-9 * b.length)
     mean.missing = "its boundary in the mesh is not closed";
   if (!mean.missing.empty())
     return mean;

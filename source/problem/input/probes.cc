@@ -36,29 +36,54 @@ Probe<dim> named_probe(const std::string &name, const Geometry<dim> &geometry, c
 }
 
 /** Reads the arc lengths of "SIDE from s to s". */
-template <int dim>
-void read_stretch(const Phrase &phrase, const Geometry<dim> &geometry, const Entry &entry,
-                  Probe<dim> &probe) {
-  if constexpr (dim == 2) {
-    std::array<double, 2> ends;
-    const double length = probe.sides.empty() ? 0. : geometry.sides[probe.sides[0]].length();
-    for (unsigned int i = 0; i < 2; ++i)
-      if (!read_number(entry, phrase.parts[i + 1].text, ends[i]) || probe.sides.size() != 1 ||
-          !(ends[i] >= 0. && ends[i] <= length) || (i == 1 && ends[1] <= ends[0]))
-        throw error_at(entry, "found ", quote(phrase.parts[i + 1].text), " behind ",
-                       phrase.parts[i + 1].word,
-                       ", allowed: growing arc lengths of one side, from "
-                       "0 to ",
-                       length, ".");
-    probe.stretch = ends;
-  }
+std::array<double, 2> read_stretch(const Phrase &phrase, const double length, const Entry &entry) {
+  std::array<double, 2> ends;
+  if (!read_number(entry, phrase.parts[1].text, ends[0]) ||
+      !read_number(entry, phrase.parts[2].text, ends[1]) ||
+      !(0. <= ends[0] && ends[0] < ends[1] && ends[1] <= length))
+    throw error_at(entry, "found from ", quote(phrase.parts[1].text), " to ",
+                   quote(phrase.parts[2].text),
+                   ", allowed: growing arc lengths of one side, here "
+                   "from 0 to ",
+                   length, ".");
+  return ends;
 }
 
-/** Returns a text without its last word where that is a certain one. @param found whether it is. */
-std::string without_last_word(const std::string &text, const std::string &word, bool &found) {
-  const std::size_t begin = text.size() < word.size() ? 0 : text.size() - word.size();
-  found = begin > 1 && text.substr(begin) == word && text[begin - 1] == ' ';
-  return found ? trim(text.substr(0, begin)) : text;
+/** Reads a disc, a box, a line, a point, a stretch, or a name. */
+template <int dim>
+Probe<dim> read_probe(const std::string &text, const Geometry<dim> &geometry, const Entry &given) {
+  const Phrase phrase(text, "radius|box|from|to");
+  const std::string &first = phrase.parts[0].text;
+  Probe<dim> probe;
+  if (phrase.form == "... to") {
+    const Point<dim> start = read_point<dim>(first, given),
+                     end = read_point<dim>(phrase.parts[1].text, given);
+    for (unsigned int i = 0; i < n_along_line; ++i)
+      probe.points.push_back(start + i / (n_along_line - 1.) * (end - start));
+  } else if (phrase.form == "... radius") {
+    probe.centre = read_point<dim>(first, given);
+    if (!read_number(given, phrase.parts[1].text, probe.radius) || !(probe.radius > 0.))
+      throw error_at(given, "found the radius ", quote(phrase.parts[1].text),
+                     ", allowed: a positive number.");
+  } else if (phrase.form == "... box") {
+    const Point<dim> a = read_point<dim>(first, given),
+                     b = read_point<dim>(phrase.parts[1].text, given);
+    Point<dim> lower, upper;
+    for (unsigned int d = 0; d < dim; ++d)
+      std::tie(lower[d], upper[d]) = std::minmax({a[d], b[d]});
+    probe.box = BoundingBox<dim>({lower, upper});
+    if (!(probe.box->volume() > 0.))
+      throw error_at(given, "found the box ", quote(text), ", allowed: opposite corners.");
+  } else if (phrase.form == "... from to" && dim == 2) {
+    probe = named_probe(first, geometry, given);
+    if constexpr (dim == 2)
+      probe.stretch = read_stretch(
+        phrase, probe.sides.size() == 1 ? geometry.sides[probe.sides[0]].length() : 0., given);
+  } else if (phrase.form == "..." && first.find(',') != std::string::npos)
+    probe.points = {read_point<dim>(first, given)};
+  else
+    probe = named_probe(text, geometry, given);
+  return probe;
 }
 } // namespace
 
@@ -67,56 +92,28 @@ std::vector<Probe<dim>> read_probes(const Given<std::string> &given,
                                     const Geometry<dim> &geometry) {
   std::vector<Probe<dim>> probes;
   const double rounding = 1e-10 * geometry.diameter();
-  const auto refuse = [&](const std::string &text, const std::string &allowed) {
-    throw error_at(given, "found ", quote(text),
-                   ", which is outside of the body, allowed: ", allowed, " of the body.");
-  };
   for (const std::string &text : split_list(given.value, '|')) {
-    Probe<dim> probe;
-    const std::string place = without_last_word(text, "guaranteed", probe.is_guaranteed);
-    const Phrase phrase(place, "radius|box|from|to");
-    const std::string &first = phrase.parts[0].text;
-    if (phrase.form == "... to") {
-      const Point<dim> start = read_point<dim>(first, given),
-                       end = read_point<dim>(phrase.parts[1].text, given);
-      for (unsigned int i = 0; i < n_along_line; ++i)
-        probe.points.push_back(start + i / (n_along_line - 1.) * (end - start));
-    } else if (phrase.form == "... radius") {
-      probe.centre = read_point<dim>(first, given);
-      if (!read_number(given, phrase.parts[1].text, probe.radius) || !(probe.radius > 0.))
-        throw error_at(given, "found the radius ", quote(phrase.parts[1].text),
-                       ", allowed: a positive number.");
-      if (distance_from_body(geometry, probe.centre) > probe.radius + rounding)
-        refuse(text, "circles with points");
-    } else if (phrase.form == "... box") {
-      const Point<dim> a = read_point<dim>(first, given),
-                       b = read_point<dim>(phrase.parts[1].text, given);
-      Point<dim> lower, upper;
-      for (unsigned int d = 0; d < dim; ++d)
-        std::tie(lower[d], upper[d]) = std::minmax({a[d], b[d]});
-      probe.box = BoundingBox<dim>({lower, upper});
-      if (!(probe.box->volume() > 0.))
-        throw error_at(given, "found the box ", quote(text), ", allowed: opposite corners.");
-    } else if (phrase.form == "... from to" && dim == 2) {
-      probe = named_probe(first, geometry, given);
-      read_stretch(phrase, geometry, given, probe);
-    } else if (phrase.form == "..." && first.find(',') != std::string::npos)
-      probe.points = {read_point<dim>(first, given)};
-    else
-      probe = named_probe(place, geometry, given);
-    probe.is_guaranteed = place.size() < text.size();
-    if (probe.is_guaranteed && (dim == 3 || !probe.points.empty()))
+    const std::string last = " guaranteed";
+    const bool is_guaranteed =
+      text.size() > last.size() && text.compare(text.size() - last.size(), last.size(), last) == 0;
+    const std::string name = text.substr(0, text.size() - (is_guaranteed ? last.size() : 0));
+    Probe<dim> probe = read_probe(name, geometry, given);
+    if (is_guaranteed && (dim == 3 || !probe.points.empty()))
       throw error_at(given, "found ", quote(text), ", allowed with guaranteed: ",
-                     dim == 3 ? "no place in space."
+                     dim == 3 ? "nothing in space."
                               : "a side, a region, x,y radius r, x,y box x,y, SIDE from s to s; "
                                 "values at points are estimates.");
-    if (!probe.points.empty() &&
-        std::none_of(probe.points.begin(), probe.points.end(), [&](const Point<dim> &x) {
-          return distance_from_body(geometry, x) <= rounding;
-        }))
-      refuse(text, "points");
-    probe.name = place;
+    const auto is_far = [&](const Point<dim> &x) {
+      return distance_from_body(geometry, x) > std::max(0., probe.radius) + rounding;
+    };
+    if (probe.radius > 0.
+          ? is_far(probe.centre)
+          : !probe.points.empty() && std::all_of(probe.points.begin(), probe.points.end(), is_far))
+      throw error_at(given, "found ", quote(text), ", which is outside of the body, allowed: ",
+                     probe.radius > 0. ? "circles with points" : "points", " of the body.");
+    probe.name = name;
     probe.where = given.where();
+    probe.is_guaranteed = is_guaranteed;
     probes.push_back(probe);
   }
   return probes;
