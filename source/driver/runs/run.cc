@@ -111,7 +111,8 @@ RunSummary run_parameters(Parameters given, const RunInput &input, MPI_Comm comm
     const auto &make_verify = std::get<KnownSolutions::MakeVerify<dim>>(input.known.make_verify);
     const auto solve = [&]() {
       return run_study(parameters, scene, communicator, report,
-                       make_verify ? make_verify(parameters, scene) : Verify<dim>());
+                       make_verify ? make_verify(parameters, scene) : Verify<dim>(),
+                       input.references);
     };
     StudyResult<dim> result = solve();
     if (misses_contact(given, result)) {

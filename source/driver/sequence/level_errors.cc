@@ -14,7 +14,7 @@ namespace {
 /** Returns the target and the limit of the graded run: three digits of the error, and no more work
  * than the level itself takes, or a second. */
 ReferenceTarget target_for(const LevelRecord &record) {
-  constexpr double share = 4e-4, smallest = 1e-7, largest = 1e-3, usual_error = 0.05;
+  constexpr double share = 5.5e-4, smallest = 1e-7, largest = 1e-3, usual_error = 0.05;
   constexpr unsigned long long few_unknowns = 30000, share_of_unknowns = 8, many_unknowns = 200000;
   const double error = record.estimate ? record.estimate->relative : usual_error;
   ReferenceTarget target;
@@ -93,7 +93,8 @@ bool LevelErrors<dim>::know_last(const LevelRecord &record, const Progress &prog
     if (levels_.count(record.sizes.level) == 0 || !record.dual.converged)
       return false;
     if (!run_)
-      run_ = run_reference(context_.parameters, context_.scene, target_for(record), progress);
+      run_ = &context_.references->find(context_.parameters, context_.scene, target_for(record),
+                                        progress);
     if (!run_->stress)
       return false;
     const WithMargin error = run_->stress->distance(levels_.at(record.sizes.level).works[0]);

@@ -70,13 +70,14 @@ template <int dim>
 class Study {
 public:
   Study(const Parameters &parameters, const Scene<dim> &scene, MPI_Comm communicator,
-        const StudyReport &report, const Verify<dim> &verify)
+        const StudyReport &report, const Verify<dim> &verify,
+        const std::shared_ptr<ReferenceRuns> &references)
     : parameters_(parameters)
     , scene_(scene)
     , report_(report)
     , judge_(judge_of(parameters, scene))
     , communicator_(communicator)
-    , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_, verify}))
+    , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_, verify, references}))
     , writer_(parameters, judge_, scene.description, report.directory, communicator) {}
 
   StudyResult<dim> run() {
@@ -261,10 +262,11 @@ Judge judge_of(const Parameters &parameters, const Scene<dim> &scene) {
 template <int dim>
 StudyResult<dim> run_study(const Parameters &parameters, const Scene<dim> &scene,
                            MPI_Comm communicator, const StudyReport &report,
-                           const Verify<dim> &verify) {
+                           const Verify<dim> &verify,
+                           const std::shared_ptr<ReferenceRuns> &references) {
   const LibraryThreads one_thread_in_libraries(1);
   check_settings(parameters, scene);
-  return Study<dim>(parameters, scene, communicator, report, verify).run();
+  return Study<dim>(parameters, scene, communicator, report, verify, references).run();
 }
 
 INSTANTIATE_FUNCTION(judge_of);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/driver/runs/screen.h>
+#include <signorini/driver/sequence/reference_run.h>
 #include <signorini/driver/study/known_solutions.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/results/output/files.h>
@@ -34,6 +35,8 @@ struct RunInput {
   /** Further files that are read after this run; its results must not replace them. */
   std::vector<std::filesystem::path> others;
   KnownSolutions known;
+  /** The graded runs that tell errors; those of a sweep share them. */
+  std::shared_ptr<ReferenceRuns> references = std::make_shared<ReferenceRuns>();
 };
 
 /** The end of a run. */

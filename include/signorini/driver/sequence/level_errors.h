@@ -18,7 +18,10 @@ template <int dim>
 class LevelErrors {
 public:
   explicit LevelErrors(const StudyContext<dim> &context)
-    : context_(context) {}
+    : context_(context) {
+    if (!context_.references)
+      context_.references = std::make_shared<ReferenceRuns>();
+  }
 
   /** Keeps the works of a level, which may be solved and added again. Collective. */
   void add(const Discretization<dim> &discretization, const LevelSolution<dim> &solution);
@@ -54,7 +57,7 @@ private:
   std::map<unsigned int, Level> levels_;
   /** The rests of the quadrature of a level's own sums, relative to |||v|||², by field. */
   std::vector<double> rests_;
-  /** The graded run; none before it is made. */
-  std::optional<ReferenceRun> run_;
+  /** The graded run; null before it is made. */
+  const ReferenceRun *run_ = nullptr;
 };
 } // namespace Signorini

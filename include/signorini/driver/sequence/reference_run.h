@@ -6,6 +6,7 @@
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/scene.h>
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -28,4 +29,22 @@ struct ReferenceRun {
  * solvers do not count. Every rank computes all of it. */
 ReferenceRun run_reference(const Parameters &given, const Scene<2> &scene,
                            const ReferenceTarget &target, const Progress &progress);
+
+/** The graded runs of scenes that differ in meshes, solvers and output only, as in a sweep of
+ * these: each is made once. */
+class ReferenceRuns {
+public:
+  /** Returns run_reference(), or the result of an earlier run with the same scene and a target that
+   * is not larger. */
+  const ReferenceRun &find(const Parameters &given, const Scene<2> &scene,
+                           const ReferenceTarget &target, const Progress &progress);
+
+private:
+  struct Known {
+    ReferenceTarget target;
+    ReferenceRun run;
+  };
+  /** By the text of the parameters of the scene. */
+  std::map<std::string, Known> known_;
+};
 } // namespace Signorini

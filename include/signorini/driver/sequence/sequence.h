@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/driver/level/level.h>
+#include <signorini/driver/sequence/reference_run.h>
 #include <signorini/results/verdict/judge.h>
 
 #include <functional>
@@ -19,6 +20,8 @@ struct StudyContext {
   const Judge &judge;
   /** Called for every level; empty: no exact solution is known. */
   Verify<dim> verify;
+  /** The graded runs that are known; null: none. */
+  std::shared_ptr<ReferenceRuns> references = {};
 };
 
 /** The meshes of a study, one after the other, each started from the solution on the one before. */

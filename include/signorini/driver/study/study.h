@@ -46,5 +46,6 @@ struct StudyResult {
 template <int dim>
 StudyResult<dim> run_study(const Parameters &parameters, const Scene<dim> &scene,
                            MPI_Comm communicator, const StudyReport &report,
-                           const Verify<dim> &verify = {});
+                           const Verify<dim> &verify = {},
+                           const std::shared_ptr<ReferenceRuns> &references = {});
 } // namespace Signorini
