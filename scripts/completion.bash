@@ -15,6 +15,10 @@ _signorini() {
       mapfile -t COMPREPLY < <(compgen -W "$names" -- "${word//\\/}" | sed 's/[ '"'"']/\\&/g')
       compopt -o nospace
       ;;
+    --verify)
+      mapfile -t COMPREPLY < <(compgen -f -X '!*.vtu' -- "$word"; compgen -d -- "$word")
+      compopt -o filenames
+      ;;
     --output) mapfile -t COMPREPLY < <(compgen -d -- "$word") ;;
     *)
       if [[ $word == -* ]]; then

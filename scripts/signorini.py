@@ -7,6 +7,7 @@
     run                                                        # shows the level, the answer and its error
     run.answer["contact_force"]["force"], run.table["bound_relative"][-1]
     run.contact()["p_H"], run.fields()[2]["von_mises_stress"]
+    signorini.verify("prm/pressed_plate.prm", "other.vtu")["upper"]  # the error of another program's displacement
     for point, run in signorini.sweep("prm/pressed_plate.prm", "results/sweep", push=[0.001, 0.002]):
         ...                                                    # point is {"push": 0.001}, then {"push": 0.002}
 
@@ -21,6 +22,7 @@ import os
 import re
 import shutil
 import subprocess
+import tempfile
 import xml.etree.ElementTree as ElementTree
 import zlib
 
@@ -97,6 +99,43 @@ def read_vtu(path, names=None):
 
 
 @names_damaged_file
+def read_verified(path):
+    """Returns points (n, 3), corners of cells (m, 4), that of a triangle with its last one twice, v and v - u_h at points (n, 3),
+    and the errors of cells (m), of verified.vtu."""
+    arrays = {array.get("Name"): decode(array) for array in ElementTree.parse(path).iter("DataArray")}
+    starts = np.append(0, arrays["offsets"][:-1])
+    last = np.where(np.isin(arrays["types"], (5, 22)), 2, 3)
+    corners = arrays["connectivity"][starts[:, None] + np.stack([0 * last, 0 * last + 1, 0 * last + 2, last], axis=1)]
+    points, v, difference = (arrays[name].reshape(-1, 3) for name in ("Points", "displacement", "difference"))
+    return points, corners, v, difference, arrays["error"]
+
+
+def write_vtu(path, points, cells, displacement):
+    """Writes a displacement at points of a plane mesh; cells are rows of 3, 4, 6, 8 or 9 point numbers in VTK's order."""
+    kinds = {3: 5, 4: 9, 6: 22, 8: 23, 9: 28}
+    cells = [[int(point) for point in cell] for cell in cells]
+    if wrong := {len(cell) for cell in cells} - set(kinds):
+        raise ValueError(f"cells: found rows of {min(wrong)} points, allowed: 3, 4, 6, 8, 9")
+    def vectors(name, values):
+        values = np.asarray(values, dtype=float)
+        if values.ndim != 2 or len(values) != len(points) or values.shape[1] not in (2, 3):
+            raise ValueError(f"{name}: found the shape {values.shape}, allowed: ({len(points)}, 2) or ({len(points)}, 3)")
+        values = np.pad(values, [(0, 0), (0, 3 - values.shape[1])])
+        return array(f'type="Float64" NumberOfComponents="3" Name="{name}"', (repr(float(x)) for x in values.ravel()))
+    def array(attributes, words):
+        return f'<DataArray {attributes} format="ascii">\n{" ".join(map(str, words))}\n</DataArray>\n'
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f'<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian">\n<UnstructuredGrid>\n'
+                   f'<Piece NumberOfPoints="{len(points)}" NumberOfCells="{len(cells)}">\n'
+                   f'<Points>\n{vectors("points", points)}</Points>\n<Cells>\n'
+                   + array('type="Int64" Name="connectivity"', (point for cell in cells for point in cell))
+                   + array('type="Int64" Name="offsets"', itertools.accumulate(map(len, cells)))
+                   + array('type="UInt8" Name="types"', (kinds[len(cell)] for cell in cells))
+                   + f'</Cells>\n<PointData>\n{vectors("displacement", displacement)}</PointData>\n'
+                   "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n")
+
+
+@names_damaged_file
 def read_json(path):
     """Returns the content of a JSON file."""
     with open(path, encoding="utf-8") as file:
@@ -144,6 +183,11 @@ class Run:
         """The columns of cases.csv: the load cases, one row each."""
         return read_csv(self.path("cases.csv"))
 
+    @property
+    def verified(self):
+        """The content of verified.json: the error of the displacement of another program."""
+        return read_json(self.path("verified.json"))
+
     def of_level(self, name, ending, level=None, case=None):
         """Returns the path of a file of a level, the finest unless another is named, or of a load case."""
         number = f"case-{case:06}" if case is not None else f"{self.level if level is None else level:02}"
@@ -186,6 +230,19 @@ def run(scene, output=None, overrides=None, program=None, **constants):
     if done.returncode not in (0, 2):
         raise Refused(done.stderr.strip() or f"exit code {done.returncode}")
     return Run(folder)
+
+
+def verify(scene, field, cells=None, displacement=None, output=None, overrides=None, program=None, **constants):
+    """Runs a scene, verifies the displacement of another program with it, and returns the content of verified.json.
+
+    field: a file (.vtu), or the points of a plane mesh (n, 2), with cells, rows of 3, 4, 6, 8 or 9 point numbers in VTK's order,
+    and the displacement at points (n, 2). The other arguments, and what is raised: as for run()."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = field
+        if cells is not None:
+            path = os.path.join(folder, "field.vtu")
+            write_vtu(path, field, cells, displacement)
+        return run(scene, output, {**(overrides or {}), "Verify/File": os.path.abspath(path)}, program, **constants).verified
 
 
 def text_of(value):

@@ -18,6 +18,8 @@ except ImportError:  # the python3 found first may be another one than Debian's,
         os.execv("/usr/bin/python3", ["/usr/bin/python3", *sys.argv])
     print("SKIP there is no numpy (package python3-numpy)")
     sys.exit(127)
+import numpy as np
+
 os.environ["SIGNORINI"] = program
 failures = 0
 
@@ -65,6 +67,23 @@ try:
     check("two runs in one folder are refused", False)
 except ValueError as error:
     check("two runs in one folder are refused", "one folder" in str(error))
+step = np.linspace(0., 1., 9)
+x, y = (axis.ravel() for axis in np.meshgrid(2. * step, step))
+quads = [[9 * j + i, 9 * j + i + 1, 9 * j + i + 10, 9 * j + i + 9] for j in range(8) for i in range(8)]
+pushed = np.stack([0. * x, -0.002 * (1. - 0.2 * x)], axis=1)
+verified = signorini.verify("prm/pressed_plate.prm", np.stack([x, y], axis=1), quads, pushed, output="results/verified")
+check("a displacement from arrays is verified", verified["guaranteed"] and verified["points"] == 81 and
+      all(side["miss"]["value"] < 1e-12 for side in verified["sides"] if "miss" in side))
+points, corners, v, difference, error = signorini.read_verified("results/verified/verified.vtu")
+check("  its cells are in a file", corners.shape == (64, 4) and abs(v[:, :2] - pushed).max() < 1e-12 and
+      abs(np.sqrt((error**2).sum()) - verified["sum_of_cells"]) < 1e-12 and abs(difference).max() > 1e-3)
+again = signorini.verify("prm/pressed_plate.prm", "results/verified/verified.vtu", output="results/again")
+check("  a file of it has the same error", abs(again["distance"] - verified["distance"]) < 1e-9 * verified["distance"])
+try:
+    signorini.verify("prm/pressed_plate.prm", [[0., 0.]], [[0, 0]], [[0., 0.]])
+    check("rows that are no cells are refused", False)
+except ValueError as error:
+    check("rows that are no cells are refused", "rows of 2 points" in str(error))
 low, high = signorini.read("results/sweep/0.001"), names["run"]
 check("a constant changes the answer", low.answer["energy"] != high.answer["energy"])
 try:
