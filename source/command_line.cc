@@ -68,6 +68,11 @@ po::options_description describe_options(CommandLine &command_line) {
     ("sweep", po::value(&command_line.sweeps)->value_name("'Subsection/Parameter=v1, v2, ...'"),
      "run the scene for each value (values with commas: v1 | v2), in directories named by the "
      "values, and write one table, sweep.csv; several sweeps: all combinations") //
+    ("verify", po::value<std::string>()->value_name("FILE"),
+     "after the run, tell the error of the displacement of another program (.vtu): "
+     "Verify/File=FILE") //
+    ("verify-tolerance", po::value<std::string>()->value_name("X"),
+     "exit code 2 unless its relative error is at most X: Verify/Tolerated error=X") //
     ("output", po::value<std::string>()->value_name("DIR"),
      "where results go (default: results/<name of the .prm file>); of several scenes: "
      "DIR/<name>") //
@@ -146,6 +151,13 @@ CommandLine read_command_line(const int argc, char **argv) {
   if (command_line.parameter_files.empty())
     throw InputError("command line: no parameter file is given, allowed: signorini [options] "
                      "SCENE.prm ... (see --help).");
+  // Files of the command line are those of the working folder.
+  if (values.count("verify") > 0)
+    command_line.overrides.push_back(
+      "Verify/File=" + std::filesystem::absolute(values["verify"].as<std::string>()).string());
+  if (values.count("verify-tolerance") > 0)
+    command_line.overrides.push_back("Verify/Tolerated error=" +
+                                     values["verify-tolerance"].as<std::string>());
   command_line.directories =
     choose_directories(command_line.parameter_files,
                        values.count("output") > 0 ? values["output"].as<std::string>() : "results",

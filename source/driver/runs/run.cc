@@ -64,6 +64,7 @@ std::vector<std::filesystem::path> inputs_of(const RunInput &input, const Parame
       !std::filesystem::equivalent(input.file_name, input.directory / parameters_name, error))
     inputs.emplace_back(input.file_name);
   inputs.emplace_back(parameters.geometry.file.value);
+  inputs.emplace_back(parameters.verify.file.value);
   return inputs;
 }
 
@@ -123,8 +124,12 @@ RunSummary run_parameters(Parameters given, const RunInput &input, MPI_Comm comm
       describe_interruption("after the last level; the results are complete.");
     if (!result.verdict.reason.empty())
       screen.complain(name_file(result.verdict.reason, parameters.file_name));
-    RunSummary summary = {
-      result.verdict.is_certified() ? 0 : 2, word_for(result.verdict.outcome), {}, results};
+    if (!result.objection.empty())
+      screen.complain(result.objection);
+    RunSummary summary = {result.verdict.is_certified() && result.objection.empty() ? 0 : 2,
+                          word_for(result.verdict.outcome),
+                          {},
+                          results};
     if (!result.levels.empty())
       summary.finest = result.levels.back();
     return summary;

@@ -48,11 +48,15 @@ std::string decide_strategy(Parameters &parameters, const Scene<dim> &scene) {
   const bool has_levels = given.finest_level.is_given || given.coarsest_level.is_given;
   std::string sentence;
   if (given.strategy == Strategy::automatic) {
-    const std::string reason = reason_for_nested(parameters, scene);
-    const Strategy strategy = reason.empty() && !has_levels ? Strategy::hp : Strategy::nested;
-    if (!has_levels)
+    const bool verifies = !parameters.verify.file.value.empty() && dim == 2;
+    const std::string reason = verifies ? "" : reason_for_nested(parameters, scene);
+    const Strategy strategy =
+      reason.empty() && (verifies || !has_levels) ? Strategy::hp : Strategy::nested;
+    if (verifies || !has_levels)
       sentence = to_text(strategy) + ", since " +
-                 (reason.empty() ? "neither levels nor an exact solution are given" : reason);
+                 (verifies         ? parameters.verify.file.name + " is given"
+                  : reason.empty() ? "neither levels nor an exact solution are given"
+                                   : reason);
     decide(given.strategy, strategy, to_text(strategy), parameters);
   }
   if (given.strategy == Strategy::hp && !given.coarsest_level.is_given) {

@@ -3,8 +3,10 @@
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
+#include <signorini/base/text.h>
 #include <signorini/driver/study/settings.h>
 #include <signorini/problem/parameters/entry_error.h>
+#include <signorini/problem/parameters/parameter_text.h>
 
 #include <string>
 
@@ -80,6 +82,22 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene) {
             linear, "with Contact solver 'multigrid'", "with it: automatic, multigrid");
   refuse_if(by_cycles && !scene.load_cases.empty(), contact, "with load cases",
             "with them: psor, active set");
+}
+
+std::optional<ForeignField> read_foreign_field(const Parameters &parameters,
+                                               const Scene<2> &scene) {
+  constexpr std::size_t max_file_size = std::size_t(1) << 32;
+  const VerifyParameters &given = parameters.verify;
+  if (given.file.value.empty())
+    return {};
+  if (scene.geometry.axisymmetric)
+    throw error_at(given.file, "found ", quote(given.file),
+                   " with a body of revolution, allowed: plane bodies, which have a bound.");
+  const std::string name = shorten_path(given.file),
+                    text = read_whole_file(given.file, given.file.where() + ": ",
+                                           "file of a displacement", max_file_size);
+  return ForeignField(read_vtu(text, name, given.field), scene.geometry, given.factor,
+                      given.tolerance);
 }
 
 INSTANTIATE_FUNCTION(check_settings);

@@ -7,6 +7,7 @@
 #include <signorini/base/text.h>
 #include <signorini/driver/sequence/level_clock.h>
 #include <signorini/driver/sequence/quantity_run.h>
+#include <signorini/driver/sequence/reference_run.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/driver/study/settings.h>
 #include <signorini/driver/study/study.h>
@@ -23,6 +24,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
+#include <sstream>
 #include <vector>
 
 namespace Signorini {
@@ -38,9 +41,11 @@ void print_end(const std::vector<LevelRecord> &levels, const StudyReport &report
   report.screen << "\n";
 }
 
-/** Returns the target of refinement: Target error; with hp 1e-3 if none is given. */
-double target_error(const DiscretizationParameters &given) {
-  constexpr double usual = 1e-3;
+/** Returns the target of refinement: Target error; with hp 1e-3 if none is given, and 1e-6 for the
+ * verification of another displacement. */
+double target_error(const Parameters &parameters) {
+  const DiscretizationParameters &given = parameters.discretization;
+  const double usual = parameters.verify.file.value.empty() ? 1e-3 : 1e-6;
   return given.strategy == Strategy::hp && given.target_error == 0. ? usual
                                                                     : given.target_error.value;
 }
@@ -75,6 +80,8 @@ public:
     , writer_(parameters, judge_, scene.description, report.directory, communicator) {}
 
   StudyResult<dim> run() {
+    if constexpr (dim == 2)
+      agree(communicator_, [&]() { foreign_ = read_foreign_field(parameters_, scene_); });
     print_scene(parameters_, scene_,
                 choose_solvers(parameters_, scene_, parameters_.discretization.finest_level),
                 judge_, report_.screen);
@@ -97,6 +104,8 @@ public:
       throw;
     }
     print_end(result_.levels, report_);
+    if (certificate_)
+      report_.screen << *certificate_ << "\n";
     print_verdict(result_.levels, judge_, result_.verdict, report_.screen);
     return result_;
   }
@@ -147,6 +156,7 @@ private:
     writer_.write_answer(levels, result_.verdict);
     writer_.write_tables(levels, result_.verdict);
     if (level.is_last) {
+      verify_field(level, progress);
       const std::string missing = writer_.write_pictures();
       if (!missing.empty())
         report_.screen << "Pictures: " << missing << "\n";
@@ -192,6 +202,33 @@ private:
         add_guaranteed_means(parameters_, sequence_->scene(), level, progress);
   }
 
+  /** Compares the displacement of another program with the last level. */
+  void verify_field(const LevelResult<dim> &level, const Progress &progress) {
+    if constexpr (dim == 2) {
+      if (!foreign_)
+        return;
+      // Nested levels have no stress of their own.
+      ReferenceRun run = {level.solution.reference, ""};
+      if (!run.stress)
+        agree(communicator_,
+              [&]() { run = run_reference(parameters_, scene_, ReferenceTarget(), progress); });
+      if (!run.stress)
+        throw ComputationError(
+          shorten_path(parameters_.verify.file) +
+          ": its error is not known, since the scene has no bound: " + run.missing);
+      const Verification found = verify(*foreign_, level.solved(), *run.stress);
+      const VerifiedField verified = {shorten_path(parameters_.verify.file), *foreign_, found,
+                                      level.solution.scene, level.solution.record};
+      writer_.write_verified(verified);
+      std::ostringstream text;
+      print_verified(text, verified);
+      certificate_ = text.str();
+      const double tolerated = parameters_.verify.tolerated_error;
+      if (tolerated > 0. && !(verified.relative().upper() <= tolerated))
+        result_.objection = verified.objection(tolerated);
+    }
+  }
+
   const Parameters &parameters_;
   const Scene<dim> &scene_;
   const StudyReport &report_;
@@ -200,6 +237,9 @@ private:
   std::unique_ptr<Sequence<dim>> sequence_;
   ResultsWriter writer_;
   LevelClock clock_;
+  /** The displacement of another program, and what the screen says of it after the answer. */
+  std::optional<ForeignField> foreign_;
+  std::optional<std::string> certificate_;
   /** The load cases of all levels so far. */
   std::vector<CaseResult> cases_;
   StudyResult<dim> result_;
@@ -211,7 +251,7 @@ Judge judge_of(const Parameters &parameters, const Scene<dim> &scene) {
   Demands demands;
   demands.tolerance = parameters.solver.tolerance;
   demands.tolerated_error = parameters.solver.tolerated_error;
-  demands.target_error = target_error(parameters.discretization);
+  demands.target_error = target_error(parameters);
   demands.can_be_graded = dim == 2 && !scene.has_pairs();
   demands.has_b_bar = dim == 2;
   demands.target_is_given = parameters.discretization.target_error > 0.;

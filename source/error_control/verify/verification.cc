@@ -251,6 +251,7 @@ Verification verify(const ForeignField &field, const DisplacedBody<2> &solution,
     std::fill(trace.values.begin(), trace.values.end(), Tensor<1, 2>());
   result.error = reference.distance(works);
   result.norm = reference.distance(rest);
+  result.is_conditional = reference.is_conditional;
   result.strain = works.strain;
   result.load = works.load;
   find_factor(works, result.error.value, result.norm.value, result);

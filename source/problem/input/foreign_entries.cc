@@ -45,7 +45,7 @@ void refuse_2d_entries(const Parameters &parameters) {
     {{&parameters.discretization.patches}, "Patch ratio"},
     {{&parameters.geometry.arcs, &parameters.geometry.thickness, &parameters.material.plane_state,
       &parameters.discretization.kinks_at_x, &parameters.discretization.kinks_at_y,
-      &parameters.output.lemmas},
+      &parameters.output.lemmas, &parameters.verify.file},
      "nothing in its place"}};
   for (const auto &[entries, in_space] : table)
     refuse_foreign_entries(false, entries, "Dimension = 2",

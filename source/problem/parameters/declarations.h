@@ -98,6 +98,7 @@ private:
   void declare_discretization(DiscretizationParameters &discretization);
   void declare_solver(SolverParameters &solver);
   void declare_output(OutputParameters &output);
+  void declare_verify(VerifyParameters &verify);
 
   /** Returns the declaration of an entry, and notes its origin. @throws InputError */
   const Declared &find(const Assignment &assignment);

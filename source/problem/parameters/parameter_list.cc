@@ -23,6 +23,7 @@ Declarations::Declarations(Parameters &parameters)
   declare_discretization(parameters.discretization);
   declare_solver(parameters.solver);
   declare_output(parameters.output);
+  declare_verify(parameters.verify);
 }
 
 void Declarations::declare_scene(Parameters &parameters) {
@@ -271,6 +272,25 @@ void Declarations::declare_output(OutputParameters &output) {
     "Output/Pictures", output.pictures,
     "Draw the finest level with signorini-plot if Python's matplotlib is installed; that needs and "
     "writes the VTU files of this level.");
+}
+
+void Declarations::declare_verify(VerifyParameters &verify) {
+  add("Verify/File", verify.file,
+      "Displacement of another program on a plane mesh (.vtu): after the run its error is told and "
+      "written. With Strategy = automatic meshes are graded then, and without a target they aim at "
+      "1e-6. Looked for like Geometry/File.");
+  add("Verify/Field", verify.field, "Name of the displacement among the point data of the file.");
+  add("Verify/Factor", verify.factor, "Multiplies the displacement: 0.001 if it is in millimetres.",
+      -1e30, 1e30);
+  add("Verify/Tolerance", verify.tolerance,
+      "Boundary points of the file this close to the body's boundary (share of its size) are moved "
+      "onto it.",
+      0., 0.1);
+  add(
+    "Verify/Tolerated error", verify.tolerated_error,
+    "If positive: exit code 2 unless the relative error of the displacement in the energy norm is "
+    "at most this.",
+    0., 1e30);
 }
 
 void Declarations::declare_geometry(GeometryParameters &geometry) {

@@ -24,6 +24,11 @@ const std::string constants_section = "Constants/", constants_path = "Constants/
 
 const std::string mesh_file_path = "Geometry/File";
 
+/** The entries that name files. */
+bool is_file(const std::string &path) {
+  return path == mesh_file_path || path == "Verify/File";
+}
+
 /** Returns the names of the list "E=1, nu=0.3". */
 std::vector<std::string> names_of(const std::string &list) {
   std::vector<std::string> names;
@@ -209,7 +214,7 @@ Parameters parse_parameters(const std::string &text, const std::string &file_nam
       declarations.assign_by_body(assignment);
       continue;
     }
-    if (assignment.path == mesh_file_path)
+    if (is_file(assignment.path))
       assignment.value = find_file(assignment.value, folder);
     declarations.assign(assignment);
   }

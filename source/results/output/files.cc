@@ -157,9 +157,10 @@ void ResultsDirectory::remove_if_empty() const {
 
 bool is_name_of_result(const std::string &name) {
   static const std::regex names(
-    "convergence\\.(csv|md|tex)|(answer|scene)\\.json|(solution|contact)(-cases)?\\.pvd|"
+    "convergence\\.(csv|md|tex)|(answer|scene|verified)\\.json|verified\\.vtu|(solution|contact)(-"
+    "cases)?\\.pvd|"
     "contact-[0-9]{2}\\.csv|(solution|contact)-[0-9]{2}(\\.[0-9]{4})?\\.p?vtu|"
-    "(mesh-[0-9]{2}|pressure(-case-[0-9]{6})?|deformed|bound|scene|convergence|travel)\\."
+    "(mesh-[0-9]{2}|pressure(-case-[0-9]{6})?|deformed|bound|scene|convergence|travel|verified)\\."
     "(svg|png|pdf)|"
     "[ABCDFGKPbcfqs]-[0-9]{2}\\.mtx|(cases|contacts)\\.csv|contact-case-[0-9]{6}\\.csv|"
     "(solution|contact)-case-[0-9]{6}\\.vtu|line-[0-9]+\\.csv");

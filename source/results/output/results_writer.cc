@@ -226,6 +226,11 @@ void ResultsWriter::write_answer(const std::vector<LevelRecord> &levels,
       });
 }
 
+void ResultsWriter::write_verified(const VerifiedField &verified) {
+  write("verified.json", [&](std::ostream &stream) { write_verified_json(stream, verified); });
+  write("verified.vtu", [&](std::ostream &stream) { write_verified_vtu(stream, verified); });
+}
+
 std::string ResultsWriter::write_pictures() {
   std::string missing;
   if (parameters_.output.pictures)

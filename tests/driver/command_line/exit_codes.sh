@@ -128,7 +128,7 @@ test_check() {
 
 test_answers() {
   run 0 -h
-  for word in usage: --set --sweep --output --list-scenes --print-parameters --check --quiet --version 'Exit codes'; do
+  for word in usage: --set --sweep --output --list-scenes --print-parameters --check --quiet --verify --verify-tolerance --version 'Exit codes'; do
     check "  help names $word" says "$word"
   done
   run 0 --version

@@ -122,5 +122,11 @@ check "  fields" all_named $(fields_of "hp/solution-$last.vtu") $(fields_of "hp/
 check "  the degree among them" grep -q 'Name="degree"' "hp/solution-$last.vtu"
 check "  P at the nodes from contact-$last.csv" [ "$(tail -n +3 "hp/P-$last.mtx" | wc -l)" -eq \
   "$(awk -F, 'NR > 1 { ++rows[$10] } END { for (t in rows) n += (rows[t] - 3) / 2; print n }' "hp/contact-$last.csv")" ]
+# The displacement of another program.
+"$program" run.prm --verify run/solution-03.vtu --set Output/Compliance=false --output verified >stdout 2>stderr
+check "a displacement is verified" grep -q '^Verified ' stdout
+check "  files" all_named $(files_of verified)
+check "  keys" all_named $(keys_of verified/verified.json)
+check "  fields" all_named $(fields_of verified/verified.vtu | grep -vx Points)
 echo "$failures failures"
 [ "$failures" -eq 0 ]

@@ -33,6 +33,8 @@ struct StudyResult {
   /** The contact pressure of the finest level. */
   PatchPressure<dim> pressure;
   StudyVerdict verdict;
+  /** Why the displacement of another program is not accurate enough, a sentence; mostly empty. */
+  std::string objection;
 };
 
 /**

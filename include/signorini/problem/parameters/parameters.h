@@ -179,6 +179,15 @@ struct OutputParameters {
   Given<bool> pictures{false};
 };
 
+/** Subsection Verify: the displacement of another program. */
+struct VerifyParameters {
+  Given<std::string> file;
+  Given<std::string> field{"displacement"};
+  Given<double> factor{1.};
+  Given<double> tolerance{1e-5};
+  Given<double> tolerated_error{0.};
+};
+
 /**
  * Everything a user can set, as plain values: checked for their form, not yet for their meaning
  * (names of sides and expressions are checked when the scene is made). Every value stores the line
@@ -200,6 +209,7 @@ struct Parameters {
   DiscretizationParameters discretization;
   SolverParameters solver;
   OutputParameters output;
+  VerifyParameters verify;
 
   /** All parameters as used, in the format of the parameter file. */
   std::string echo;

@@ -3,6 +3,7 @@
 
 #include <signorini/results/output/contact_files.h>
 #include <signorini/results/output/files.h>
+#include <signorini/results/output/verified_files.h>
 #include <signorini/results/verdict/judge.h>
 #include <signorini/results/verdict/level_result.h>
 
@@ -41,6 +42,8 @@ public:
   void write_tables(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
   /** Writes answer.json and contacts.csv, after the last level. Collective. */
   void write_answer(const std::vector<LevelRecord> &levels, const StudyVerdict &verdict);
+  /** Writes verified.json and verified.vtu. Collective. */
+  void write_verified(const VerifiedField &verified);
   /** Draws the pictures, if they are wanted, after the last level. Collective. @return one sentence
    * about missing pictures, on the first rank; empty if none is missing. */
   std::string write_pictures();
