@@ -16,20 +16,24 @@ struct LinePolynomials {
   std::array<double, 3> value, derivative;
 };
 
-struct Barycentric {
-  Barycentric(const double s, const double t)
-    : value{{(1. - s) * (1. - t), s * (1. - t), t}}
-    , derivatives{{{{t - 1., s - 1.}}, {{1. - t, -s}}, {{0., 1.}}}} {}
+/** The functions that are one at a corner and zero at the others, linear or bilinear. */
+struct CornerFunctions {
+  CornerFunctions(const bool is_triangle, const double s, const double t)
+    : value{{(1. - s) * (1. - t), s * (1. - t), is_triangle ? t : s * t, (1. - s) * t}}
+    , derivatives{{{{t - 1., s - 1.}},
+                   {{1. - t, -s}},
+                   {{is_triangle ? 0. : t, is_triangle ? 1. : s}},
+                   {{-t, 1. - s}}}} {}
 
-  std::array<double, 3> value;
-  std::array<Derivatives, 3> derivatives;
+  std::array<double, 4> value;
+  std::array<Derivatives, 4> derivatives;
 };
 
 /** The basis polynomials at a point; those that a triangle lacks are zero. */
 struct Basis {
   Basis(const bool is_triangle, const double s, const double t) {
     if (is_triangle)
-      set(Barycentric(s, t));
+      set(CornerFunctions(true, s, t));
     else
       set(LinePolynomials(s), LinePolynomials(t));
   }
@@ -38,7 +42,7 @@ struct Basis {
   CellNodes<Derivatives> derivatives = {};
 
 private:
-  void set(const Barycentric &at) {
+  void set(const CornerFunctions &at) {
     for (unsigned int k = 0; k < 3; ++k) {
       const unsigned int next = (k + 1) % 3;
       const double a = at.value[k], b = at.value[next];
@@ -51,54 +55,27 @@ private:
     }
   }
   void set(const LinePolynomials &s, const LinePolynomials &t) {
-    constexpr CellNodes<std::array<unsigned int, 2>> positions = {
-      {{{0, 0}}, {{2, 0}}, {{2, 2}}, {{0, 2}}, {{1, 0}}, {{2, 1}}, {{1, 2}}, {{0, 1}}, {{1, 1}}}};
+    constexpr CellNodes<unsigned int> along_s = {{0, 2, 2, 0, 1, 2, 1, 0, 1}},
+                                      along_t = {{0, 0, 2, 2, 0, 1, 2, 1, 1}};
     for (unsigned int i = 0; i < 9; ++i) {
-      const auto [j, k] = positions[i];
+      const unsigned int j = along_s[i], k = along_t[i];
       value[i] = s.value[j] * t.value[k];
       derivatives[i] = {{s.derivative[j] * t.value[k], s.value[j] * t.derivative[k]}};
     }
   }
 };
-
-/** The weight w and the position r of an edge, with dw and w dr. */
-struct EdgeCoordinates {
-  EdgeCoordinates(const bool is_triangle, const unsigned int k, const double s, const double t) {
-    if (is_triangle) {
-      const Barycentric at(s, t);
-      const unsigned int b = (k + 1) % 3, c = (k + 2) % 3;
-      w = 1. - at.value[c];
-      r = w > 0. ? at.value[b] / w : 0.;
-      for (unsigned int d = 0; d < 2; ++d) {
-        dw[d] = -at.derivatives[c][d];
-        w_dr[d] = at.derivatives[b][d] - r * dw[d];
-      }
-      return;
-    }
-    // The edges t = 0, s = 1, t = 1, s = 0.
-    const unsigned int along = k % 2;
-    const double first = k < 2 ? 1. : -1., depth = along == 0 ? t : s;
-    const bool is_upper = k == 1 || k == 2;
-    r = k < 2 ? (along == 0 ? s : t) : 1. - (along == 0 ? s : t);
-    w = is_upper ? depth : 1. - depth;
-    dw[1 - along] = is_upper ? 1. : -1.;
-    w_dr[along] = w * first;
-  }
-
-  double w, r;
-  Derivatives dw = {{0., 0.}}, w_dr = {{0., 0.}};
-};
 } // namespace
 
 ForeignCell::Values ForeignCell::at(const double s, const double t) const {
   const Basis basis(is_triangle, s, t);
-  const unsigned int n = n_corners(), n_nodes = is_triangle ? 6 : 9;
+  const CornerFunctions corners(is_triangle, s, t);
+  const unsigned int n = n_corners(), n_basis = is_triangle ? 6 : 9;
   Values values;
   values.x = x[0];
   values.v = v[0];
   Tensor<2, 2> derivatives;
   // From differences, so that large translations leave no rounding.
-  for (unsigned int i = 1; i < n_nodes; ++i) {
+  for (unsigned int i = 1; i < n_basis; ++i) {
     const Tensor<1, 2> dx = x[i] - x[0], dv = v[i] - v[0];
     values.x += basis.value[i] * dx;
     values.v += basis.value[i] * dv;
@@ -111,49 +88,32 @@ ForeignCell::Values ForeignCell::at(const double s, const double t) const {
   for (unsigned int k = 0; k < n; ++k) {
     if (!arcs[k])
       continue;
-    const EdgeCoordinates edge(is_triangle, k, s, t);
-    const LinePolynomials line(edge.r);
     const Curve &arc = *arcs[k];
-    const double length = arc.length(), on_arc = edge.r * length;
-    const Tensor<1, 2> middle = x[n + k] - x[k], end = x[(k + 1) % n] - x[k],
-                       delta =
-                         (arc.point(on_arc) - x[k]) - line.value[1] * middle - line.value[2] * end,
-                       slope = length * arc.tangent(on_arc, 0.5 * length) -
+    const unsigned int next = (k + 1) % n;
+    const double w = corners.value[k] + corners.value[next],
+                 r = w > 0. ? corners.value[next] / w : 0., length = arc.length();
+    const LinePolynomials line(r);
+    const Tensor<1, 2> middle = x[n + k] - x[k], end = x[next] - x[k],
+                       delta = (arc.point(r * length) - x[k]) - line.value[1] * middle -
+                               line.value[2] * end,
+                       slope = length * arc.tangent(r * length, 0.5 * length) -
                                line.derivative[1] * middle - line.derivative[2] * end;
-    values.x += edge.w * delta;
-    for (unsigned int c = 0; c < 2; ++c)
-      for (unsigned int d = 0; d < 2; ++d)
-        values.jacobian[c][d] += edge.dw[d] * delta[c] + edge.w_dr[d] * slope[c];
+    values.x += w * delta;
+    for (unsigned int d = 0; d < 2; ++d) {
+      const double dw = corners.derivatives[k][d] + corners.derivatives[next][d];
+      for (unsigned int c = 0; c < 2; ++c)
+        values.jacobian[c][d] += dw * delta[c] + (corners.derivatives[next][d] - r * dw) * slope[c];
+    }
   }
   values.determinant = determinant(values.jacobian);
   values.gradient = derivatives * invert(values.jacobian);
   return values;
 }
 
-Tensor<1, 2> ForeignCell::gradient(const CellNodes<double> &nodal, const Values &values,
-                                   const double s, const double t) const {
-  const Basis basis(is_triangle, s, t);
-  Tensor<1, 2> derivatives;
-  for (unsigned int i = 0; i < nodal.size(); ++i)
-    for (unsigned int d = 0; d < 2; ++d)
-      derivatives[d] += nodal[i] * basis.derivatives[i][d];
-  return derivatives * invert(values.jacobian);
-}
-
-double ForeignCell::value(const CellNodes<double> &nodal, const double s, const double t) const {
-  const Basis basis(is_triangle, s, t);
-  double sum = 0.;
-  for (unsigned int i = 0; i < nodal.size(); ++i)
-    sum += nodal[i] * basis.value[i];
-  return sum;
-}
-
-template <typename T>
-T ForeignCell::on_edge(const CellNodes<T> &nodal, const unsigned int k, const double r) const {
+Tensor<1, 2> ForeignCell::on_edge(const unsigned int k, const double r) const {
   const LinePolynomials line(r);
   const unsigned int n = n_corners();
-  return line.value[0] * nodal[k] + line.value[1] * nodal[n + k] +
-         line.value[2] * nodal[(k + 1) % n];
+  return line.value[0] * v[k] + line.value[1] * v[n + k] + line.value[2] * v[(k + 1) % n];
 }
 
 Point<2> ForeignCell::middle() const {
@@ -177,10 +137,6 @@ void ForeignCell::complete(CellNodes<T> &nodes_of) const {
     nodes_of[8] += 0.5 * (nodes_of[n + k] - first) - 0.25 * (nodes_of[k] - first);
 }
 
-template double ForeignCell::on_edge(const CellNodes<double> &, unsigned int, double) const;
-template Tensor<1, 2> ForeignCell::on_edge(const CellNodes<Tensor<1, 2>> &, unsigned int,
-                                           double) const;
-template void ForeignCell::complete(CellNodes<double> &) const;
 template void ForeignCell::complete(CellNodes<Point<2>> &) const;
 template void ForeignCell::complete(CellNodes<Tensor<1, 2>> &) const;
 } // namespace Signorini

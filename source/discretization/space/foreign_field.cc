@@ -177,7 +177,6 @@ private:
   /** Makes one node of points of a body that coincide. */
   void merge_points() {
     const double width = coincidence * geometry_.diameter();
-    std::map<std::pair<unsigned int, unsigned int>, unsigned int> known;
     std::map<std::tuple<unsigned int, double, double>, unsigned int> grid;
     const auto find = [&](const unsigned int body, const unsigned int point) {
       const Point<2> at = file_point(point);
@@ -197,12 +196,8 @@ private:
       grid[{body, i, j}] = static_cast<unsigned int>(x.size() - 1);
       return static_cast<unsigned int>(x.size() - 1);
     };
-    for_each_node([&](const ForeignCell &cell, unsigned int &node) {
-      const auto [entry, is_new] = known.try_emplace({cell.body, node}, no_node);
-      if (is_new)
-        entry->second = find(cell.body, node);
-      node = entry->second;
-    });
+    for_each_node(
+      [&](const ForeignCell &cell, unsigned int &node) { node = find(cell.body, node); });
     for (const ForeignCell &cell : cells)
       if (const auto end = cell.nodes.begin() + cell.n_nodes();
           std::set<unsigned int>(cell.nodes.begin(), end).size() < cell.n_nodes())

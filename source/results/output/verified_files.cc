@@ -4,7 +4,6 @@
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/results/output/verified_files.h>
-#include <signorini/results/verdict/judge.h>
 
 #include <deal.II/base/utilities.h>
 
@@ -67,7 +66,7 @@ const VerifiedSide *largest_miss(const Verification &found) {
 std::string error_text(const VerifiedField &verified) {
   const WithMargin relative = verified.relative();
   const std::string how =
-    concatenate(" (energy norm, ", verified.is_guaranteed() ? "guaranteed)" : "estimated)");
+    concatenate(" (energy norm, ", verified.found.is_conditional ? "conditional)" : "guaranteed)");
   return std::isfinite(relative.value)
            ? interval_text(100. * relative.value, 100. * relative.margin) + " % of |||u|||" + how
            : interval_text(verified.found.error.value, verified.found.error.margin) + how;
@@ -146,10 +145,6 @@ std::string VerifiedField::objection(const double tolerated) const {
                      " % (Verify/Tolerated error).");
 }
 
-bool VerifiedField::is_guaranteed() const {
-  return Signorini::is_guaranteed(level);
-}
-
 void print_verified(std::ostream &stream, const VerifiedField &verified) {
   const Verification &found = verified.found;
   const auto line = [&stream](const std::string &label, const std::string &text) {
@@ -192,7 +187,7 @@ void write_verified_json(std::ostream &stream, const VerifiedField &verified) {
     {"file", verified.name},
     {"cells", verified.field.cells().size()},
     {"points", verified.field.n_nodes()},
-    {"guaranteed", verified.is_guaranteed()},
+    {"guaranteed", !found.is_conditional},
     {"lower", number(std::max(0., distance - margin))},
     {"upper", number(distance + margin)},
     {"distance", number(distance)},

@@ -20,9 +20,8 @@ using CellNodes = std::array<T, 9>;
  * a special case. It is the image of the unit square; the edge t = 1 of a triangle is its corner 2.
  *
  * The polynomial map F of the nodes has edges e(r), r in [0,1] from corner k to k + 1. On an edge
- * on an arc γ(r) (equal angles for equal r) the map adds w (γ(r) - e(r)). In a triangle 1 - w is
- * the barycentric coordinate of the opposite corner and r the position on the edge that this corner
- * sees; in a quadrilateral w falls linearly to the opposite edge. */
+ * on an arc γ(r) (equal angles for equal r) the map adds w (γ(r) - e(r)). w is the
+ * sum of the linear or bilinear functions of both corners, and r the share of the second one. */
 class ForeignCell {
 public:
   struct Values {
@@ -37,14 +36,8 @@ public:
 
   /** Returns the map, v and its gradient at (s,t) in the unit square. */
   Values at(double s, double t) const;
-  /** Returns the gradient of the function with these values at nodes. */
-  Tensor<1, 2> gradient(const CellNodes<double> &nodal, const Values &values, double s,
-                        double t) const;
-  /** Returns its value. */
-  double value(const CellNodes<double> &nodal, double s, double t) const;
-  /** Returns the function with these values at nodes on edge k at r. */
-  template <typename T>
-  T on_edge(const CellNodes<T> &nodal, unsigned int k, double r) const;
+  /** Returns v on edge k at r. */
+  Tensor<1, 2> on_edge(unsigned int k, double r) const;
   unsigned int n_corners() const {
     return is_triangle ? 3 : 4;
   }
@@ -110,8 +103,7 @@ public:
   }
   /** Returns v at an arc length of an edge. */
   Tensor<1, 2> on_edge(const ForeignEdge &edge, const double s) const {
-    const ForeignCell &cell = cells_[edge.cell];
-    return cell.on_edge(cell.v, edge.number, edge.position(s));
+    return cells_[edge.cell].on_edge(edge.number, edge.position(s));
   }
   /** Returns the edge of a side at an arc length. */
   const ForeignEdge &edge_at(unsigned int side, double s) const;
@@ -126,7 +118,6 @@ public:
   double largest_motion() const {
     return largest_motion_;
   }
-
 
 private:
   std::vector<ForeignCell> cells_;

@@ -31,6 +31,8 @@ struct VerifiedSide {
 struct Verification {
   /** |||v - u|||, and |||u|||. */
   WithMargin error, norm;
+  /** Whether u is the solution for the bound f |τ_n| of Coulomb's law, see ReferenceStress. */
+  bool is_conditional = false;
   double strain = 0., load = 0.;
   /** The area of the cells. */
   double area = 0.;

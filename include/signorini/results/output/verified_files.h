@@ -25,8 +25,6 @@ struct VerifiedField {
   Tensor<1, 2> contact_force(Tensor<1, 2> VerifiedSide::*part = &VerifiedSide::force) const;
   /** Returns why the error may be larger than a tolerated share of |||u|||. */
   std::string objection(double tolerated) const;
-  /** Returns whether the interval is guaranteed. */
-  bool is_guaranteed() const;
 };
 
 /** Prints the certificate in lines. */
