@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Reference answers with guaranteed intervals; doc/answers.md describes the scenes."""
+import json
 import math
+import pathlib
+import subprocess
 
 import signorini
 from tables.common import GRADED, PROGRAM, ROOT, FOLDER, table, target
@@ -74,3 +77,32 @@ def answers():
             # Zeros by symmetry say nothing.
             if abs(value) > off:
                 yield scene.rsplit("/", 1)[-1], name, *interval(value, off), "" if exact is None else f"{exact:.12g}"
+
+
+DOLFINX = "dolfinx 0.5.2", ["/usr/bin/python3", "dolfinx_block_and_a1.py"]
+FREEFEM = "FreeFEM 4.11", ["FreeFem++", "-nw", "-v", "0"]
+# The scene, the program and its call, the arguments of a deck, the file that it writes, and its elements.
+DECKS = [
+    ("prm/block_on_parabola", *FREEFEM, "block_on_parabola.edp -n 16 -penalty 1e4 -file {0}/deck.vtu", "P2, 16 x 32 x 2"),
+    ("prm/block_on_parabola", *DOLFINX, "block 1 triangle 16 1e4 {0}/deck.pvd", "P1, 16 x 32 x 2"),
+    ("prm/block_on_parabola", *DOLFINX, "block 2 quadrilateral 16 1e4 {0}/deck.pvd", "Q2, 16 x 32"),
+    ("prm/pressed_plate", *FREEFEM, "pressed_plate.edp -n 16 -penalty 1e8 -file {0}/deck.vtu", "P2, 16 x 32 x 2"),
+    ("prm/described_a1", *DOLFINX, "a1 1 triangle 16 1e4 {0}/deck.pvd", "P1, 16 x 16 x 2"),
+    ("prm/described_a1", *DOLFINX, "a1 2 quadrilateral 16 1e4 {0}/deck.pvd", "Q2, 16 x 16"),
+    ("scripts/decks/beam", "CalculiX 2.20", ["/usr/bin/python3", "calculix_beam.py"], "4 {0}", "CPS8, 4 x 32"),
+]
+
+
+@table("scene", "program", "elements", "error", "margin", "penetration")
+def errors_of_programs():
+    for number, (scene, program, call, arguments, elements) in enumerate(DECKS):
+        folder = f"{FOLDER.name}/deck{number}"
+        pathlib.Path(folder).mkdir()
+        subprocess.run(call + arguments.format(folder).split(), cwd=f"{ROOT}/scripts/decks", check=True, capture_output=True)
+        file, = [name for name in ("deck.vtu", "deck_p0_000000.vtu", "beam.vtu") if (pathlib.Path(folder) / name).exists()]
+        signorini.run(f"{ROOT}/{scene}.prm", f"{folder}/results", {
+            "Output/VTU": "none", **GRADED, "Verify/File": f"{folder}/{file}"}, PROGRAM)
+        found = json.loads((pathlib.Path(f"{folder}/results") / "verified.json").read_text(encoding="utf-8"))
+        error, margin = found["relative"]["value"], found["relative"]["margin"]
+        yield (scene.rsplit("/", 1)[-1], program, elements, f"{100 * error:.4f} %", f"{100 * margin:.1e} %",
+               f"{found['penetration']['value']:.1e}")

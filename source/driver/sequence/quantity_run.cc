@@ -124,6 +124,8 @@ public:
   std::vector<BoundedValue> of(const Probe<2> &probe) const {
     if (!bound_.absolute || !bound_.is_guaranteed())
       return {{"means", 0., {}, "there is no guaranteed bound of the error"}};
+    if (level_.discretization->mesh.is_shared())
+      return {{"means", 0., {}, "processes share the level: take one, or graded meshes"}};
     std::vector<BoundedValue> means;
     if (probe.stretch)
       add_weighted_force(probe.sides[0], *probe.stretch, means);
