@@ -8,8 +8,8 @@ namespace {
 using Derivatives = std::array<double, 2>;
 
 /** The polynomials of degree two at 0, 1/2 and 1, and their derivatives. */
-struct LinePolynomials {
-  explicit LinePolynomials(const double r)
+struct ThreeNodes {
+  explicit ThreeNodes(const double r)
     : value{{(1. - r) * (1. - 2. * r), 4. * r * (1. - r), r * (2. * r - 1.)}}
     , derivative{{4. * r - 3., 4. - 8. * r, 4. * r - 1.}} {}
 
@@ -35,7 +35,7 @@ struct Basis {
     if (is_triangle)
       set(CornerFunctions(true, s, t));
     else
-      set(LinePolynomials(s), LinePolynomials(t));
+      set(ThreeNodes(s), ThreeNodes(t));
   }
 
   CellNodes<double> value = {};
@@ -54,7 +54,7 @@ private:
       }
     }
   }
-  void set(const LinePolynomials &s, const LinePolynomials &t) {
+  void set(const ThreeNodes &s, const ThreeNodes &t) {
     constexpr CellNodes<unsigned int> along_s = {{0, 2, 2, 0, 1, 2, 1, 0, 1}},
                                       along_t = {{0, 0, 2, 2, 0, 1, 2, 1, 1}};
     for (unsigned int i = 0; i < 9; ++i) {
@@ -92,7 +92,7 @@ ForeignCell::Values ForeignCell::at(const double s, const double t) const {
     const unsigned int next = (k + 1) % n;
     const double w = corners.value[k] + corners.value[next],
                  r = w > 0. ? corners.value[next] / w : 0., length = arc.length();
-    const LinePolynomials line(r);
+    const ThreeNodes line(r);
     const Tensor<1, 2> middle = x[n + k] - x[k], end = x[next] - x[k],
                        delta = (arc.point(r * length) - x[k]) - line.value[1] * middle -
                                line.value[2] * end,
@@ -111,7 +111,7 @@ ForeignCell::Values ForeignCell::at(const double s, const double t) const {
 }
 
 Tensor<1, 2> ForeignCell::on_edge(const unsigned int k, const double r) const {
-  const LinePolynomials line(r);
+  const ThreeNodes line(r);
   const unsigned int n = n_corners();
   return line.value[0] * v[k] + line.value[1] * v[n + k] + line.value[2] * v[(k + 1) % n];
 }

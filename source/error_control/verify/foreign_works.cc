@@ -184,9 +184,9 @@ private:
 };
 
 /** Adds the work of the traction on a part of an edge, halved until two rules agree. */
-void add_traction(const ForeignField &field, const ForeignEdge &edge, const Scene<2> &scene,
-                  const double from, const double to, const unsigned int halvings,
-                  FieldWorks &works) {
+void add_edge_work(const ForeignField &field, const ForeignEdge &edge, const Scene<2> &scene,
+                   const double from, const double to, const unsigned int halvings,
+                   FieldWorks &works) {
   constexpr unsigned int most_halvings = 20;
   const Side<2> &side = scene.geometry.sides[edge.side];
   dealii::Vector<double> t(2);
@@ -206,8 +206,8 @@ void add_traction(const ForeignField &field, const ForeignEdge &edge, const Scen
   const double middle = 0.5 * (from + to);
   if (rest > 1e-15 * size && rest > 0.01 * agreement * works.strain / (1. + field.edges().size()) &&
       halvings < most_halvings) {
-    add_traction(field, edge, scene, from, middle, halvings + 1, works);
-    add_traction(field, edge, scene, middle, to, halvings + 1, works);
+    add_edge_work(field, edge, scene, from, middle, halvings + 1, works);
+    add_edge_work(field, edge, scene, middle, to, halvings + 1, works);
     return;
   }
   works.load += sums[1];
@@ -231,7 +231,7 @@ FieldWorks works_of(const ForeignField &field, const Scene<2> &scene) {
     }
     const std::vector<double> cuts = scene.kinks.cut(side, edge.from, edge.to);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-      add_traction(field, edge, scene, cuts[i], cuts[i + 1], 0, works);
+      add_edge_work(field, edge, scene, cuts[i], cuts[i + 1], 0, works);
   }
   if (scene.body_force != nullptr)
     works.margin += 2. * HiddenLoad(scene).force() * field.largest();

@@ -28,7 +28,7 @@ bool is_contact(const Scene<2> &scene, const unsigned int side) {
 
 /** Calls visit(edge, s) for equidistant points of the edges of a side. */
 template <typename Visit>
-void for_each_point(const ForeignField &field, const unsigned int side, const Visit &visit) {
+void visit_side(const ForeignField &field, const unsigned int side, const Visit &visit) {
   constexpr unsigned int n = 32;
   for (const ForeignEdge &edge : field.edges())
     for (unsigned int k = 0; k <= n && edge.side == side; ++k)
@@ -41,7 +41,7 @@ void find_miss(const ForeignField &field, const Scene<2> &scene, VerifiedSide &f
   const BoundaryCondition<2> &condition = scene.boundary[found.side];
   dealii::Vector<double> given(2);
   found.at = side.centre();
-  for_each_point(field, found.side, [&](const ForeignEdge &edge, const double s) {
+  visit_side(field, found.side, [&](const ForeignEdge &edge, const double s) {
     const Point<2> x = side.point(s);
     if (condition.role == Role::displacement)
       condition.data->vector_value(x, given);
@@ -60,7 +60,7 @@ std::optional<Penetration> find_penetration(const ForeignField &field, const Sce
   std::optional<Penetration> deepest;
   for (const ContactPair<2> &pair : contact_pairs(scene)) {
     const Side<2> &side = scene.geometry.sides[pair.side()];
-    for_each_point(field, pair.side(), [&](const ForeignEdge &edge, const double s) {
+    visit_side(field, pair.side(), [&](const ForeignEdge &edge, const double s) {
       if (pair.other_side() && !pair.contains(s))
         return;
       const Point<2> x = side.point(s);
@@ -155,7 +155,7 @@ struct Samples {
   std::vector<Tensor<2, 2>> gradients;
 };
 
-Samples sample(const DisplacedBody<2> &body, const std::vector<Point<2>> &points) {
+Samples sample_at(const DisplacedBody<2> &body, const std::vector<Point<2>> &points) {
   const Mesh<2> &mesh = body.space.mesh();
   Samples samples = {std::vector<bool>(points.size(), false),
                      std::vector<Tensor<1, 2>>(points.size()),
@@ -204,7 +204,7 @@ void compare(const ForeignField &field, const DisplacedBody<2> &body, Verificati
         number = points.size();
         points.push_back(cell.x[i] + inwards * (cell.middle() - cell.x[i]));
       }
-  const Samples u = sample(body, points);
+  const Samples u = sample_at(body, points);
   EnergyMeasure<2> measure(body.scene);
   std::size_t number = 0;
   for (std::size_t c = 0; c < field.cells().size(); ++c) {
