@@ -75,7 +75,7 @@ verified = signorini.verify("prm/pressed_plate.prm", np.stack([x, y], axis=1), q
 check("a displacement from arrays is verified", verified["guaranteed"] and verified["points"] == 81 and
       all(side["miss"]["value"] < 1e-12 for side in verified["sides"] if "miss" in side))
 points, corners, v, difference, error = signorini.read_verified("results/verified/verified.vtu")
-check("  its cells are in a file", corners.shape == (64, 4) and abs(v[:, :2] - pushed).max() < 1e-12 and
+check("  its cells are in a file", corners.shape == (64, 4) and abs(v[:, 1] + 0.002 * (1. - 0.2 * points[:, 0])).max() < 1e-12 and
       abs(np.sqrt((error**2).sum()) - verified["sum_of_cells"]) < 1e-12 and abs(difference).max() > 1e-3)
 again = signorini.verify("prm/pressed_plate.prm", "results/verified/verified.vtu", output="results/again")
 check("  a file of it has the same error", abs(again["distance"] - verified["distance"]) < 1e-9 * verified["distance"])
