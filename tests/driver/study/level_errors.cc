@@ -26,8 +26,8 @@ void check(Checks &checks, std::ostream &table, const KnownScene &given) {
     solve_file("prm/" + given.file + ".prm", levels(given.coarsest, given.finest, given.settings));
   double lower = -1e300, upper = 1e300;
   for (const LevelRecord &level : result.levels) {
-    checks.about(given.file + (given.settings.empty() ? "" : " " + given.settings[0]) +
-                 ", level " + std::to_string(level.sizes.level));
+    checks.about(given.file + (given.settings.empty() ? "" : " " + given.settings[0]) + ", level " +
+                 std::to_string(level.sizes.level));
     const bool is_known =
       level.bound && level.bound->distance && level.displacement_errors->energy.has_value();
     checks.that("the error is known", is_known);

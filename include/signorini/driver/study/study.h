@@ -3,6 +3,7 @@
 
 #include <signorini/base/progress.h>
 #include <signorini/driver/level/level.h>
+#include <signorini/driver/sequence/reference_run.h>
 #include <signorini/problem/parameters/parameters.h>
 #include <signorini/results/verdict/judge.h>
 #include <signorini/results/verdict/level_result.h>

@@ -51,9 +51,9 @@ std::vector<FieldWorks> works_of(const Solved<2> &solved);
 
 /**
  * Returns the same from the sums of the level itself: f(u_h) and |||u_h|||² of its matrices, and
- * |||π^{2h} u_h|||² of the estimate. Only the load is integrated, for π^{2h} u_h, by three points per
- * direction. The margin lacks the rest of quadrature. There are no such sums on curved
- * bodies and with mean dilatation. Collective.
+ * |||π^{2h} u_h|||² of the estimate. Only the load is integrated, for π^{2h} u_h, by three points
+ * per direction. The margin lacks the rest of quadrature. There are no such sums on curved bodies
+ * and with mean dilatation. Collective.
  * @param post_strain that of ErrorEstimate, of elements of degree one.
  */
 std::vector<FieldWorks> works_by_sums(const Solved<2> &solved, const Energies &energies,
