@@ -37,14 +37,6 @@ def bound_cost_ratios():
             yield f"graded to 1e-6: {scene}", "CPU with the bound over without", number(np.median(ratios))
 
 
-@table("scene", "bound_relative", "bound_post_relative", "bound_mesh", "bound_oscillation", "bound_contact", "max_penetration")
-def bound_examples():
-    for scene in ("a1", "a3", "b1", "b3", "c2", "block_on_parabola", "pressed_plate", "two_contact_sides",
-                  "smooth_contact_two_ends", "nearly_incompressible", "patch_test", "patch_test_distorted"):
-        run = measure(scene, finest(7))
-        yield scene, *(number(run[column][-1]) for column in TABLES["bound_examples"][0][1:])
-
-
 @table("scene", "target", "unknowns", "true_error", "bound_over_error")
 def bound_graded():
     pairs = [(scene, error) for scene in ("b1", "b3") for error in ("1e-2", "1e-3", "1e-4", "1e-5", "1e-6")]
@@ -128,12 +120,30 @@ def estimate_effectivity():
         yield name, *(number(run["effectivity_energy"][-1]) for run in runs), number(runs[-1]["effectivity"][-1])
 
 
-@table("of", "scene", "level_1", "level_2", "level_3", "level_4", "level_5")
+@table("scene", "level_1", "level_2", "level_3", "level_4", "level_5")
 def bound_effectivity():
-    for of, file in (("u_h", "bound_effectivity.csv"), ("pi2h", "bound_effectivity_of_patches.csv")):
+    for row in rows_of_test("error_control", "bound/true_error", "bound_effectivity.csv"):
+        if any(row[1:]):
+            yield *row, *[""] * (6 - len(row))
+
+
+@table("of", "scene", "level_1", "level_2", "level_3", "level_4", "level_5")
+def level_errors():
+    for of, file in (("u_h", "distances_of_u.csv"), ("pi2h", "distances_of_patches.csv")):
         for row in rows_of_test("error_control", "bound/true_error", file):
             if any(row[1:]):
                 yield of, *row, *[""] * (6 - len(row))
+
+
+@table("scene", "level", "u_h_percent", "margin_percent", "order", "interpolation_percent", "its_order")
+def unknown_orders():
+    for scene in ("block_on_parabola", "pressed_plate", "two_contact_sides", "smooth_contact_two_ends", "block_on_two_rollers"):
+        run = measure(scene, {**levels(3, 8), **WITHOUT_ERRORS})
+        scale = 100 * run["bound_relative"] / run["bound_energy"]
+        for i, level in enumerate(run["level"]):
+            orders = [number(np.log2(run[name][i - 1] / run[name][i])) if i > 0 else "" for name in ("distance", "post_distance")]
+            yield (scene, int(level), number(scale[i] * run["distance"][i]), number(scale[i] * run["margin"][i]), orders[0],
+                   number(scale[i] * run["post_distance"][i]), orders[1])
 
 
 @table("scene", "level", "error_over_u", "bound_relative", "bound_over_error", "energy_over_reference")
