@@ -98,7 +98,7 @@ bool LevelErrors<dim>::know_last(const LevelRecord &record, const Progress &prog
     if (!run_->stress)
       return false;
     const WithMargin error = run_->stress->distance(levels_.at(record.sizes.level).works[0]);
-    return error.margin <= share * error.value;
+    return error.value > 0. && error.margin <= share * error.value;
   }
   return false;
 }

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <cmath>
+
 #include "graded_steps.h"
 #include "tests.h"
 
@@ -25,8 +27,10 @@ void check_agreement(Checks &checks) {
     const double J = step.certificate.energy;
     for (const StudyResult<2> *nested : {&coarse, &fine}) {
       const LevelRecord &level = nested->levels.back();
-      checks.between("energy in the brackets", J, *level.bound->energy_lower,
-                     *level.bound->energy_upper);
+      // The brackets hold J(u); J(u_h) is as far away as the square of the error.
+      const double slack = std::pow(*step.bound->absolute, 2);
+      checks.between("energy in the brackets", J, *level.bound->energy_lower - slack,
+                     *level.bound->energy_upper + slack);
       checks.near("contact force", level.contact.normal_force, step.contact.normal_force,
                   level.bound->force_error.value());
     }
