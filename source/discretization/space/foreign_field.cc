@@ -137,7 +137,8 @@ private:
     for_each_node(
       [&](const ForeignCell &, const unsigned int i) { points.push_back(file_point(i)); });
     const BoundingBox<2> box(points);
-    const auto [lower, upper] = box.get_boundary_points();
+    const Point<2> lower = box.get_boundary_points().first,
+                   upper = box.get_boundary_points().second;
     const double ratio = lower.distance(upper) / geometry_.diameter();
     const auto compare = [&](const std::string &how) {
       return error("the mesh lies between ", vector_text(lower), " and ", vector_text(upper),
