@@ -405,11 +405,13 @@ std::vector<FieldWorks> works_of(const Solved<2> &solved) {
 std::vector<FieldWorks> works_by_sums(const Solved<2> &solved, const Energies &energies,
                                       const std::optional<double> &post_strain) {
   std::vector<EvaluatedField> fields = fields_of_level(solved);
-  if (!post_strain)
+  // The interpolation of Q2 is not among the fields.
+  const bool has_post = post_strain && fields.size() > 1;
+  if (!has_post)
     fields.resize(1);
   const ExactMaps maps(solved.space.mesh(), solved.scene.geometry.sides);
   std::vector<FieldWorks> works(fields.size());
-  if (post_strain && solved.scene.body_force != nullptr) {
+  if (has_post && solved.scene.body_force != nullptr) {
     std::vector<FieldWorks> post(1);
     add_cell_works(
       solved,
@@ -424,7 +426,7 @@ std::vector<FieldWorks> works_by_sums(const Solved<2> &solved, const Energies &e
     sum_over_ranks(solved.space.mesh().communicator(), field);
   works[0].strain = 2. * energies.strain;
   works[0].load = energies.loads;
-  if (post_strain)
+  if (has_post)
     works[1].strain = *post_strain;
   add_hidden_work(solved, works);
   return works;
