@@ -52,9 +52,13 @@ void LevelErrors<dim>::add(const Discretization<dim> &discretization,
     const Solved<2> solved = solution.on(discretization);
     ErrorBound bound;
     // Samples are those of the whole body.
-    if (!discretization.mesh.is_shared())
-      bound =
-        with_penetration({solved, *solution.operators->inverse, solution.energies, solution.scale});
+    if (!discretization.mesh.is_shared()) {
+      const BoundData data(solved, *solution.operators->inverse, solution.energies, solution.scale);
+      // No mesh has a stress then, as along curved pairs.
+      if (!objection_to_stress(data).empty())
+        return;
+      bound = with_penetration(data);
+    }
     levels_[record.sizes.level] = {
       works_of_level(solved, solution.energies, record), bound, solution.scale,
       solution.contact.P.normal() * discretization.multipliers.integrals()};
