@@ -87,7 +87,7 @@ ErrorEstimate estimate_of(const Solved<dim> &solved, const LevelSolution<dim> &s
 
 /** Returns the bound of the error of U and P, and its parts by cell; or says why there is none. */
 LocatedBound located_bound(const Given<WantedBound> &wanted, const Solved<2> &solved,
-                           const LevelSolution<2> &solution) {
+                           const LevelSolution<2> &solution, const bool keeps_stress) {
   LocatedBound none;
   if (wanted == WantedBound::none)
     none.bound.missing = wanted.name + " is false";
@@ -98,7 +98,7 @@ LocatedBound located_bound(const Given<WantedBound> &wanted, const Solved<2> &so
     none.bound.missing = "processes share the level, and no graded run tells its error";
   else
     return compute_located_bound(
-      {solved, *solution.operators->inverse, solution.energies, solution.scale});
+      {solved, *solution.operators->inverse, solution.energies, solution.scale}, keeps_stress);
   return none;
 }
 
@@ -182,13 +182,13 @@ void add_other_solutions(const Discretization<dim> &discretization, LevelSolutio
 
 template <int dim>
 void add_bound(const Parameters &parameters, const Discretization<dim> &discretization,
-               const Progress &progress, LevelSolution<dim> &solution) {
+               const Progress &progress, LevelSolution<dim> &solution, const bool keeps_stress) {
   if constexpr (dim == 2) {
     LevelRecord &record = solution.record;
     const StageTimer timer(record.times.postprocess), bound_timer(record.times.bound);
     progress("bound of the error");
     LocatedBound located =
-      located_bound(parameters.output.bound, solution.on(discretization), solution);
+      located_bound(parameters.output.bound, solution.on(discretization), solution, keeps_stress);
     record.bound = located.bound;
     solution.bound_fields = std::move(located.fields);
     solution.reference = std::move(located.reference);

@@ -109,7 +109,7 @@ private:
     if (!may_suffice && !ends)
       return false;
     add_other_solutions(discretization, solution);
-    add_bound(context_.parameters, discretization, progress, solution);
+    add_bound(context_.parameters, discretization, progress, solution, context_.keeps_stress);
     if (ends || (judge.reaches_target(record) &&
                  (is_guaranteed(record) || examination_.is_checked(findings))))
       return true;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The errors of nested levels from one graded stress.
 
-#include <signorini/base/instantiate.h>
 #include <signorini/driver/sequence/level_errors.h>
 #include <signorini/driver/sequence/reference_run.h>
 #include <signorini/error_control/bound/contact_trace.h>
@@ -24,7 +23,7 @@ ReferenceTarget target_for(const LevelRecord &record) {
   return target;
 }
 
-/** Returns the bound of a level, without the errors, that only has its penetration. */
+/** Returns a bound that has the penetration of a level, and no errors yet. */
 ErrorBound with_penetration(const BoundData &data) {
   ErrorBound bound;
   const Polynomials::Polynomial<double> zero(0);

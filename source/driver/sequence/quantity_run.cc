@@ -4,6 +4,7 @@
 #include <signorini/driver/sequence/quantity_run.h>
 #include <signorini/driver/sequence/reference_run.h>
 #include <signorini/error_control/reference/probe_mean.h>
+#include <signorini/postprocessing/quantities/side_forces.h>
 #include <signorini/problem/scene/contradictions.h>
 #include <signorini/problem/scene/functions.h>
 #include <signorini/problem/scene/rigid_motions.h>
@@ -152,8 +153,7 @@ private:
 
   void add_side(const unsigned int side, std::vector<BoundedValue> &means) const {
     const Role role = scene_.boundary[side].role;
-    const bool is_held =
-      role == Role::clamped || role == Role::displacement || role == Role::roller;
+    const bool is_held = holds(role);
     for (unsigned int i = 0; i < 2; ++i) {
       Tensor<1, 2> e;
       e[i] = 1.;

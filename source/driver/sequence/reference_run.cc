@@ -25,6 +25,7 @@ Parameters graded_parameters(const Parameters &given, const Scene<2> &scene,
   parameters.output = OutputParameters();
   return parameters;
 }
+
 /** Returns the echo of parameters without the subsections that do not change u. */
 std::string text_of_scene(const Parameters &given) {
   const std::set<std::string> others = {"subsection Discretization", "subsection Solver",
@@ -54,7 +55,8 @@ ReferenceRun run_reference(const Parameters &given, const Scene<2> &scene,
   const Judge judge(demands);
   ReferenceRun run;
   try {
-    const auto sequence = make_hp_sequence({parameters, undistorted, MPI_COMM_SELF, judge, {}, {}});
+    const auto sequence =
+      make_hp_sequence({parameters, undistorted, MPI_COMM_SELF, judge, {}, {}, true});
     for (bool is_last = false; !is_last;) {
       LevelResult<2> step = sequence->solve_next([&](const std::string &stage) {
         progress("graded " + sequence->name_of_next() + ", " + stage);

@@ -66,6 +66,15 @@ std::string describe_ranks(const Parameters &parameters, const Scene<dim> &scene
   return "Processes " + std::to_string(n_ranks) + ": " + shared + "\n\n";
 }
 
+/** Returns whether the stress of the last step is needed: for another program's displacement, or
+ * for guaranteed means. */
+template <int dim>
+bool needs_stress(const Parameters &parameters, const Scene<dim> &scene) {
+  return !parameters.verify.file.value.empty() ||
+         std::any_of(scene.probes.begin(), scene.probes.end(),
+                     [](const Probe<dim> &probe) { return probe.is_guaranteed; });
+}
+
 template <int dim>
 class Study {
 public:
@@ -77,7 +86,8 @@ public:
     , report_(report)
     , judge_(judge_of(parameters, scene))
     , communicator_(communicator)
-    , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_, verify, references}))
+    , sequence_(make_sequence<dim>({parameters, scene, communicator, judge_, verify, references,
+                                    needs_stress(parameters, scene)}))
     , writer_(parameters, judge_, scene.description, report.directory, communicator) {}
 
   StudyResult<dim> run() {

@@ -79,7 +79,7 @@ void add_consequences(const BoundData &data, const Bracket &J_star, const Stress
 /** Adds the results that need an exact stress: the bracket of the energy, the bound of the contact
  * force, and the reference. */
 void add_guaranteed(const BoundData &data, const BestStress &best, const ContactLift &lift,
-                    const double scale, LocatedBound &located) {
+                    const double scale, const bool keeps_stress, LocatedBound &located) {
   ErrorBound &result = located.bound;
   if (!result.only_estimated.empty())
     return;
@@ -95,7 +95,7 @@ void add_guaranteed(const BoundData &data, const BestStress &best, const Contact
     J ? Bracket{J->lower + work - margin, J->upper + work + margin} : Bracket{0., 0.};
   const double stress_error = stress_error_bound(
     std::sqrt(stress_data.square), std::sqrt(lift.bound->lift_energy), lift.bound->contact_term);
-  if (data.space.mesh().is_graded())
+  if (keeps_stress && data.space.mesh().is_graded())
     located.reference = make_reference(data, best, stress_error);
   // With Coulomb's law the stress is compared with that of another solution.
   if (result.is_conditional)
@@ -170,7 +170,7 @@ std::string gap_of_proof(const BoundData &data, const BestStress &best) {
 }
 
 /** Sums up a bound from the stress. */
-LocatedBound sum_up(const BoundData &data, const BestStress &best) {
+LocatedBound sum_up(const BoundData &data, const BestStress &best, const bool keeps_stress) {
   LocatedBound located;
   ErrorBound &result = located.bound;
   const StressBound &stress_data = best.bound;
@@ -195,7 +195,7 @@ LocatedBound sum_up(const BoundData &data, const BestStress &best) {
   const double scale = EnergyScale{stress_data.energy_norm, data.scale.rigid}.of(*result.absolute);
   result.relative = ratio(*result.absolute, scale);
   result.is_conditional = data.P.is_coupled();
-  add_guaranteed(data, best, lift, scale, located);
+  add_guaranteed(data, best, lift, scale, keeps_stress, located);
   result.largest_cell = name_of_worst_cell(stress_data, data.space);
   if (!data.scene.contacts.empty())
     result.worst_face = name_of(contact.dominant_part, data.scene);
@@ -220,13 +220,13 @@ std::string gap_on_all_meshes(const DisplacedBody<2> &body) {
   return "";
 }
 
-LocatedBound compute_located_bound(const BoundData &data) {
+LocatedBound compute_located_bound(const BoundData &data, const bool keeps_stress) {
   LocatedBound none;
   none.bound.missing = objection_to_stress(data);
   if (!none.bound.missing.empty())
     return none;
   try {
-    return sum_up(data, find_best_stress(data));
+    return sum_up(data, find_best_stress(data), keeps_stress);
   } catch (const ComputationError &error) {
     none.bound.missing = error.what();
     return none;

@@ -59,18 +59,12 @@ BoundaryTraction::BoundaryTraction(const Tractions &tractions, const Scene<2> &s
 void BoundaryTraction::add_edge(const TractionSpace &space, const dealii::Vector<double> &x,
                                 const unsigned int number, const Side<2> &side) {
   const TractionEdge &edge = space.edges()[number];
-  // The middle is unique on closed sides, too.
-  const double half = 0.5 * edge.length(), middle = side.arc_length(edge.point(0.5));
-  const bool is_forward =
-    (edge.point(1.) - edge.point(0.)) * side.tangent(middle, middle + half) > 0.;
-  const auto arc_length = [&](const double position) {
-    return middle + (is_forward ? 1. : -1.) * (2. * position - 1.) * half;
-  };
+  const SideSpan span(side, edge.line);
   const auto add = [&](const double from, const double to, const Coefficients &coefficients) {
-    const bool is_reversed = arc_length(from) > arc_length(to);
-    parts_[edge.side].push_back(
-      {arc_length(is_reversed ? to : from), arc_length(is_reversed ? from : to),
-       is_reversed ? restricted(coefficients, 1., 0.) : coefficients, edge.direction});
+    const double first = span.arc_length(from), last = span.arc_length(to);
+    parts_[edge.side].push_back({std::min(first, last), std::max(first, last),
+                                 first > last ? restricted(coefficients, 1., 0.) : coefficients,
+                                 edge.direction});
   };
   const std::vector<SharedPart> &shared = space.shared_parts(number);
   if (shared.empty())

@@ -39,6 +39,14 @@ const LobattoBasis &lobatto_basis(const unsigned int n_nodes) {
 }
 } // namespace
 
+SideSpan::SideSpan(const Side<2> &side, const Curve &line) {
+  // The middle is unique on closed sides, too.
+  const double half = 0.5 * line.length(), middle = side.arc_length(line.point(half));
+  from = middle - half;
+  to = middle + half;
+  is_forward = (line.point(line.length()) - line.point(0.)) * side.tangent(middle, to) > 0.;
+}
+
 Tensor<1, 2> BoundaryTrace::value(const double s) const {
   const LobattoBasis &basis = lobatto_basis(static_cast<unsigned int>(values.size()));
   const double t = (s - from) / (to - from);
@@ -289,16 +297,13 @@ public:
   /** Returns the traces of all fields on a face. @param f the face by its number in the cell. */
   std::vector<BoundaryTrace> traces(const WorkCell &cell, const unsigned int corner,
                                     const unsigned int f) {
-    const auto face = cell->face(f);
     const std::vector<Side<2>> &sides = solved_.scene.geometry.sides;
-    const Side<2> &side = sides[face->boundary_id()];
-    const Curve line = shape_of(cell, sides).edge(corner);
-    // The middle is unique on closed sides, too.
-    const Point<2> middle = line.point(0.5 * line.length());
-    const double s = side.arc_length(middle), half = 0.5 * line.length();
-    const bool is_forward = (face->vertex(1) - face->vertex(0)) * side.tangent(s, s + half) > 0.;
+    const unsigned int side = cell->face(f)->boundary_id();
+    const SideSpan span(sides[side], shape_of(cell, sides).edge(corner));
+    // Edges 0 and 1 of a cell run along a reference coordinate, 2 and 3 backwards.
+    const bool is_forward = span.is_forward == (corner < 2);
     const CellField u(cell, solved_.U);
-    std::vector<BoundaryTrace> traces(n_fields_, {face->boundary_id(), s - half, s + half, {}});
+    std::vector<BoundaryTrace> traces(n_fields_, {side, span.from, span.to, {}});
     for (const Point<1> &node : lobatto_basis(u.degree() + 1).nodes)
       traces[0].values.push_back(u.on_face(f, is_forward ? node[0] : 1. - node[0]));
     if (n_fields_ > 1) {

@@ -41,7 +41,7 @@ void add_roots(std::vector<double> b, const double from, const double to, const 
       b[i] = 0.5 * (b[i] + b[i + 1]);
   }
   add_roots(first, from, middle, rounding, roots);
-  // What is left are the coefficients of the second half.
+  // The rest are the coefficients of the second half.
   add_roots(b, middle, to, rounding, roots);
 }
 

@@ -3,6 +3,7 @@
 
 #include <signorini/discretization/space/cell_evaluator.h>
 #include <signorini/error_control/verify/verification.h>
+#include <signorini/postprocessing/quantities/side_forces.h>
 #include <signorini/problem/scene/contact_pair.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -16,10 +17,6 @@
 
 namespace Signorini {
 namespace {
-bool is_support(const Scene<2> &scene, const unsigned int side) {
-  const Role role = scene.boundary[side].role;
-  return role == Role::clamped || role == Role::roller || role == Role::displacement;
-}
 bool is_contact(const Scene<2> &scene, const unsigned int side) {
   return std::any_of(scene.contacts.begin(), scene.contacts.end(), [side](const auto &contact) {
     return contact.side == side || contact.opposite == side;
@@ -256,10 +253,10 @@ Verification verify(const ForeignField &field, const DisplacedBody<2> &solution,
   result.load = works.load;
   find_factor(works, result.error.value, result.norm.value, result);
   for (unsigned int side = 0; side < scene.geometry.sides.size(); ++side)
-    if (is_support(scene, side) || is_contact(scene, side)) {
+    if (holds(scene.boundary[side].role) || is_contact(scene, side)) {
       VerifiedSide &found = result.sides.emplace_back();
       found.side = side;
-      found.is_support = is_support(scene, side);
+      found.is_support = holds(scene.boundary[side].role);
       if (found.is_support)
         find_miss(field, scene, found);
     }

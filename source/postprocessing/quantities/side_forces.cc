@@ -178,10 +178,6 @@ struct HeldNode {
   std::set<unsigned int> sides;
 };
 
-bool holds(const Role role) {
-  return role == Role::clamped || role == Role::roller || role == Role::displacement;
-}
-
 /** Returns the held nodes of this rank by their first degree of freedom. */
 template <int dim>
 std::map<types::global_dof_index, HeldNode<dim>> held_nodes(const DisplacementSpace<dim> &space,

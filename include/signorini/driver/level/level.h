@@ -28,10 +28,11 @@ LevelSolution<dim> solve_level(const LevelProblem<dim> &problem,
 template <int dim>
 void add_other_solutions(const Discretization<dim> &discretization, LevelSolution<dim> &solution);
 
-/** Adds the bound of the error of a 2-D body, or says why there is none. Collective. */
+/** Adds the bound of the error of a 2-D body, or says why there is none. Collective.
+ * @param keeps_stress whether a graded level keeps its stress (LevelSolution::reference). */
 template <int dim>
 void add_bound(const Parameters &parameters, const Discretization<dim> &discretization,
-               const Progress &progress, LevelSolution<dim> &solution);
+               const Progress &progress, LevelSolution<dim> &solution, bool keeps_stress = false);
 
 /** Releases the operators, which take most of the memory, unless load cases or files need them. */
 template <int dim>

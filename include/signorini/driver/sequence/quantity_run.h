@@ -7,7 +7,7 @@
 namespace Signorini {
 /**
  * Adds ProbeReport::means to the record of a level with a guaranteed bound b of |||u - u_h|||, for
- * the probes that ask for guaranteed means; s bounds ‖σ(u) - τ‖ (ErrorBound::stress_error):
+ * the probes that ask for guaranteed means; s bounds ‖σ(u) - τ‖ (ReferenceStress::stress_error):
  *
  * - the mean over P of l:σ, l = e_i e_jᵀ: |mean - mean_h| ≤ (l:E:l/|P|)^{1/2} b;
  * - the mean of u_i on a side: |m(u) - m(u_h)| ≤ |||u_m||| b, u_m the displacement under the

@@ -22,6 +22,8 @@ struct StudyContext {
   Verify<dim> verify;
   /** The graded runs that are known; null: none. */
   std::shared_ptr<ReferenceRuns> references = {};
+  /** Whether graded steps keep the stresses of their bounds. */
+  bool keeps_stress = false;
 };
 
 /** The meshes of a study, one after the other, each started from the solution on the one before. */

@@ -90,7 +90,7 @@ struct BoundFields {
 struct LocatedBound {
   ErrorBound bound;
   BoundFields fields;
-  /** The stress of the bound, on graded meshes, where the bound is proved. */
+  /** The stress of the bound, if it is wanted, on graded meshes, where the bound is proved. */
   std::optional<ReferenceStress> reference;
 };
 
@@ -99,6 +99,6 @@ struct LocatedBound {
 std::string gap_on_all_meshes(const DisplacedBody<2> &body);
 
 /** Computes the bound of a 2-D body. ErrorBound::missing has the reason if there is none.
- * Collective. */
-LocatedBound compute_located_bound(const BoundData &data);
+ * Collective. @param keeps_stress whether to make LocatedBound::reference. */
+LocatedBound compute_located_bound(const BoundData &data, bool keeps_stress);
 } // namespace Signorini

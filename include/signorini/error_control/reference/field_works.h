@@ -11,6 +11,21 @@
 #include <vector>
 
 namespace Signorini {
+/** The arc lengths of the ends of a line on a side, from < to; on a closed side one of them may lie
+ * beyond it. */
+struct SideSpan {
+  SideSpan(const Side<2> &side, const Curve &line);
+
+  /** Returns the arc length at a position of the line, from 0 to 1. */
+  double arc_length(const double position) const {
+    return is_forward ? from + position * (to - from) : to - position * (to - from);
+  }
+
+  double from, to;
+  /** Whether the line runs along the side. */
+  bool is_forward;
+};
+
 /** A displacement along a part of a side: a polynomial of the arc length. */
 struct BoundaryTrace {
   /** The number of the side in the geometry. */

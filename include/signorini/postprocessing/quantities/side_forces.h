@@ -16,6 +16,11 @@
 #include <vector>
 
 namespace Signorini {
+/** Returns whether a role holds nodes of its side, so that forces act through them. */
+inline bool holds(const Role role) {
+  return role == Role::clamped || role == Role::roller || role == Role::displacement;
+}
+
 /** The force that acts on the body through one side (force, in 2-D per thickness). */
 struct SideForce {
   /** The force, and its moment about the origin: one number in 2-D, three in 3-D. */
