@@ -115,9 +115,8 @@ void add_side_conditions(const Scene<2> &scene, const unsigned int number,
 }
 
 void add_side_conditions(const Side<3> &side, const Role role, Conditions<3> &conditions) {
-  for (const double r : {0., side.lengths()[0]})
-    for (const double t : {0., side.lengths()[1]})
-      conditions.forbid(role, side.point({r, t}), side.normal({r, t}), 1.);
+  for (const SurfacePoint<3> &point : side.samples(2))
+    conditions.forbid(role, point.x, point.n, 1. / side.faces().size());
 }
 
 /** Adds the conditions of a plate on its body, which moves as a whole. */

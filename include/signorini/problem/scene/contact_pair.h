@@ -49,14 +49,15 @@ public:
    * carrier.
    */
   unsigned int carrier() const;
-  /** Returns whether an arc length of the side lies in the part where two bodies may touch. */
+  /** Returns whether a point of the side, or its arc length, lies in the part where two bodies may
+   * touch. */
+  bool contains(const Point<dim> &x) const;
   bool contains(double s) const;
   /** Returns the direction m of contact at a point of the side. */
   Tensor<1, dim> direction(const Point<dim> &x) const {
-    const auto s = scene_.geometry.sides[side()].coordinates(x);
-    const Tensor<1, dim> n = scene_.geometry.sides[side()].normal(s);
+    const Tensor<1, dim> n = scene_.geometry.sides[side()].normal_at(x);
     if constexpr (dim == 2)
-      return data().directions.at(s[0], x, n);
+      return data().directions.at(scene_.geometry.sides[side()].arc_length(x), x, n);
     return n;
   }
   /** Returns the gap g at a point of the side. @throws InputError where it has no value. */
