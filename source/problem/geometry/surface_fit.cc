@@ -174,9 +174,9 @@ struct Cylinders {
     return cylinder;
   }
   /** The normals of faces are at right angles to the axis, and points across it lie on a circle. */
-  static Round first_guess(const ScaledPoints &scaled, const std::vector<SidePoint<3>> &faces) {
+  static Round first_guess(const ScaledPoints &scaled, const std::vector<SurfacePoint<3>> &faces) {
     LeastSquares<3> normals;
-    for (const SidePoint<3> &face : faces)
+    for (const SurfacePoint<3> &face : faces)
       normals.add({{face.n[0], face.n[1], face.n[2]}}, 0.);
     Round cylinder;
     cylinder.axis = normals.kernel();
@@ -302,10 +302,10 @@ bool lie_on_circles(const std::vector<Point<3>> &points, const unsigned int n) {
 /** Returns the sum of the products of the normals of faces with those of a surface, and whether
  * all have the same sign. */
 std::pair<double, bool> compare_normals(const Surface &surface,
-                                        const std::vector<SidePoint<3>> &faces) {
+                                        const std::vector<SurfacePoint<3>> &faces) {
   double sum = 0., sum_of_sizes = 0.;
   bool all_the_same = !faces.empty();
-  for (const SidePoint<3> &face : faces) {
+  for (const SurfacePoint<3> &face : faces) {
     const double product = face.n * surface.normal(face.x);
     sum += product;
     sum_of_sizes += std::abs(product);
@@ -318,7 +318,7 @@ SurfaceFit no_surface(const double residual) {
   return {Surface::faces(), residual, 0., true};
 }
 
-SurfaceFit fit_plane(const ScaledPoints &scaled, const std::vector<SidePoint<3>> &faces) {
+SurfaceFit fit_plane(const ScaledPoints &scaled, const std::vector<SurfacePoint<3>> &faces) {
   LeastSquares<3> arms, derivatives;
   for (const Point<3> &y : scaled.points)
     arms.add({{y[0], y[1], y[2]}}, 0.);
@@ -337,7 +337,7 @@ SurfaceFit fit_plane(const ScaledPoints &scaled, const std::vector<SidePoint<3>>
 
 /** @param make makes the surface with the body inside or outside. */
 SurfaceFit judged(const ScaledPoints &scaled, const Round &round, const double condition,
-                  const std::vector<SidePoint<3>> &faces,
+                  const std::vector<SurfacePoint<3>> &faces,
                   const std::function<Surface(Body)> &make) {
   double farthest = 0.;
   for (const Point<3> &y : scaled.points)
@@ -352,7 +352,7 @@ bool exists(const Round &round) {
 }
 
 /** @param n_circles the number of parallel circles that do not tell a sphere. */
-SurfaceFit fit_sphere(const ScaledPoints &scaled, const std::vector<SidePoint<3>> &faces,
+SurfaceFit fit_sphere(const ScaledPoints &scaled, const std::vector<SurfacePoint<3>> &faces,
                       const unsigned int n_circles) {
   Round sphere = Spheres::first_guess(scaled);
   const double condition = exists(sphere) ? improve<Spheres>(sphere, scaled.points) : 0.;
@@ -366,7 +366,7 @@ SurfaceFit fit_sphere(const ScaledPoints &scaled, const std::vector<SidePoint<3>
 }
 
 /** @param n_lines the number of lines that do not tell a cylinder. */
-SurfaceFit fit_cylinder(const ScaledPoints &scaled, const std::vector<SidePoint<3>> &faces,
+SurfaceFit fit_cylinder(const ScaledPoints &scaled, const std::vector<SurfacePoint<3>> &faces,
                         const unsigned int n_lines) {
   Round cylinder = Cylinders::first_guess(scaled, faces);
   const double condition = exists(cylinder) ? improve<Cylinders>(cylinder, scaled.points) : 0.;

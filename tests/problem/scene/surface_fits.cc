@@ -235,7 +235,7 @@ void test_kinds(Checks &checks) {
   checks.that("a plane", plane.surface.name() == "plane" && plane.follows_normals);
   checks.near("its normal", plane.surface.axis(), frame.e[0], 1e-14);
   checks.near("its residual", plane.residual, 0., 1e-14);
-  for (SidePoint<3> &face : flat.faces)
+  for (SurfacePoint<3> &face : flat.faces)
     face.n *= -1.;
   checks.near("with the body on the other side", fit_surface(flat).surface.axis(), -frame.e[0],
               1e-14);

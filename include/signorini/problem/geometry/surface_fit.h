@@ -27,7 +27,7 @@ struct SurfaceSamples {
   /** Nodes, those in the middles of edges and faces of second order, too. */
   std::vector<Point<3>> points;
   /** The middle of every face, and its normal out of the body. */
-  std::vector<SidePoint<3>> faces;
+  std::vector<SurfacePoint<3>> faces;
 };
 
 /**
