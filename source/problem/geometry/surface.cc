@@ -40,8 +40,8 @@ Surface Surface::faces() {
   return {Kind::faces, Point<3>(), Tensor<1, 3>(), 0., Body::inside};
 }
 
-std::string Surface::name() const {
-  switch (kind_) {
+std::string Surface::name(const Kind kind) {
+  switch (kind) {
   case Kind::plane:
     return "plane";
   case Kind::sphere:

@@ -342,18 +342,23 @@ void Declarations::declare_geometry(GeometryParameters &geometry) {
       "z < 0 (side top), quarter x > 0, too (left), octant, of a ball, y > 0 (front). Where the "
       "axis is in the way, the next one takes its place: half of a cylinder along z is x > 0, a "
       "quarter y > 0, too.");
-  add(
-    "Geometry/File", geometry.file,
-    "Coarse mesh or shape that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...); all but text of "
-    ".msh, version 2 or 4.1, goes through the program gmsh. Looked for in the folder of the "
-    "parameter file, then in the working folder. Sides are the physical names of curves, or their "
-    "numbers where no curve has a name; other edges are the side rest.");
+  add("Geometry/File", geometry.file,
+      "Coarse mesh or shape that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...); all but text of "
+      ".msh, version 2 or 4.1, goes through the program gmsh. Looked for in the folder of the "
+      "parameter file, then in the working folder. Sides are the physical names of curves, in "
+      "space of surfaces, or their numbers where none has a name; the others are the side rest.");
   add(
     "Geometry/Arcs", geometry.arcs,
     "Mesh file: sides that are circular arcs, so that refinement follows the circle through their "
     "nodes, which may lie beside it by 1e-4 of the radius and are moved onto it: names separated "
     "by "
     "blanks. Edges with a node in the middle need no entry.");
+  add(
+    "Geometry/Surfaces", geometry.surfaces,
+    "Mesh file in space: the kind of surface of sides, as in 'hole: cylinder | ball: sphere | lid: "
+    "plane | cone: faces'. Nodes may lie beside it by 1e-3 of the radius or of the plane's extent "
+    "and are moved onto it, and a side that is not a plane is not divided where its faces turn. "
+    "Sides without an entry are what their nodes lie on to 1e-6, or else faces as they are.");
   add("Geometry/Distortion", geometry.distortion,
       "Interior vertices of the coarsest level are moved at random by this share of h.", 0., 0.45);
   add("Geometry/Thickness", geometry.thickness,

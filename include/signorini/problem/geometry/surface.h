@@ -36,7 +36,10 @@ public:
     return kind_;
   }
   /** Returns "plane", "sphere", "cylinder" or "faces". */
-  std::string name() const;
+  static std::string name(Kind kind);
+  std::string name() const {
+    return name(kind_);
+  }
   bool is_flat() const {
     return kind_ == Kind::plane;
   }
