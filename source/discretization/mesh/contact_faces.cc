@@ -104,7 +104,10 @@ void ContactSurface<3>::complete(const Piece<3> &piece, SurfaceRule<3> &rule) co
   if (side.surface().has_normals())
     for (std::size_t q = 0; q < rule.size(); ++q)
       rule.normals[q] = side.normal_at(rule.points[q]);
+  const ContactDirections<3> &directions = condition(piece).directions;
   rule.directions = rule.normals;
+  for (std::size_t q = 0; q < rule.size() && !directions.are_normals(); ++q)
+    rule.directions[q] = directions.at(side.project(rule.points[q]), rule.normals[q]);
 }
 
 // The vertices determine the faces, and cost less than an FEFaceValues object for each of them.

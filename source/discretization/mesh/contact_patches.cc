@@ -66,7 +66,7 @@ struct SideFaces {
 std::vector<double> groups_of(const std::vector<FaceSpan> &spans,
                               const std::vector<FaceSpan> &others, const unsigned int ratio,
                               const double lower, const double upper, const Curve &curve,
-                              const ContactDirections &directions) {
+                              const ContactDirections<2> &directions) {
   std::vector<double> ends = {lower};
   std::vector<double> starts;
   const double sliver = 1e-10 * (upper - lower);
@@ -101,8 +101,8 @@ std::vector<double> groups_of(const std::vector<FaceSpan> &spans,
  * hold 4/3 of the longest face of the other side; else groups of the coarser faces.
  */
 std::vector<double> ends_of_patches(const SideFaces &faces, const Curve &curve,
-                                    const ContactDirections &directions, const unsigned int ratio,
-                                    const unsigned int n) {
+                                    const ContactDirections<2> &directions,
+                                    const unsigned int ratio, const unsigned int n) {
   if (n > 0) {
     std::vector<double> ends;
     for (unsigned int t = 0; t <= n; ++t)
@@ -256,7 +256,7 @@ void require_two_faces(const SideFaces &faces, const ContactPair<2> &pair, const
 /** Returns the ends of pieces: those of patches, of faces of both sides, and where directions
  * change. */
 std::vector<double> cuts_of(const SideFaces &faces, const std::vector<double> &ends,
-                            const ContactDirections &directions) {
+                            const ContactDirections<2> &directions) {
   std::vector<double> cuts = ends;
   cuts.insert(cuts.end(), directions.changes().begin(), directions.changes().end());
   for (const auto *const spans : {&faces.own, &faces.opposite})
@@ -300,7 +300,7 @@ void ContactSurface<2>::divide(const Partition &partition) {
       pair.carrier() == pair.side() ? faces.own : faces.opposite;
     if (!partition.by_carrier)
       require_two_faces(faces, pair, side);
-    const ContactDirections &directions = pair.data().directions;
+    const ContactDirections<2> &directions = pair.data().directions;
     const std::vector<double> ends =
       partition.by_carrier
         ? ends_of_faces(of_carrier, faces, side)

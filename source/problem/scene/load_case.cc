@@ -22,7 +22,7 @@ FunctionPointer<2> scale(const FunctionPointer<2> &function, const double factor
 
 /** Returns the tangential motion of a foundation: @p given, and the part of a shift across the
  * direction of contact. */
-FunctionPointer<2> slide_along(const Side<2> &side, const ContactDirections &directions,
+FunctionPointer<2> slide_along(const Side<2> &side, const ContactDirections<2> &directions,
                                const FunctionPointer<2> &given, const Tensor<1, 2> &shift) {
   return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
     const double s = side.arc_length(x);

@@ -58,7 +58,8 @@ public:
     const Tensor<1, dim> n = scene_.geometry.sides[side()].normal_at(x);
     if constexpr (dim == 2)
       return data().directions.at(scene_.geometry.sides[side()].arc_length(x), x, n);
-    return n;
+    else
+      return data().directions.at(x, n);
   }
   /** Returns the gap g at a point of the side. @throws InputError where it has no value. */
   double gap(const Point<dim> &x) const {
@@ -101,7 +102,7 @@ ContactPair<dim> pair_with(const Scene<dim> &scene, const unsigned int side) {
 
 /** Returns the directions of the contact on a side that is in one only; those of n where Γ_c lies
  * on no or on the other body. */
-inline ContactDirections directions_on(const Scene<2> &scene, const unsigned int side) {
+inline ContactDirections<2> directions_on(const Scene<2> &scene, const unsigned int side) {
   for (const ContactCondition<2> &contact : scene.contacts)
     if (contact.side == side)
       return contact.directions;
