@@ -19,6 +19,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Signorini {
 namespace {
@@ -178,6 +179,21 @@ std::string cost_of(const Parameters &parameters, const Scene<dim> &scene, MPI_C
   const MemoryLimit<dim> limit(parameters, scene, communicator);
   return limit.forecast() + "; about " + number_text(limit.n_unknowns()) + " unknowns";
 }
+
+/** Returns the aspect ratio of cells in space, ", edges of one cell up to 2 : 1", and what it
+ * costs.
+ */
+template <int dim>
+std::string describe_aspect(const Triangulation<dim> &mesh, const SolverChoice &solvers) {
+  constexpr double many_cycles = 3.;
+  if (dim == 2)
+    return "";
+  const double aspect = largest_aspect(mesh);
+  return ", edges of one cell up to " + number_text(std::round(10. * aspect) / 10.) + " : 1" +
+         (aspect > many_cycles && solvers.is_by_cycles()
+            ? " (above 3 : 1 V-cycles are many; make cells about as long as wide)"
+            : "");
+}
 } // namespace
 
 template <int dim>
@@ -185,8 +201,8 @@ void show_scene(const Parameters &parameters, Scene<dim> scene, MPI_Comm communi
                 const StudyReport &report) {
   const DiscretizationParameters &given = parameters.discretization;
   check_settings(parameters, scene);
-  print_scene(parameters, scene, choose_solvers(parameters, scene, given.finest_level),
-              judge_of(parameters, scene), report.screen);
+  const SolverChoice solvers = choose_solvers(parameters, scene, given.finest_level);
+  print_scene(parameters, scene, solvers, judge_of(parameters, scene), report.screen);
   const std::string cost = cost_of(parameters, scene, communicator);
   const Mesh<dim> mesh(scene.geometry, given.coarsest_level, given.coarsest_level, MPI_COMM_SELF);
   multiply_forces(scene.geometry.thickness, scene.plates);
@@ -194,7 +210,8 @@ void show_scene(const Parameters &parameters, Scene<dim> scene, MPI_Comm communi
   print_sides(scene, report.screen);
   for (const std::string &line : notes.lines)
     report.screen << line << ".\n";
-  report.screen << "First mesh: " << mesh.triangulation().n_global_active_cells() << " cells.\n"
+  report.screen << "First mesh: " << mesh.triangulation().n_global_active_cells() << " cells"
+                << describe_aspect(mesh.triangulation(), solvers) << ".\n"
                 << "Cost: " << cost << ".\n";
   if constexpr (dim == 2)
     agree(communicator, [&]() {

@@ -47,17 +47,6 @@ double distance_from_body(const Geometry<2> &geometry, const Point<2> &x) {
   return least;
 }
 
-double distance_from_body(const Geometry<3> &geometry, const Point<3> &x) {
-  double deepest = -std::numeric_limits<double>::max();
-  Tensor<1, 3> outside;
-  for (unsigned int d = 0; d < 3; ++d) {
-    const double beyond = std::max(geometry.lower[d] - x[d], x[d] - geometry.upper[d]);
-    deepest = std::max(deepest, beyond);
-    outside[d] = std::max(0., beyond);
-  }
-  return deepest > 0. ? outside.norm() : deepest;
-}
-
 namespace {
 /** Returns the number of the body in which a point lies; the box of most bodies tells. */
 unsigned int body_at(const std::vector<Geometry<2>> &bodies, const Point<2> &x) {

@@ -102,9 +102,14 @@ std::string read_mesh_file(const GeometryParameters &given, const unsigned int d
 }
 
 namespace {
+bool is_one_of(const Shape shape, const std::initializer_list<Shape> shapes) {
+  return std::find(shapes.begin(), shapes.end(), shape) != shapes.end();
+}
+
 /** Refuses entries that belong to another shape. */
 void refuse_other_shapes(const GeometryParameters &given, const Shape shape) {
-  const bool is_round = shape == Shape::half_disc || shape == Shape::disc || shape == Shape::ring;
+  const bool is_solid = is_one_of(shape, {Shape::ball, Shape::cylinder, Shape::tube});
+  const bool is_round = is_solid || is_one_of(shape, {Shape::half_disc, Shape::disc, Shape::ring});
   const auto refuse = [found = "Shape = " + to_text(shape)](
                         const bool belong, const std::vector<const Entry *> &entries,
                         const std::string &owner) {
@@ -113,8 +118,11 @@ void refuse_other_shapes(const GeometryParameters &given, const Shape shape) {
   refuse(shape == Shape::rectangle || shape == Shape::box,
          {&given.lower_left, &given.upper_right, &given.cells}, "rectangle or box");
   refuse(shape == Shape::polygon, {&given.vertices, &given.holes}, "polygon");
-  refuse(is_round, {&given.centre, &given.radius}, "half disc, disc or ring");
-  refuse(shape == Shape::ring, {&given.inner_radius}, "ring");
+  refuse(is_round, {&given.centre, &given.radius}, "half disc, disc, ring, ball, cylinder or tube");
+  refuse(is_one_of(shape, {Shape::ring, Shape::tube}), {&given.inner_radius}, "ring or tube");
+  refuse(is_one_of(shape, {Shape::cylinder, Shape::tube}), {&given.length, &given.axis},
+         "cylinder or tube");
+  refuse(is_solid, {&given.sector}, "ball, cylinder or tube");
   refuse(shape == Shape::polygon || shape == Shape::file, {&given.mesh_size}, "polygon or file");
   refuse(shape == Shape::file, {&given.file, &given.arcs, &given.surfaces}, "file");
 }
@@ -153,16 +161,36 @@ Block<dim> read_block(const GeometryParameters &given) {
   return block;
 }
 
+void check_inner_radius(const GeometryParameters &given) {
+  if (!(given.inner_radius < given.radius * (1. - 1. / max_slenderness)))
+    throw error_at(given.inner_radius, "found ", given.inner_radius,
+                   ", allowed: less than Radius = ", given.radius, ".");
+}
+
 Geometry<2> read_round_body(const GeometryParameters &given) {
   const Point<2> centre = read_point<2>(given.centre, given.centre);
   if (given.shape == Shape::half_disc)
     return make_half_disc(given.radius, centre);
   if (given.shape == Shape::disc)
     return make_disc(given.radius, centre);
-  if (!(given.inner_radius < given.radius * (1. - 1. / max_slenderness)))
-    throw error_at(given.inner_radius, "found ", given.inner_radius,
-                   ", allowed: less than Radius = ", given.radius, ".");
+  check_inner_radius(given);
   return make_ring(given.inner_radius, given.radius, centre);
+}
+
+Geometry<3> read_round_solid(const GeometryParameters &given) {
+  const Point<3> centre =
+    given.centre.changed ? read_point<3>(given.centre, given.centre) : Point<3>();
+  if (given.shape == Shape::ball)
+    return make_ball(given.radius, centre, given.sector);
+  if (given.sector == Sector::octant)
+    throw error_at(given.sector, "found 'octant' with Shape = ", to_text(given.shape.value),
+                   ", allowed: ", to_text(Sector::whole), ", ", to_text(Sector::half), ", ",
+                   to_text(Sector::quarter), ".");
+  const bool is_tube = given.shape == Shape::tube;
+  if (is_tube)
+    check_inner_radius(given);
+  return make_cylinder(is_tube ? given.inner_radius.value : 0., given.radius, given.length, centre,
+                       given.axis, given.sector);
 }
 } // namespace
 
@@ -182,13 +210,29 @@ FileMesh<dim> read_mesh(const GeometryParameters &given) {
 
 template <>
 Geometry<3> make_geometry(const GeometryParameters &given) {
-  if (given.shape != Shape::box && given.shape.changed)
-    throw error_at(given.shape, "found '", to_text(given.shape.value),
-                   "' with Dimension = 3, allowed: ", to_text(Shape::box), ".");
-  refuse_other_shapes(given, Shape::box);
-  const Block<3> block = read_block<3>(given);
-  Geometry<3> geometry = make_box(block.lower, block.upper, block.cells);
-  check_size(geometry, given.upper_right.where());
+  const Shape shape = given.shape.changed ? given.shape.value : Shape::box;
+  refuse_other_shapes(given, shape);
+  Geometry<3> geometry;
+  const Entry *made_by = &given.radius;
+  switch (shape) {
+  case Shape::box: {
+    const Block<3> block = read_block<3>(given);
+    geometry = make_box(block.lower, block.upper, block.cells);
+    made_by = &given.upper_right;
+    break;
+  }
+  case Shape::ball:
+  case Shape::cylinder:
+  case Shape::tube:
+    geometry = read_round_solid(given);
+    break;
+  default:
+    throw error_at(given.shape, "found '", to_text(shape),
+                   "' with Dimension = 3, allowed: ", to_text(Shape::box), ", ",
+                   to_text(Shape::ball), ", ", to_text(Shape::cylinder), ", ", to_text(Shape::tube),
+                   ".");
+  }
+  check_size(geometry, made_by->where());
   geometry.distortion = given.distortion;
   geometry.where_distortion = given.distortion.where();
   return geometry;
@@ -228,8 +272,11 @@ Geometry<2> make_geometry(const GeometryParameters &given) {
     break;
   }
   case Shape::box:
-    throw error_at(given.shape,
-                   "found 'box' with Dimension = 2, allowed: Dimension = 3, or another shape.");
+  case Shape::ball:
+  case Shape::cylinder:
+  case Shape::tube:
+    throw error_at(given.shape, "found '", to_text(given.shape.value),
+                   "' with Dimension = 2, allowed: Dimension = 3, or another shape.");
   case Shape::polygon:
     geometry = read_polygon(given);
     made_by = &given.vertices;

@@ -8,7 +8,11 @@
 namespace Signorini {
 const std::vector<std::string> &option_names(const std::type_index &option) {
   static const std::map<std::type_index, std::vector<std::string>> names = {
-    {typeid(Shape), {"rectangle", "box", "polygon", "half disc", "disc", "ring", "file"}},
+    {typeid(Shape),
+     {"rectangle", "box", "polygon", "half disc", "disc", "ring", "ball", "cylinder", "tube",
+      "file"}},
+    {typeid(Sector), {"whole", "half", "quarter", "octant"}},
+    {typeid(Axis), {"x", "y", "z"}},
     {typeid(MaterialLaw), {"isotropic", "orthotropic", "general"}},
     {typeid(PlaneState), {"strain", "stress", "axisymmetric"}},
     {typeid(Strategy), {"automatic", "nested", "hp"}},

@@ -302,8 +302,9 @@ void Declarations::declare_geometry(GeometryParameters &geometry) {
   add("Geometry/Shape", geometry.shape,
       "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
       "side1, ... in the order of its vertices; a half disc (the lower half) flat and arc, a disc "
-      "arc, a ring inner and outer; a file those that are named in it; a box, in 3-D, "
-      "left, right (x), front, back (y), bottom, top (z).");
+      "arc, a ring inner and outer; a file those that are named in it. In 3-D: a box has left, "
+      "right (x), front, back (y), bottom, top (z), a ball or a cylinder round, a tube inner and "
+      "outer; their planes have the names of a box's sides.");
   add("Geometry/Lower left", geometry.lower_left,
       "Corner of the rectangle: x, y; of the box: x, y, z (length).");
   add("Geometry/Upper right", geometry.upper_right,
@@ -328,10 +329,19 @@ void Declarations::declare_geometry(GeometryParameters &geometry) {
     "is made from (length); 0: as coarse as the shape allows, or a tenth of the diagonal of a "
     "file's shape.",
     0., 1e30);
-  add("Geometry/Centre", geometry.centre, "Of a half disc, a disc or a ring: x, y (length).");
-  add("Geometry/Radius", geometry.radius, "Of a half disc, a disc or a ring (length).", 1e-30,
-      1e30);
-  add("Geometry/Inner radius", geometry.inner_radius, "Of a ring (length).", 1e-30, 1e30);
+  add("Geometry/Centre", geometry.centre,
+      "Of a half disc, a disc or a ring: x, y; of a ball: x, y, z; of a cylinder or a tube: the "
+      "middle of its end at the lower coordinate (length).");
+  add("Geometry/Radius", geometry.radius, "Of a round body (length).", 1e-30, 1e30);
+  add("Geometry/Inner radius", geometry.inner_radius, "Of a ring or a tube (length).", 1e-30, 1e30);
+  add("Geometry/Length", geometry.length, "Of a cylinder or a tube, along its axis (length).",
+      1e-30, 1e30);
+  add("Geometry/Axis", geometry.axis, "Direction of the axis of a cylinder or a tube.");
+  add("Geometry/Sector", geometry.sector,
+      "Part of a ball, a cylinder or a tube between planes of symmetry through its centre: half is "
+      "z < 0 (side top), quarter x > 0, too (left), octant, of a ball, y > 0 (front). Where the "
+      "axis is in the way, the next one takes its place: half of a cylinder along z is x > 0, a "
+      "quarter y > 0, too.");
   add("Geometry/File", geometry.file,
       "Coarse mesh or shape that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...); all but text of "
       ".msh, version 2 or 4.1, goes through the program gmsh. Looked for in the folder of the "

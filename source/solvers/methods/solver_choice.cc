@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace Signorini {
@@ -30,14 +31,21 @@ bool is_irregular(const Geometry<2> &geometry) {
                        [](const unsigned int n) { return n != 4; }) > many;
 }
 
+/** Returns whether the coarse mesh has cells for which V-cycles contract badly: contact is then
+ * left to MINRES, which takes a thousand steps. */
+bool is_irregular(const Geometry<3> &geometry) {
+  constexpr double long_cell = 10.;
+  Triangulation<3> mesh;
+  geometry.make_coarse_mesh(mesh);
+  return largest_aspect(mesh) > long_cell;
+}
+
 /** Returns whether V-cycles are faster than a factorisation. On irregular meshes contact takes up
  * to eight times as many of them: there they save memory only. */
 template <int dim>
 bool cycles_are_faster(const Geometry<dim> &geometry, const double n_unknowns) {
   constexpr double fewest = dim == 2 ? 1e5 : 5e3;
-  if constexpr (dim == 2)
-    return n_unknowns >= 20. * fewest || (n_unknowns >= fewest && !is_irregular(geometry));
-  return n_unknowns >= fewest;
+  return n_unknowns >= 20. * fewest || (n_unknowns >= fewest && !is_irregular(geometry));
 }
 
 /** Returns whether V-cycles find contact in few steps, whatever the number of unknowns. Their
@@ -54,6 +62,21 @@ bool may_iterate(const Parameters &parameters, const Scene<dim> &scene) {
          !scene.contact_law.has_tangential_part() && !scene.geometry.axisymmetric;
 }
 } // namespace
+
+template <int dim>
+double largest_aspect(const Triangulation<dim> &mesh) {
+  double largest = 1.;
+  for (const auto &cell : mesh.active_cell_iterators()) {
+    double shortest = std::numeric_limits<double>::max(), longest = 0.;
+    for (const unsigned int l : cell->line_indices()) {
+      const double length = cell->line(l)->diameter();
+      shortest = std::min(shortest, length);
+      longest = std::max(longest, length);
+    }
+    largest = std::max(largest, longest / shortest);
+  }
+  return largest;
+}
 
 template <int dim>
 unsigned int n_given_patches(const Scene<dim> &scene) {
@@ -92,6 +115,7 @@ bool is_shared(const Parameters &parameters, const Scene<dim> &scene, const Solv
          level >= min_depth + level_of_subtrees(scene.geometry.n_coarse_cells, dim, n_ranks);
 }
 
+INSTANTIATE_FUNCTION(largest_aspect);
 INSTANTIATE_FUNCTION(n_given_patches);
 INSTANTIATE_FUNCTION(choose_solvers);
 INSTANTIATE_FUNCTION(is_shared);

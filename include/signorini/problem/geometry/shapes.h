@@ -3,6 +3,7 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/problem/geometry/geometry.h>
+#include <signorini/problem/geometry/sector.h>
 
 #include <deal.II/base/point.h>
 
@@ -42,4 +43,20 @@ Geometry<2> make_half_disc(double radius, const Point<2> &centre = {});
  * with the mesh of make_half_disc() inside of them. */
 Geometry<2> make_disc(double radius, const Point<2> &centre = {});
 
+/**
+ * Returns a ball; sides round and, of its parts, the planes through the centre by the names of a
+ * box's sides: half is z < 0 (side top), quarter x > 0, too (left), and octant y > 0 (front). An
+ * octant has four coarse cells.
+ */
+Geometry<3> make_ball(double radius, const Point<3> &centre = {}, Sector sector = Sector::whole);
+
+/**
+ * Returns a cylinder, or a tube if @p inner_radius is positive, along the coordinate axis
+ * @p axis, from the plane through @p centre; sides round, or inner and outer, and the planes
+ * by the names of a box's sides. half is z < 0, or x > 0 where the axis is the z-axis; quarter is
+ * the part of it with x > 0, or y > 0 where that cannot be. Coarse cells are about as long as wide.
+ */
+Geometry<3> make_cylinder(double inner_radius, double radius, double length,
+                          const Point<3> &centre = {}, Axis axis = Axis::z,
+                          Sector sector = Sector::whole);
 } // namespace Signorini

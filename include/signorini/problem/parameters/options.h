@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 #pragma once
 
+#include <signorini/problem/geometry/sector.h>
+
 #include <string>
 #include <typeindex>
 #include <vector>
@@ -44,6 +46,10 @@ enum class Shape {
   half_disc,
   disc,
   ring,
+  /** In 3-D. */
+  ball,
+  cylinder,
+  tube,
   /** The body of a mesh file. */
   file
 };

@@ -65,6 +65,9 @@ struct GeometryParameters {
   Given<std::string> centre{"0, 0"};
   Given<double> radius{1.};
   Given<double> inner_radius{0.5};
+  Given<double> length{1.};
+  Given<Axis> axis{Axis::z};
+  Given<Sector> sector{Sector::whole};
   Given<std::string> file;
   /** The mesh of the file as text of Gmsh, where it has been read already. */
   std::string mesh;

@@ -10,6 +10,11 @@ namespace Signorini {
 template <int dim>
 unsigned int n_given_patches(const Scene<dim> &scene);
 
+/** Returns the largest ratio of the lengths of two edges of a cell. Refined cells keep it: it
+ * decides how well V-cycles contract. */
+template <int dim>
+double largest_aspect(const Triangulation<dim> &mesh);
+
 /** The solvers of a level, after Contact solver = automatic is resolved. */
 struct SolverChoice {
   ContactSolver contact = ContactSolver::active_set;
@@ -32,7 +37,8 @@ struct SolverChoice {
  * - the linear solver is automatic or multigrid, and meshes are nested,
  * - there are no load cases, plates, bodies that contact alone holds, Output/Compliance, B-bar
  *   elements, or patches of a single face, for which V-cycles cannot be used or are slow,
- * - the level has at least 1e5 unknowns (in 3-D 5000), or the linear solver is multigrid;
+ * - the level has at least 1e5 unknowns (in 3-D 5000, unless cells are longer than ten times their
+ *   width), or the linear solver is multigrid;
  *
  * else active set.
  */
