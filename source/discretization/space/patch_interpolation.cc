@@ -3,6 +3,7 @@
 
 #include <signorini/discretization/space/patch_interpolation.h>
 
+#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
@@ -56,6 +57,8 @@ PatchInterpolation<dim>::PatchInterpolation(const DisplacementSpace<dim> &space,
   Assert(space.mesh().n_nested_ancestors() >= n_generations,
          ExcMessage("patch interpolation needs the levels before"));
   const unsigned int p = space.element().degree;
+  if (space.mesh().has_bent_parents() && n_generations > 0 && p == 1)
+    vertices_.resize(polynomials_.n());
   const auto numbers = FETools::hierarchic_to_lexicographic_numbering<dim>(p);
   for (unsigned int i = 0; i < on_cell_.size(); ++i) {
     const auto [component, node] = space.element().system_to_component_index(i);
@@ -114,6 +117,9 @@ void PatchInterpolation<dim>::read_values(const AncestorIterator &cell,
   const unsigned int first = space_.element().degree * lexicographic<dim>(position, degree_ + 1);
   for (unsigned int i = 0; i < on_cell_.size(); ++i)
     nodal_values_[first + nodes_of_cell_[i].second][nodes_of_cell_[i].first] = on_cell_[i];
+  if (!vertices_.empty())
+    for (const unsigned int v : cell->vertex_indices())
+      vertices_[first + lexicographic<dim>(digits<dim>(v, 2), degree_ + 1)] = cell->vertex(v);
 }
 
 template <int dim>
@@ -138,28 +144,52 @@ PatchInterpolation<dim>::collect_values(const CellIterator &cell) {
 }
 
 template <int dim>
-const FieldValues<dim> &PatchInterpolation<dim>::on_reference_cell(
-  const CellIterator &cell, const std::vector<Point<dim>> &points) {
-  const GridPosition position = collect_values(cell);
+void PatchInterpolation<dim>::evaluate(const std::vector<Tensor<1, dim>> &nodal_values,
+                                       const GridPosition &position,
+                                       const std::vector<Point<dim>> &points,
+                                       FieldValues<dim> &result) {
   const bool is_usual = points == usual_points_;
   if (is_usual && !lines_.empty()) {
     std::array<const LineTable *, dim> lines;
     for (unsigned int d = 0; d < dim; ++d)
       lines[d] = &lines_[position[d]];
-    evaluate_products<dim>(nodal_values_, lines, result_);
-    return result_;
+    evaluate_products<dim>(nodal_values, lines, result);
+    return;
   }
-  result_.values.assign(points.size(), Tensor<1, dim>());
-  result_.gradients.assign(points.size(), Tensor<2, dim>());
+  result.values.assign(points.size(), Tensor<1, dim>());
+  result.gradients.assign(points.size(), Tensor<2, dim>());
   if (!is_usual)
     cut_table_ = make_table(points, position);
   const ShapeTable &shapes =
     is_usual ? tables_[lexicographic<dim>(position, n_cells_)] : cut_table_;
   for (unsigned int q = 0; q < points.size(); ++q)
     for (const Shape &shape : shapes[q]) {
-      result_.values[q] += shape.value * nodal_values_[shape.node];
-      result_.gradients[q] += outer_product(nodal_values_[shape.node], shape.gradient);
+      result.values[q] += shape.value * nodal_values[shape.node];
+      result.gradients[q] += outer_product(nodal_values[shape.node], shape.gradient);
     }
+}
+
+template <int dim>
+void PatchInterpolation<dim>::follow_ancestor(const CellIterator &cell,
+                                              const std::vector<Point<dim>> &points) {
+  for (unsigned int q = 0; q < points.size(); ++q) {
+    Tensor<2, dim> of_cell;
+    for (const unsigned int v : cell->vertex_indices())
+      of_cell += outer_product(cell->vertex(v),
+                               GeometryInfo<dim>::d_linear_shape_function_gradient(points[q], v));
+    result_.gradients[q] = result_.gradients[q] * invert(map_.gradients[q]) * of_cell;
+  }
+}
+
+template <int dim>
+const FieldValues<dim> &PatchInterpolation<dim>::on_reference_cell(
+  const CellIterator &cell, const std::vector<Point<dim>> &points) {
+  const GridPosition position = collect_values(cell);
+  evaluate(nodal_values_, position, points, result_);
+  if (!vertices_.empty()) {
+    evaluate(vertices_, position, points, map_);
+    follow_ancestor(cell, points);
+  }
   return result_;
 }
 

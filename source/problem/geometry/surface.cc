@@ -5,6 +5,7 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -90,6 +91,24 @@ Tensor<1, 3> area_vector(const FaceCorners &corners, const Point<2> &xi) {
                           (corners[2] - corners[0]) + xi[0] * mixed);
 }
 
+namespace {
+/** Returns the reference coordinates of the point of a bilinear face that is nearest to x, by Gauss'
+ * and Newton's method. */
+Point<2> nearest_on(const FaceCorners &face, const Point<3> &x) {
+  constexpr unsigned int n_steps = 8;
+  Point<2> xi(0.5, 0.5);
+  for (unsigned int step = 0; step < n_steps; ++step) {
+    const Tensor<1, 3> mixed = (face[3] - face[1]) - (face[2] - face[0]),
+                       a = (face[1] - face[0]) + xi[1] * mixed,
+                       b = (face[2] - face[0]) + xi[0] * mixed, r = x - point_on(face, xi);
+    const double aa = a * a, ab = a * b, bb = b * b, determinant = aa * bb - ab * ab;
+    xi[0] = std::clamp(xi[0] + (bb * (a * r) - ab * (b * r)) / determinant, 0., 1.);
+    xi[1] = std::clamp(xi[1] + (aa * (b * r) - ab * (a * r)) / determinant, 0., 1.);
+  }
+  return xi;
+}
+} // namespace
+
 SurfacePart::SurfacePart(const Surface &surface, std::vector<FaceCorners> faces)
   : surface_(surface)
   , faces_(std::move(faces))
@@ -109,15 +128,21 @@ SurfacePart::SurfacePart(const Surface &surface, std::vector<FaceCorners> faces)
 Tensor<1, 3> SurfacePart::normal_at(const Point<3> &x) const {
   if (surface_.has_normals())
     return surface_.normal(x);
-  const Point<2> middle(0.5, 0.5);
   double least = std::numeric_limits<double>::max();
-  const FaceCorners *nearest = nullptr;
-  for (const FaceCorners &face : faces_)
-    if (const double square = x.distance_square(point_on(face, middle)); square < least) {
-      least = square;
-      nearest = &face;
+  Tensor<1, 3> normal;
+  for (const FaceCorners &face : faces_) {
+    const Point<3> middle = point_on(face, {0.5, 0.5});
+    double radius = 0.;
+    for (const Point<3> &corner : face)
+      radius = std::max(radius, middle.distance(corner));
+    if (x.distance(middle) > radius + least)
+      continue;
+    const Point<2> xi = nearest_on(face, x);
+    if (const double distance = x.distance(point_on(face, xi)); distance < least) {
+      least = distance;
+      normal = area_vector(face, xi);
     }
-  const Tensor<1, 3> normal = area_vector(*nearest, middle);
+  }
   return normal / normal.norm();
 }
 

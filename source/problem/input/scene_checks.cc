@@ -222,8 +222,27 @@ void check_moduli(const std::vector<Expression<dim>> &moduli, const Geometry<dim
   }
 }
 
+namespace {
+/** Refuses conditions that need a surface on faces that follow none, and friction on curved sides:
+ * tangents of patches turn along these. */
+void check_surfaces(const Parameters &parameters, const Scene<3> &scene) {
+  const std::string surfaces = "sides on a plane, a cylinder or a sphere (Geometry/Surfaces).";
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
+    const Side<3> &side = scene.geometry.sides[i];
+    if (scene.boundary[i].role == Role::roller && !side.surface().has_normals())
+      throw error_at(parameters.boundary.rollers, "found '", side.name(),
+                     "', whose faces follow no surface, allowed: ", surfaces);
+    if (scene.has_contact_on(i) && !side.is_flat() && scene.contact_law.has_tangential_part())
+      throw error_at(parameters.contact.law, "found friction on '", side.name(),
+                     "', which is not plane, allowed in space: friction on plane sides.");
+  }
+}
+} // namespace
+
 template <int dim>
 void check_described_scene(const Parameters &parameters, const Scene<dim> &scene) {
+  if constexpr (dim == 3)
+    check_surfaces(parameters, scene);
   const ExactSolutionParameters &exact = parameters.exact;
   const Points<dim> body = sample_body(scene.geometry);
   for (const Point<dim> &x : body)

@@ -95,6 +95,11 @@ public:
   bool is_curved() const {
     return curved_;
   }
+  /** Returns whether cells of T^{2h} are no images of the maps of their children: in space maps are
+   * trilinear, and vertices lie on curved sides. */
+  bool has_bent_parents() const {
+    return has_bent_parents_;
+  }
   /** Returns whether the body is one of revolution: the maps give dx and ds the weight 2 pi x. */
   bool is_axisymmetric() const {
     return axisymmetric_;
@@ -152,7 +157,7 @@ private:
 
   std::unique_ptr<parallel::TriangulationBase<dim>> triangulation_;
   unsigned int subtree_level_;
-  bool curved_, is_graded_, axisymmetric_;
+  bool curved_, has_bent_parents_, is_graded_, axisymmetric_;
   Point<dim> lower_;
   double size_;
   std::unique_ptr<const Mapping<dim>> mapping_, unit_mapping_;

@@ -19,7 +19,8 @@ namespace Signorini {
  * children. With k generations and elements of degree p it has the degree 2^k p on the cells of the
  * k-th mesh before T^h and takes the (2^k p + 1)^dim nodal values of their descendants. It is
  * evaluated cell by cell of T^h, without unknowns of its own; the nodal values are read once for
- * all cells of an ancestor that follow one another.
+ * all cells of an ancestor that follow one another. Where ancestors are bent (Mesh), the map of an
+ * ancestor interpolates the vertices of its descendants in the same way.
  *
  * Needs Mesh::n_nested_ancestors() ≥ k. Copies share nothing: every thread has its own.
  */
@@ -41,7 +42,8 @@ public:
   /** Returns the interpolation at the points of @p fe_values, which is at @p cell and provides its
    * inverse Jacobians. */
   const FieldValues<dim> &evaluate(const CellIterator &cell, const FEValues<dim> &fe_values);
-  /** Returns values, and gradients in the coordinates of the reference cell, at points of it. */
+  /** Returns values, and gradients in the coordinates of the reference cell, at points of it; where
+   * ancestors are bent those that the map of the cell turns into gradients in the body. */
   const FieldValues<dim> &on_reference_cell(const CellIterator &cell,
                                             const std::vector<Point<dim>> &points);
   /** Returns them at the points of the usual rule. */
@@ -63,12 +65,17 @@ private:
   /** The shape functions by point, without those that vanish: at a node nearly all do. */
   using ShapeTable = std::vector<std::vector<Shape>>;
 
+  /** Evaluates products of nodal values with the shape functions at points of a cell. */
+  void evaluate(const std::vector<Tensor<1, dim>> &nodal_values, const GridPosition &position,
+                const std::vector<Point<dim>> &points, FieldValues<dim> &result);
   ShapeTable make_table(const std::vector<Point<dim>> &points, const GridPosition &position) const;
   /**
    * Fills nodal_values_ for the ancestor of a cell.
    * @return the position of the cell.
    */
   GridPosition collect_values(const CellIterator &cell);
+  /** Turns derivatives by the map of the ancestor into those by the map of a cell. */
+  void follow_ancestor(const CellIterator &cell, const std::vector<Point<dim>> &points);
   /** Fills nodal_values_ from the descendants of an ancestor. */
   void read_values(const AncestorIterator &cell, const GridPosition &position);
 
@@ -93,7 +100,9 @@ private:
   /** The ancestor to which nodal_values_ belong. */
   AncestorIterator ancestor_;
   std::vector<Tensor<1, dim>> nodal_values_;
+  /** The vertices of the descendants in the same order, where ancestors are bent, else empty. */
+  std::vector<Tensor<1, dim>> vertices_;
   dealii::Vector<double> on_cell_;
-  FieldValues<dim> result_;
+  FieldValues<dim> result_, map_;
 };
 } // namespace Signorini

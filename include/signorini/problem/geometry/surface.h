@@ -119,7 +119,7 @@ public:
     return surface_.project(x);
   }
   /** Returns the outward normal at the nearest point of the surface; of faces without a surface
-   * that of the face whose middle is nearest. */
+   * that of the nearest face, at its nearest point. */
   Tensor<1, 3> normal_at(const Point<3> &x) const;
   /** Returns the area of the faces (length²). */
   double area() const {
