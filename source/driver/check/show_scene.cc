@@ -213,18 +213,17 @@ void show_scene(const Parameters &parameters, Scene<dim> scene, MPI_Comm communi
   report.screen << "First mesh: " << mesh.triangulation().n_global_active_cells() << " cells"
                 << describe_aspect(mesh.triangulation(), solvers) << ".\n"
                 << "Cost: " << cost << ".\n";
-  if constexpr (dim == 2)
-    agree(communicator, [&]() {
-      if (Utilities::MPI::this_mpi_process(communicator) != 0)
-        return;
-      write_file(report.directory / "scene.json", [&](std::ostream &stream) {
-        write_scene_json(stream, scene, mesh.triangulation(), notes);
-      });
-      const std::string missing = draw_pictures(report.directory, "--scene");
-      report.screen << "Picture: "
-                    << (missing.empty() ? (report.directory / "scene.svg").string() : missing)
-                    << "\n";
+  agree(communicator, [&]() {
+    if (Utilities::MPI::this_mpi_process(communicator) != 0)
+      return;
+    write_file(report.directory / "scene.json", [&](std::ostream &stream) {
+      write_scene_json(stream, scene, mesh.triangulation(), notes);
     });
+    const std::string missing = draw_pictures(report.directory, "--scene");
+    report.screen << "Picture: "
+                  << (missing.empty() ? (report.directory / "scene.svg").string() : missing)
+                  << "\n";
+  });
 }
 
 INSTANTIATE_FUNCTION(show_scene);

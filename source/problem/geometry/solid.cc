@@ -319,6 +319,7 @@ Geometry<3> make_geometry(Solid solid) {
     if (part.surface().is_curved())
       for (const SurfacePoint<3> &sample : part.samples(n_samples))
         points.push_back(sample.x);
+    geometry.curved = geometry.curved || part.surface().is_curved();
     geometry.sides.emplace_back(solid.sides[i].first, part);
   }
   const BoundingBox<3> box(points);

@@ -6,7 +6,12 @@
 #include <signorini/problem/scene/contact_pair.h>
 #include <signorini/results/output/scene_json.h>
 
+#include <deal.II/base/geometry_info.h>
+
 #include <nlohmann/json.hpp>
+
+#include <array>
+#include <utility>
 
 namespace Signorini {
 using Json = nlohmann::ordered_json;
@@ -92,6 +97,28 @@ void write_scene_json(std::ostream &stream, const Scene<2> &scene,
       corners.push_back(AnswerVector(cell->vertex(v)));
     json["cells"].push_back(corners);
   }
+  stream << json.dump() << "\n";
+}
+
+void write_scene_json(std::ostream &stream, const Scene<3> &scene,
+                      const Triangulation<3> &first_mesh, const SceneNotes &notes) {
+  std::vector<Json> faces(scene.boundary.size(), Json::array());
+  for (const auto &cell : first_mesh.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices())
+      if (cell->at_boundary(f)) {
+        // Round the outward normal: that of every other face of a cell points inwards.
+        Json corners = Json::array();
+        for (const unsigned int v : f % 2 == 0 ? std::array<unsigned int, 4>{{0, 2, 3, 1}}
+                                               : std::array<unsigned int, 4>{{0, 1, 3, 2}})
+          corners.push_back(
+            AnswerVector(cell->vertex(GeometryInfo<3>::face_to_cell_vertices(f, v))));
+        faces[cell->face(f)->boundary_id()].push_back(corners);
+      }
+  Json json = {{"sides", Json::array()}, {"notes", notes.lines}, {"body_force", notes.body_force}};
+  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
+    json["sides"].push_back({{"name", scene.geometry.sides[i].name()},
+                             {"role", word_for(scene.boundary[i].role)},
+                             {"faces", std::move(faces[i])}});
   stream << json.dump() << "\n";
 }
 } // namespace Signorini

@@ -201,6 +201,28 @@ check("  is seen whole, and between 1/3 and 2/3 of its view", len(views) == 2 an
       views[1][0] < zone[0] < zone[1] < views[1][1] and 1 / 3 < (zone[1] - zone[0]) / (views[1][1] - views[1][0]) < 2 / 3)
 check("  and so is the mesh, all its cells with their degrees", "mesh-" in "".join(facts["files"]) and
       sum(facts["degrees"].values()) == plot.read_csv("narrow/convergence.csv")["cells"][-1])
+def grid_in_space(point, m, n):
+    """Returns the faces of a grid of m × n on a surface over the unit square."""
+    s, t = np.meshgrid(np.linspace(0., 1., m + 1), np.linspace(0., 1., n + 1), indexing="ij")
+    x = np.stack(point(s, t), axis=-1)
+    return np.stack([x[:-1, :-1], x[1:, :-1], x[1:, 1:], x[:-1, 1:]], axis=2).reshape(-1, 4, 3)
+
+
+plane = grid_in_space(lambda s, t: (3 * s, 2 * s + t, 6 * s - 2 * t), 4, 3)
+shaft = grid_in_space(lambda s, t: (2 * np.cos(7 * s), 3 * t, 2 * np.sin(7 * s)), 60, 3)[:-6]  # 6.3 > 2 pi: it overlaps itself
+ball = grid_in_space(lambda s, t: (np.sin(3 * s) * np.cos(6.2 * t), np.sin(3 * s) * np.sin(6.2 * t), -np.cos(3 * s)), 20, 30)[30:]
+for name, faces, same in (("a plane", plane, 1e-12), ("a shaft", shaft, 1e-2)):
+    polygons, _, directions = plot.flattened(faces, np.zeros(len(faces), dtype=bool))
+    lengths = np.linalg.norm(plot.edges_of(faces)[:, :, 1] - plot.edges_of(faces)[:, :, 0], axis=2)
+    flat = np.linalg.norm(plot.edges_of(polygons)[:, :, 1] - plot.edges_of(polygons)[:, :, 0], axis=2)
+    check(f"{name} in space keeps its lengths when it is flattened", np.allclose(flat, lengths, rtol=same) and
+          (directions is None) == (name == "a shaft"))
+polygons = plot.flattened(ball, np.arange(len(ball)) < 30)[0]
+check("a ball keeps the distances from the middle of its zone", np.allclose(
+    np.linalg.norm(polygons, axis=2), np.arccos(np.clip(-ball[..., 2], -1., 1.)), atol=0.02))
+cube = np.concatenate([grid_in_space(lambda s, t, d=d, e=e: np.roll((np.full_like(s, e), s if e else t, t if e else s), d, axis=0), 2, 2)
+                       for d in range(3) for e in (0, 1)])
+check("the edges of a cube", len(plot.sharp_edges(cube)) == 24)
 check("a sphere in 3-D", run(f"{scenes}/space/sphere.prm", "sphere", "Discretization/Finest level=3").returncode in (0, 2))
 facts = draw("sphere")
 with open("sphere/answer.json", encoding="utf-8") as file:

@@ -33,7 +33,9 @@ struct SceneNotes {
 };
 
 /** Writes scene.json: sides with names, roles, points, normals and data; the corners of the first
- * mesh's cells; the notes. */
+ * mesh's cells; the notes. In space sides have the faces of the first mesh instead. */
 void write_scene_json(std::ostream &stream, const Scene<2> &scene,
                       const Triangulation<2> &first_mesh, const SceneNotes &notes);
+void write_scene_json(std::ostream &stream, const Scene<3> &scene,
+                      const Triangulation<3> &first_mesh, const SceneNotes &notes);
 } // namespace Signorini
