@@ -81,7 +81,7 @@ def note_words(results, figure, name):
     save(results, figure, name)
 
 
-plot.Results.save = note_words
+plot.Results.save = plot.Scene.save = note_words
 plot.STYLE["savefig.dpi"] = 60
 
 
@@ -228,6 +228,11 @@ facts = draw("sphere")
 with open("sphere/answer.json", encoding="utf-8") as file:
     check("  the area of contact", abs(facts["area"]["bottom"] / json.load(file)["contact_area"] - 1) < 1e-5)
 check("  a zoomed view", len(facts["views"]["bottom"]) == 2)
+done = subprocess.run([program, f"{scenes}/space/sphere.prm", "--check", "--output", "shown"], capture_output=True, text=True, check=False)
+code, out, errors = draw_here("shown", "--scene", "--facts", "--format", "png")
+check("a scene in 3-D before it is solved", done.returncode == 0 and code == 0 and not errors)
+check("  all its sides", code == 0 and np.allclose(list(json.loads(out)["areas"].values()), np.ones(6)))
+check("  with their names and roles", "bottom: contact" in words["scene"] and "front: rollers" in words["scene"])
 check("friction", run(f"{scenes}/friction/k1.prm", "k1", "Discretization/Finest level=3", "Output/Inf-sup constant=false").returncode in (0, 2))
 facts = draw("k1")
 with open("k1/answer.json", encoding="utf-8") as file:
