@@ -21,10 +21,7 @@
 #include <utility>
 
 namespace Signorini {
-namespace {
-/** Returns the projection of a point to surfaces, to several of them in turn until nothing moves.
- * @param size the length that rounding is relative to, beside that of the point. */
-Point<3> project(const std::vector<Surface> &surfaces, Point<3> x, const double size) {
+Point<3> project_on_all(const std::vector<Surface> &surfaces, Point<3> x, const double size) {
   // Surfaces that meet at five degrees need most steps.
   constexpr unsigned int max_rounds = 5000;
   constexpr double rounding = 1e-15;
@@ -38,6 +35,7 @@ Point<3> project(const std::vector<Surface> &surfaces, Point<3> x, const double 
   return x;
 }
 
+namespace {
 /** One surface, or several that meet in an edge: new points are the projections of weighted means.
  */
 class SurfaceManifold : public Manifold<3, 3> {
@@ -59,7 +57,7 @@ public:
 
   Point<3> project_to_manifold(const ArrayView<const Point<3>> &points,
                                const Point<3> &candidate) const override {
-    return project(surfaces_, candidate, points[0].distance(candidate));
+    return project_on_all(surfaces_, candidate, points[0].distance(candidate));
   }
 
   Tensor<1, 3> normal_vector(const Triangulation<3>::face_iterator & /*face*/,
@@ -197,7 +195,7 @@ struct TrueFace {
     const Point<3> &start = (*corners)[edges_of_face[edge][0]],
                    &end = (*corners)[edges_of_face[edge][1]];
     const Point<3> x = start + t * (end - start);
-    return project(bent[edge], x, start.distance(end)) - x;
+    return project_on_all(bent[edge], x, start.distance(end)) - x;
   }
   /** Returns the point of the transfinite interpolation of the edges. */
   Point<3> point(const Point<2> &xi) const {
@@ -321,6 +319,7 @@ Geometry<3> make_geometry(Solid solid) {
     if (part.surface().is_curved())
       for (const SurfacePoint<3> &sample : part.samples(n_samples))
         points.push_back(sample.x);
+    geometry.curved = geometry.curved || part.surface().is_curved();
     geometry.sides.emplace_back(solid.sides[i].first, part);
   }
   const BoundingBox<3> box(points);

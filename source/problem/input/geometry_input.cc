@@ -17,6 +17,7 @@
 #include <boost/algorithm/string/case_conv.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
@@ -192,9 +193,7 @@ Geometry<3> read_round_solid(const GeometryParameters &given) {
   return make_cylinder(is_tube ? given.inner_radius.value : 0., given.radius, given.length, centre,
                        given.axis, given.sector);
 }
-} // namespace
 
-namespace {
 /** Reads the mesh of Shape = file. */
 template <int dim>
 FileMesh<dim> read_mesh(const GeometryParameters &given) {
@@ -206,6 +205,32 @@ FileMesh<dim> read_mesh(const GeometryParameters &given) {
       shorten_path(std::filesystem::path(given.file.value).filename().string()));
 }
 
+/** Reads "hole: cylinder | lid: plane". */
+SurfaceKinds read_surface_kinds(const Given<std::string> &given) {
+  constexpr std::array<Surface::Kind, 4> all = {Surface::Kind::plane, Surface::Kind::sphere,
+                                                Surface::Kind::cylinder, Surface::Kind::faces};
+  SurfaceKinds kinds;
+  for (const std::string &part : split_list(given.value, '|')) {
+    const auto colon = std::min(part.find(':'), part.size());
+    const std::string word = trim(part.substr(std::min(colon + 1, part.size())));
+    const auto kind = std::find_if(
+      all.begin(), all.end(), [&](const Surface::Kind one) { return Surface::name(one) == word; });
+    if (kind == all.end())
+      throw error_at(given, "found ", quote(part),
+                     ", allowed: the name of a side, ':' and plane, sphere, cylinder or faces.");
+    kinds.emplace_back(trim(part.substr(0, colon)), *kind);
+  }
+  return kinds;
+}
+
+/** Reads the body of Shape = file. */
+Geometry<3> read_solid(const GeometryParameters &given) {
+  SolidBody body =
+    make_solid(read_mesh<3>(given), read_surface_kinds(given.surfaces), given.surfaces.where());
+  Geometry<3> geometry = make_geometry(std::move(body.solid));
+  geometry.note = body.note;
+  return geometry;
+}
 } // namespace
 
 template <>
@@ -226,11 +251,15 @@ Geometry<3> make_geometry(const GeometryParameters &given) {
   case Shape::tube:
     geometry = read_round_solid(given);
     break;
+  case Shape::file:
+    geometry = read_solid(given);
+    made_by = &given.file;
+    break;
   default:
     throw error_at(given.shape, "found '", to_text(shape),
                    "' with Dimension = 3, allowed: ", to_text(Shape::box), ", ",
                    to_text(Shape::ball), ", ", to_text(Shape::cylinder), ", ", to_text(Shape::tube),
-                   ".");
+                   ", ", to_text(Shape::file), ".");
   }
   check_size(geometry, made_by->where());
   geometry.distortion = given.distortion;

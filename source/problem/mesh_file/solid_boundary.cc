@@ -262,7 +262,6 @@ void turn_cells_outwards(FileMesh<3> &mesh) {
 std::vector<BoundaryFace> find_boundary(const FileMesh<3> &mesh) {
   const EdgeMiddles middles = find_middles(mesh);
   const std::vector<CellFace> faces = find_faces(mesh);
-  check_connected(mesh, faces);
   const std::map<FaceKey, std::string> names = find_face_names(mesh, faces);
   std::vector<CellFace> outer;
   for (std::size_t i = 0; i < faces.size(); ++i)
@@ -270,6 +269,7 @@ std::vector<BoundaryFace> find_boundary(const FileMesh<3> &mesh) {
         (i + 1 == faces.size() || faces[i].key != faces[i + 1].key))
       outer.push_back(faces[i]);
   check_conforming(mesh, outer);
+  check_connected(mesh, faces);
   const auto x = [&](const unsigned int node) { return mesh.nodes[node].x; };
   std::vector<std::pair<Point<3>, BoundaryFace>> boundary;
   for (const CellFace &face : outer) {

@@ -5,11 +5,14 @@
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
 
+#include <deal.II/grid/tria.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "solid_mesh.h"
@@ -110,34 +113,68 @@ Positions drawn_positions(const FileMesh<3> &mesh, const Pieces &pieces) {
   return drawn;
 }
 
-/** Checks the determinants of the maps of all cells at their corners. @throws InputError, with
- * what is @p allowed. */
-void check_shapes(const FileMesh<3> &mesh, const Pieces &pieces, const Positions &x,
-                  const std::string &reason, const std::string &allowed) {
-  for (unsigned int c = 0; c < pieces.cells.size(); ++c) {
-    const std::array<unsigned int, 8> &cell = pieces.cells[c];
-    std::array<double, 8> determinant, share;
-    double mean = 0.;
-    for (unsigned int v = 0; v < 8; ++v) {
-      std::array<Tensor<1, 3>, 3> edges;
-      for (unsigned int d = 0; d < 3; ++d)
-        edges[d] = x[cell[v | 1 << d]] - x[cell[v & ~(1U << d)]];
-      determinant[v] = edges[0] * cross_product_3d(edges[1], edges[2]);
-      share[v] = determinant[v] / (edges[0].norm() * edges[1].norm() * edges[2].norm());
-      mean += determinant[v] / 8.;
-    }
-    for (unsigned int v = 0; v < 8; ++v) {
-      if (determinant[v] > min_share_of_mean * mean && share[v] > min_share_of_edges)
-        continue;
-      // Every piece has one corner of its element, the first vertex.
-      const auto &nodes =
-        pieces.nodes[cell[v]].size() == 1 ? pieces.nodes[cell[v]] : pieces.nodes[cell[0]];
-      const auto &element = mesh.cells[pieces.element[c]];
-      throw input_error(mesh.location(element.line), "the element ", element.tag,
-                        " is flat or turned inside out at node ", mesh.nodes[nodes[0]].tag, reason,
-                        ", allowed: ", allowed);
-    }
+/** Returns the first corner at which the determinant of a cell's map is too small, if one is. */
+std::optional<unsigned int> find_bad_corner(const std::array<Point<3>, 8> &x) {
+  std::array<double, 8> determinant, share;
+  double mean = 0.;
+  for (unsigned int v = 0; v < 8; ++v) {
+    std::array<Tensor<1, 3>, 3> edges;
+    for (unsigned int d = 0; d < 3; ++d)
+      edges[d] = x[v | 1U << d] - x[v & ~(1U << d)];
+    determinant[v] = edges[0] * cross_product_3d(edges[1], edges[2]);
+    share[v] = determinant[v] / (edges[0].norm() * edges[1].norm() * edges[2].norm());
+    mean += determinant[v] / 8.;
   }
+  for (unsigned int v = 0; v < 8; ++v)
+    if (!(determinant[v] > min_share_of_mean * mean && share[v] > min_share_of_edges))
+      return v;
+  return {};
+}
+
+/** Refuses a cell for one of its corners. */
+[[noreturn]] void refuse_shape(const FileMesh<3> &mesh, const Pieces &pieces,
+                               const unsigned int cell, const unsigned int corner,
+                               const bool is_moved) {
+  // Every piece has one corner of its element, and every other one is in the middle of several.
+  const auto &element = mesh.cells[pieces.element[cell]];
+  unsigned int node = pieces.nodes[pieces.cells[cell][corner]][0];
+  for (const unsigned int v : pieces.cells[cell])
+    if (pieces.nodes[pieces.cells[cell][corner]].size() > 1 && pieces.nodes[v].size() == 1)
+      node = pieces.nodes[v][0];
+  throw input_error(mesh.location(element.line), "the element ", element.tag,
+                    " is flat or turned inside out at node ", mesh.nodes[node].tag,
+                    is_moved ? " by its faces on a curved side, allowed: a finer mesh there."
+                             : ", allowed: elements whose determinants at all corners are above " +
+                                 number_text(min_share_of_mean) + " of their mean.");
+}
+
+/** Checks the cells with these positions of their vertices. @throws InputError */
+void check_shapes(const FileMesh<3> &mesh, const Pieces &pieces, const Positions &x,
+                  const bool is_moved) {
+  for (unsigned int c = 0; c < pieces.cells.size(); ++c) {
+    std::array<Point<3>, 8> corners;
+    for (unsigned int v = 0; v < 8; ++v)
+      corners[v] = x[pieces.cells[c][v]];
+    if (const auto bad = find_bad_corner(corners))
+      refuse_shape(mesh, pieces, c, *bad, is_moved);
+  }
+}
+
+/** Checks the cells of the first refined mesh, whose new vertices are on the surfaces.
+ * @throws InputError */
+void check_refined(const FileMesh<3> &mesh, const Pieces &pieces, const Solid &solid) {
+  Triangulation<3> refined;
+  make_geometry(solid).make_coarse_mesh(refined);
+  refined.refine_global();
+  for (const auto &cell : refined.cell_iterators_on_level(0))
+    for (unsigned int i = 0; i < 8; ++i) {
+      std::array<Point<3>, 8> corners;
+      for (unsigned int v = 0; v < 8; ++v)
+        corners[v] = cell->child(i)->vertex(v);
+      // The part i of a cell is at its corner i.
+      if (find_bad_corner(corners))
+        refuse_shape(mesh, pieces, cell->index(), i, true);
+    }
 }
 
 /** Returns the faces of the boundary to which all nodes of each vertex belong. */
@@ -160,50 +197,67 @@ std::vector<std::vector<unsigned int>> faces_of_vertices(const FileMesh<3> &mesh
   return found;
 }
 
-/** Returns a point on several surfaces: onto each in turn until nothing moves. */
-Point<3> project_on_all(Point<3> x, const std::vector<const Surface *> &surfaces,
-                        const double tolerance) {
-  constexpr unsigned int max_turns = 1000;
-  for (unsigned int turn = 0; turn < max_turns; ++turn) {
-    const Point<3> before = x;
-    for (const Surface *surface : surfaces)
-      if (x.distance(surface->project(x)) > tolerance)
-        x = surface->project(x);
-    if (x == before)
-      break;
+/** Moves the vertices of pieces onto the surfaces of their sides. */
+class SurfaceMover {
+public:
+  SurfaceMover(const Pieces &pieces, const std::vector<std::vector<unsigned int>> &faces_at,
+               const std::vector<BoundaryFace> &faces, const SolidSides &sides, Positions drawn)
+    : x_(std::move(drawn)) {
+    for (const Point<3> &x : x_)
+      size_ = std::max(size_, x.distance(x_[0]));
+    for (unsigned int v = 0; v < x_.size(); ++v)
+      vertex_of_[pieces.nodes[v]] = v;
+    // Nodes, edges, then faces and cells, which follow their edges.
+    for (const std::size_t n : {1, 2, 3})
+      for (unsigned int v = 0; v < x_.size(); ++v)
+        if (std::min<std::size_t>(pieces.nodes[v].size(), 3) == n) {
+          std::set<unsigned int> at;
+          for (const unsigned int f : faces_at[v])
+            at.insert(faces[f].side);
+          std::vector<Surface> surfaces;
+          for (const unsigned int side : at)
+            surfaces.push_back(sides.sides[side].second);
+          x_[v] = projected(n == 1 ? x_[v] : middle(pieces.nodes[v]), surfaces);
+        }
   }
-  return x;
-}
 
-/** Returns the vertices on the surfaces of their sides; middles are those of moved nodes. */
-Positions move_onto_surfaces(const Pieces &pieces,
-                             const std::vector<std::vector<unsigned int>> &faces_at,
-                             const std::vector<BoundaryFace> &faces, const SolidSides &sides,
-                             Positions drawn) {
-  double size = 0.;
-  for (const Point<3> &x : drawn)
-    size = std::max(size, x.distance(drawn[0]));
-  std::map<unsigned int, unsigned int> vertex_of_node;
-  for (unsigned int v = 0; v < drawn.size(); ++v)
-    if (pieces.nodes[v].size() == 1)
-      vertex_of_node[pieces.nodes[v][0]] = v;
-  for (const bool are_nodes : {true, false})
-    for (unsigned int v = 0; v < drawn.size(); ++v) {
-      if ((pieces.nodes[v].size() == 1) != are_nodes)
-        continue;
-      std::vector<Point<3>> points;
-      for (const unsigned int node : pieces.nodes[v])
-        points.push_back(drawn[vertex_of_node.at(node)]);
-      std::set<unsigned int> at;
-      for (const unsigned int f : faces_at[v])
-        at.insert(faces[f].side);
-      std::vector<const Surface *> surfaces;
-      for (const unsigned int side : at)
-        surfaces.push_back(&sides.sides[side].second);
-      drawn[v] = project_on_all(mean_of(points), surfaces, on_surface * size);
+  const Positions &positions() const {
+    return x_;
+  }
+
+private:
+  /** Returns the middle of an edge, a face or a cell: that of its corners, and a share of how far
+   * the middles of its edges are off their chords. The shares make polynomials of degree two of
+   * triangles (4/9) and tetrahedra (1/4), and transfinite interpolations of quadrilaterals (1/2)
+   * and hexahedra (1/4). */
+  Point<3> middle(const std::vector<unsigned int> &nodes) const {
+    std::vector<Point<3>> corners, bends;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      corners.push_back(x_[vertex_of_.at({nodes[i]})]);
+      for (std::size_t j = 0; j < i && nodes.size() > 2; ++j)
+        if (const auto edge = vertex_of_.find({nodes[j], nodes[i]}); edge != vertex_of_.end())
+          bends.emplace_back(x_[edge->second] - mean_of({x_[vertex_of_.at({nodes[j]})],
+                                                         x_[vertex_of_.at({nodes[i]})]}));
     }
-  return drawn;
-}
+    const std::size_t n = bends.size();
+    const double share = n == 3 ? 4. / 9. : n == 4 ? 0.5 : 0.25;
+    const Point<3> mean = mean_of(corners);
+    return n == 0 ? mean : mean + share * n * Tensor<1, 3>(mean_of(bends));
+  }
+
+  /** Returns a point on surfaces; one that is there but for rounding stays. */
+  Point<3> projected(const Point<3> &x, const std::vector<Surface> &surfaces) const {
+    const bool is_there =
+      std::all_of(surfaces.begin(), surfaces.end(), [&](const Surface &surface) {
+        return x.distance(surface.project(x)) <= on_surface * size_;
+      });
+    return is_there ? x : project_on_all(surfaces, x, size_);
+  }
+
+  Positions x_;
+  double size_ = 0.;
+  std::map<std::vector<unsigned int>, unsigned int> vertex_of_;
+};
 
 /** Returns whether a direction points more along the coordinates than another one: first along the
  * one with this number, then along those that follow. Directions that differ by less than 1e-6 are
@@ -352,19 +406,18 @@ SolidBody make_solid(FileMesh<3> mesh, const SurfaceKinds &kinds, const std::str
   turn_cells_outwards(mesh);
   Pieces pieces = CellSplitter(mesh).pieces();
   const Positions drawn = drawn_positions(mesh, pieces);
-  check_shapes(mesh, pieces, drawn, "",
-               "elements whose determinants at all corners are above " +
-                 number_text(min_share_of_mean) + " of their mean.");
+  check_shapes(mesh, pieces, drawn, false);
   std::vector<BoundaryFace> faces = find_boundary(mesh);
   const SolidSides sides = find_sides(mesh, faces, kinds, where);
   const auto faces_at = faces_of_vertices(mesh, pieces, faces);
-  const Positions x = move_onto_surfaces(pieces, faces_at, faces, sides, drawn);
-  check_shapes(mesh, pieces, x, " by its faces on a curved side", "a finer mesh there.");
+  const Positions x = SurfaceMover(pieces, faces_at, faces, sides, drawn).positions();
+  check_shapes(mesh, pieces, x, true);
   sort_pieces(pieces, x);
   SolidBody body;
   body.solid.sides = sides.sides;
   add_solid_regions(mesh, pieces, body.solid);
   add_cells(pieces, x, faces_at, faces, body.solid);
+  check_refined(mesh, pieces, body.solid);
   const std::string note = split_note(mesh);
   body.note = note + (note.empty() || sides.note.empty() ? "" : "; ") + sides.note;
   return body;

@@ -324,6 +324,11 @@ Point<3> tube(const Point<3> &x) {
   return {r * std::cos(angle), r * std::sin(angle), x[2]};
 }
 
+/** A quarter of a tube with the radii 1 and 1.05. */
+Point<3> thin_tube(const Point<3> &x) {
+  return tube({0.05 * x[0], x[1], x[2]});
+}
+
 /** A part of a shell about (0, 0, 1), radii 1 and 2. */
 Point<3> shell(const Point<3> &x) {
   const Tensor<1, 3> d({1., std::tan(PI / 4. * (x[1] - 0.5)), std::tan(PI / 4. * (x[2] - 0.5))});
@@ -494,6 +499,21 @@ void test_given_kinds(Checks &checks) {
                  [&] {
                    read({{{1, 1, 1}}, 5, shell}, {{"left", Kind::sphere}});
                  });
+  // The facets of the outer side are nearer to the axis than the hole.
+  for (const unsigned int type : {5, 6})
+    try {
+      read({{{1, 2, 1}}, type, thin_tube}, {{"left", Kind::cylinder}, {"right", Kind::faces}});
+      checks.that("a thin wall with facets outside is refused", false);
+    } catch (const InputError &error) {
+      const std::string message = error.what();
+      checks.that("a thin wall with facets outside is refused",
+                  message.find(" by its faces on a curved side, allowed: a finer mesh there.") !=
+                    std::string::npos);
+    }
+  const SurfaceKinds round = {{"left", Kind::cylinder}, {"right", Kind::cylinder}};
+  checks.near("a thin wall with two round sides is not",
+              volume_of(read({{{1, 2, 1}}, 5, thin_tube}, round).solid),
+              std::sqrt(0.5) * (1.05 * 1.05 - 1.), 1e-14);
 }
 } // namespace
 

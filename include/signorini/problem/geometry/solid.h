@@ -34,6 +34,10 @@ struct Solid {
   std::vector<unsigned int> region_of_cell;
 };
 
+/** Returns a point on surfaces: onto each of several in turn until nothing moves.
+ * @param size the length that rounding is relative to, beside that of the point. */
+Point<3> project_on_all(const std::vector<Surface> &surfaces, Point<3> x, double size);
+
 /**
  * Returns the body. Refined meshes follow the surfaces: the middle of an edge is the mean of its
  * ends and the middle of a face -1/4 of its corners and 1/2 of the middles of its edges, both
