@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Faces, patches and pieces of Γ_c: intervals of arc length in 2-D, rectangles of faces of a box in
-// 3-D.
+// Γ_c in the plane: faces, patches and pieces are intervals of arc length.
 
 #include <signorini/base/errors.h>
 #include <signorini/discretization/mesh/contact_surface.h>
 #include <signorini/discretization/mesh/cut_quadrature.h>
+#include <signorini/discretization/mesh/patch_row.h>
 #include <signorini/problem/scene/contact_pair.h>
 
-#include <deal.II/base/bounding_box.h>
-#include <deal.II/base/geometry_info.h>
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <tuple>
 
 namespace Signorini {
@@ -70,7 +66,7 @@ struct SideFaces {
 std::vector<double> groups_of(const std::vector<FaceSpan> &spans,
                               const std::vector<FaceSpan> &others, const unsigned int ratio,
                               const double lower, const double upper, const Curve &curve,
-                              const ContactDirections &directions) {
+                              const ContactDirections<2> &directions) {
   std::vector<double> ends = {lower};
   std::vector<double> starts;
   const double sliver = 1e-10 * (upper - lower);
@@ -105,8 +101,8 @@ std::vector<double> groups_of(const std::vector<FaceSpan> &spans,
  * hold 4/3 of the longest face of the other side; else groups of the coarser faces.
  */
 std::vector<double> ends_of_patches(const SideFaces &faces, const Curve &curve,
-                                    const ContactDirections &directions, const unsigned int ratio,
-                                    const unsigned int n) {
+                                    const ContactDirections<2> &directions,
+                                    const unsigned int ratio, const unsigned int n) {
   if (n > 0) {
     std::vector<double> ends;
     for (unsigned int t = 0; t <= n; ++t)
@@ -260,7 +256,7 @@ void require_two_faces(const SideFaces &faces, const ContactPair<2> &pair, const
 /** Returns the ends of pieces: those of patches, of faces of both sides, and where directions
  * change. */
 std::vector<double> cuts_of(const SideFaces &faces, const std::vector<double> &ends,
-                            const ContactDirections &directions) {
+                            const ContactDirections<2> &directions) {
   std::vector<double> cuts = ends;
   cuts.insert(cuts.end(), directions.changes().begin(), directions.changes().end());
   for (const auto *const spans : {&faces.own, &faces.opposite})
@@ -304,7 +300,7 @@ void ContactSurface<2>::divide(const Partition &partition) {
       pair.carrier() == pair.side() ? faces.own : faces.opposite;
     if (!partition.by_carrier)
       require_two_faces(faces, pair, side);
-    const ContactDirections &directions = pair.data().directions;
+    const ContactDirections<2> &directions = pair.data().directions;
     const std::vector<double> ends =
       partition.by_carrier
         ? ends_of_faces(of_carrier, faces, side)
@@ -344,6 +340,42 @@ void ContactSurface<2>::divide(const Partition &partition) {
   }
   for (std::size_t f = 0; f < all.size(); ++f)
     faces_[f] = all[f].face;
+}
+
+template <>
+void ContactSurface<2>::set_coordinates(const Piece<2> &piece, SurfaceRule<2> &rule) const {
+  const Patch<2> &patch = patches_[piece.patch];
+  const Side<2> &side = this->side(patch);
+  for (const Point<2> &x : rule.points) {
+    Point<1> s = side.coordinates(x);
+    // Around a closed side those next to the patch.
+    if (side.is_closed())
+      s[0] += side.length() * std::round((patch.centre()[0] - s[0]) / side.length());
+    rule.on_side.push_back(s);
+  }
+}
+
+template <>
+void ContactSurface<2>::complete(const Piece<2> &piece, SurfaceRule<2> &rule) const {
+  rule.directions = rule.normals;
+  const double of_part = 0.5 * (piece.lower[0] + piece.upper[0]);
+  // The maps of very small cells on arcs turn their normals, and pairs of points depend on them.
+  for (std::size_t q = 0; q < rule.size() && piece.opposite; ++q)
+    rule.normals[q] = side(patches_[piece.patch]).normal(rule.on_side[q][0], of_part);
+  for (std::size_t q = 0; q < rule.size(); ++q)
+    rule.directions[q] = condition(piece).directions.at(of_part, rule.points[q], rule.normals[q]);
+  if (!piece.opposite)
+    return;
+  const auto &[face, span] = *piece.opposite;
+  const Side<2> &other = scene_.geometry.sides[faces_[face].side];
+  const double middle = 0.5 * (span.start + span.end);
+  for (std::size_t q = 0; q < rule.size(); ++q) {
+    const Point<2> &x = rule.points[q];
+    double s = other.arc_length(other.across(x, rule.normals[q]));
+    if (other.is_closed())
+      s += other.length() * std::round((middle - s) / other.length());
+    rule.on_opposite.push_back(span.parameter(s));
+  }
 }
 
 template <>
@@ -400,72 +432,41 @@ SurfaceRule<2> ContactSurface<2>::rule(const Piece<2> &piece, const unsigned int
   return rule;
 }
 
-// Γ_c in 3-D: pieces are faces of a side of a box, which are equal rectangles, and patches are
-// rectangles of faces.
-
 template <>
-void ContactSurface<3>::divide(const Partition &partition) {
-  // The number of the patch by its contact, column and row.
-  std::map<std::array<unsigned int, 3>, unsigned int> numbers;
-  std::map<unsigned int, unsigned int> contacts;
-  for (unsigned int i = 0; i < scene_.contacts.size(); ++i)
-    contacts[scene_.contacts[i].side] = i;
-  for (unsigned int f = 0; f < faces_.size(); ++f) {
-    const ContactFace<3> &face = faces_[f];
-    const Side<3> &side = scene_.geometry.sides[face.side];
-    std::vector<Point<2>> corners;
-    for (const Point<3> &vertex : face.vertices)
-      corners.push_back(side.coordinates(vertex));
-    Piece<3> piece = {f, 0, {}, {}, {0., 0.}, {1., 1.}, {}};
-    std::tie(piece.lower, piece.upper) = BoundingBox<2>(corners).get_boundary_points();
-    std::array<unsigned int, 3> group_key = {{contacts.at(face.side), 0, 0}};
-    for (unsigned int d = 0; d < 2; ++d) {
-      const double edge = piece.upper[d] - piece.lower[d];
-      const long n_faces = std::lround(side.lengths()[d] / edge);
-      // The last patches are larger where the ratio does not divide the faces.
-      group_key[1 + d] = std::min(std::lround(piece.lower[d] / edge) / partition.ratio,
-                                  std::max(n_faces / partition.ratio, 1L) - 1);
-    }
-    const auto [group, is_new] = numbers.emplace(group_key, patches_.size());
-    if (is_new)
-      patches_.push_back({group_key[0], face.side, piece.lower, piece.upper, 0.});
-    piece.patch = group->second;
-    Patch<3> &patch = patches_[piece.patch];
-    const std::vector<Point<2>> both = {patch.lower, patch.upper, piece.lower, piece.upper};
-    std::tie(patch.lower, patch.upper) = BoundingBox<2>(both).get_boundary_points();
-    patch.measure += (piece.upper[0] - piece.lower[0]) * (piece.upper[1] - piece.lower[1]);
-    pieces_.push_back(piece);
-  }
-}
-
-// The vertices determine the faces, and cost less than an FEFaceValues object for each of them.
-template <>
-SurfaceRule<3> ContactSurface<3>::at(const Piece<3> &piece,
-                                     const std::vector<Point<2>> &positions) const {
-  const ContactFace<3> &face = faces_[piece.face];
-  const Side<3> &side = this->side(patches_[piece.patch]);
-  SurfaceRule<3> rule;
-  rule.on_face = positions;
-  for (const Point<2> &position : positions) {
-    Point<3> x;
-    for (const unsigned int v : GeometryInfo<2>::vertex_indices())
-      x += GeometryInfo<2>::d_linear_shape_function(position, v) * face.vertices[v];
-    rule.points.push_back(x);
-    rule.on_side.push_back(side.coordinates(x));
-    rule.normals.push_back(side.normal(rule.on_side.back()));
-  }
-  complete(piece, rule);
-  return rule;
+Point<2> ContactSurface<2>::point(const Patch<2> &patch, const Point<1> &s) const {
+  return side(patch).point(s);
 }
 
 template <>
-SurfaceRule<3> ContactSurface<3>::rule(const Piece<3> &piece, const unsigned int n_points,
-                                       const Grading /*there are no kinks in 3-D*/) const {
-  const QGauss<2> gauss(n_points);
-  SurfaceRule<3> rule = at(piece, gauss.get_points());
-  const Tensor<1, 2> edges = piece.upper - piece.lower;
-  for (const double weight : gauss.get_weights())
-    rule.weights.push_back(weight * edges[0] * edges[1]);
-  return rule;
+SurfacePoint<2> ContactSurface<2>::middle(const Patch<2> &patch) const {
+  return {side(patch).point(patch.centre()), side(patch).normal(patch.centre())};
+}
+
+template <>
+std::vector<Neighbours<2>> ContactSurface<2>::neighbours() const {
+  std::vector<Neighbours<2>> all(patches_.size());
+  for (const PatchGrid &grid : patch_grids(patches_)) {
+    const Side<2> &side = scene_.geometry.sides[grid.side];
+    const int n = grid.n(0);
+    for (int i = 0; i < n; ++i)
+      for (const int step : {-1, 1}) {
+        // Beyond a corner, the pressure is that of another direction.
+        const double end = grid.ends[0][step < 0 ? i : i + 1], near = 1e-9 * side.length();
+        if (side.has_corner(end) ||
+            scene_.contacts[grid.contact].directions.change_between(end - near, end + near))
+          continue;
+        int next = i + step;
+        double shift = 0.;
+        if (n > 1 && (next < 0 || next == n) &&
+            goes_round(side, grid.ends[0].front(), grid.ends[0].back())) {
+          next -= step * n;
+          shift = step * side.length();
+        }
+        if (next >= 0 && next < n)
+          all[grid.patches[i]][0][step < 0 ? 0 : 1] = {
+            grid.patches[next], grid.ends[0][next] + shift, grid.ends[0][next + 1] + shift};
+      }
+  }
+  return all;
 }
 } // namespace Signorini

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Γ_c: its faces, the points of its pieces on the mesh, and the rows and columns of its patches.
+// Γ_c: its faces, the points of its pieces on the mesh, and the grids of its patches.
 
 #include <signorini/base/errors.h>
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/mesh/contact_surface.h>
-#include <signorini/discretization/mesh/patch_row.h>
 #include <signorini/problem/scene/contact_pair.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_nothing.h>
@@ -24,16 +24,33 @@ namespace Signorini {
 namespace {
 constexpr unsigned int no_patch = numbers::invalid_unsigned_int;
 
-/** Returns the ends of the intervals that the patches [first, last) cover in one coordinate. */
+/** The corners of a patch in the coordinates of its side. */
 template <int dim>
-std::vector<double> ends_of(const std::vector<Patch<dim>> &patches, const std::size_t first,
-                            const std::size_t last, const unsigned int d) {
+using PatchBox = std::array<Point<dim - 1>, 2>;
+
+/** Returns it in the coordinates along the edges of a rectangle, of which the corners are two. */
+PatchBox<3> box_on(const Side<3> &side, const Patch<3> &patch) {
+  const FaceCorners &rectangle = side.faces().front();
+  const std::array<double, 2> lengths = side.rectangle();
+  std::vector<Point<2>> corners;
+  for (const Point<3> &x : patch.face.corners) {
+    corners.emplace_back();
+    for (unsigned int d = 0; d < 2; ++d)
+      corners.back()[d] = (x - rectangle[0]) * (rectangle[1 + d] - rectangle[0]) / lengths[d];
+  }
+  const auto [lower, upper] = BoundingBox<2>(corners).get_boundary_points();
+  return {{lower, upper}};
+}
+
+/** Returns the ends of the intervals that boxes cover in one coordinate. */
+template <int dim>
+std::vector<double> ends_of(const std::vector<PatchBox<dim>> &boxes, const unsigned int d) {
   std::vector<double> starts;
-  double end = patches[first].upper[d], shortest = end - patches[first].lower[d];
-  for (std::size_t t = first; t < last; ++t) {
-    starts.push_back(patches[t].lower[d]);
-    end = std::max(end, patches[t].upper[d]);
-    shortest = std::min(shortest, patches[t].upper[d] - patches[t].lower[d]);
+  double end = boxes[0][1][d], shortest = end - boxes[0][0][d];
+  for (const auto &[lower, upper] : boxes) {
+    starts.push_back(lower[d]);
+    end = std::max(end, upper[d]);
+    shortest = std::min(shortest, upper[d] - lower[d]);
   }
   std::sort(starts.begin(), starts.end());
   // Starts are equal up to rounding.
@@ -51,8 +68,11 @@ unsigned int interval_of(const std::vector<double> &ends, const double s) {
 }
 } // namespace
 
+namespace {
+/** Returns the grids of patches with given boxes. */
 template <int dim>
-std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches) {
+std::vector<PatchGrid> grids_of(const std::vector<Patch<dim>> &patches,
+                                const std::vector<PatchBox<dim>> &boxes) {
   std::vector<PatchGrid> grids;
   for (std::size_t first = 0, last = 0; first < patches.size(); first = last) {
     while (last < patches.size() && patches[last].contact == patches[first].contact)
@@ -60,11 +80,13 @@ std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches) {
     PatchGrid grid;
     grid.contact = patches[first].contact;
     grid.side = patches[first].side;
+    const std::vector<PatchBox<dim>> own(boxes.begin() + first, boxes.begin() + last);
     for (unsigned int d = 0; d < dim - 1; ++d)
-      grid.ends[d] = ends_of(patches, first, last, d);
+      grid.ends[d] = ends_of<dim>(own, d);
     grid.patches.assign(static_cast<std::size_t>(grid.n(0)) * grid.n(1), no_patch);
     for (std::size_t t = first; t < last; ++t) {
-      const Point<dim - 1> centre = patches[t].centre();
+      const auto &[lower, upper] = boxes[t];
+      const Point<dim - 1> centre = lower + 0.5 * (upper - lower);
       const unsigned int row = dim == 2 ? 0 : interval_of(grid.ends[1], centre[dim - 2]);
       grid.patches[interval_of(grid.ends[0], centre[0]) + grid.n(0) * row] = t;
     }
@@ -75,41 +97,37 @@ std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches) {
   }
   return grids;
 }
+} // namespace
 
-INSTANTIATE_FUNCTION(patch_grids);
+std::vector<PatchGrid> patch_grids(const std::vector<Patch<2>> &patches) {
+  std::vector<PatchBox<2>> boxes;
+  for (const Patch<2> &patch : patches)
+    boxes.push_back({{patch.lower, patch.upper}});
+  return grids_of(patches, boxes);
+}
+
+std::vector<PatchGrid> patch_grids(const ContactSurface<2> &surface) {
+  return patch_grids(surface.patches());
+}
+
+std::vector<PatchGrid> patch_grids(const ContactSurface<3> &surface) {
+  std::vector<PatchBox<3>> boxes;
+  for (const Patch<3> &patch : surface.patches())
+    boxes.push_back(box_on(surface.side(patch), patch));
+  return grids_of(surface.patches(), boxes);
+}
 
 template <int dim>
-std::vector<Neighbours<dim>> ContactSurface<dim>::neighbours() const {
-  std::vector<Neighbours<dim>> all(patches_.size());
-  for (const PatchGrid &grid : patch_grids(patches_)) {
-    const Side<dim> &side = scene_.geometry.sides[grid.side];
-    for (unsigned int k = 0; k < grid.patches.size(); ++k)
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        for (const int step : {-1, 1}) {
-          const int stride = d == 0 ? 1 : grid.n(0), n = grid.n(d);
-          const int i = static_cast<int>(k) / stride % n;
-          int next = i + step;
-          double shift = 0.;
-          if constexpr (dim == 2) {
-            // Beyond a corner, the pressure is that of another direction.
-            const double end = grid.ends[0][step < 0 ? i : i + 1], near = 1e-9 * side.length();
-            if (side.has_corner(end) ||
-                scene_.contacts[grid.contact].directions.change_between(end - near, end + near))
-              continue;
-            if (n > 1 && (next < 0 || next == n) &&
-                goes_round(side, grid.ends[0].front(), grid.ends[0].back())) {
-              next -= step * n;
-              shift = step * side.length();
-            }
-          }
-          if (next >= 0 && next < n)
-            all[grid.patches[k]][d][step < 0 ? 0 : 1] = {
-              grid.patches[static_cast<int>(k) + (next - i) * stride], grid.ends[d][next] + shift,
-              grid.ends[d][next + 1] + shift};
-        }
-  }
-  return all;
+double Patch<dim>::diameter() const {
+  if constexpr (dim == 2)
+    return lower.distance(upper);
+  else
+    return std::max(face.corners[0].distance(face.corners[3]),
+                    face.corners[1].distance(face.corners[2]));
 }
+
+template struct Patch<2>;
+template struct Patch<3>;
 
 namespace {
 template <int dim>
@@ -122,7 +140,7 @@ std::vector<ContactFace<dim>> find_own_faces(const Mesh<dim> &mesh, const Scene<
         const unsigned int side = cell->face(f)->boundary_id();
         if (scene.boundary[side].role != Role::contact)
           continue;
-        faces.push_back({cell, f, side, {}});
+        faces.push_back({cell, f, side, {}, dim == 3 ? identity_of(*cell) : CellId()});
         for (const unsigned int v : cell->face(f)->vertex_indices())
           faces.back().vertices[v] = cell->face(f)->vertex(v);
       }
@@ -133,7 +151,7 @@ std::vector<ContactFace<dim>> find_own_faces(const Mesh<dim> &mesh, const Scene<
 template <int dim>
 std::vector<ContactFace<dim>> share(const std::vector<ContactFace<dim>> &own,
                                     MPI_Comm communicator) {
-  std::vector<std::pair<CellId, ContactFace<dim>>> faces;
+  std::vector<ContactFace<dim>> faces;
   using Record =
     std::tuple<CellId::binary_type, unsigned int, unsigned int, std::vector<Point<dim>>>;
   std::vector<Record> records;
@@ -145,20 +163,16 @@ std::vector<ContactFace<dim>> share(const std::vector<ContactFace<dim>> &own,
   for (unsigned int rank = 0; rank < all.size(); ++rank)
     for (std::size_t i = 0; i < all[rank].size(); ++i) {
       const auto &[id, face_no, side, vertices] = all[rank][i];
-      ContactFace<dim> face = {{}, face_no, side, {}};
+      ContactFace<dim> face = {{}, face_no, side, {}, CellId(id)};
       if (rank == Utilities::MPI::this_mpi_process(communicator))
         face.cell = own[i].cell;
       std::copy(vertices.begin(), vertices.end(), face.vertices.begin());
-      faces.emplace_back(CellId(id), face);
+      faces.push_back(face);
     }
   std::sort(faces.begin(), faces.end(), [](const auto &a, const auto &b) {
-    return std::tie(a.first, a.second.face_no) < std::tie(b.first, b.second.face_no);
+    return std::tie(a.identity, a.face_no) < std::tie(b.identity, b.face_no);
   });
-  std::vector<ContactFace<dim>> sorted;
-  sorted.reserve(faces.size());
-  for (const auto &[id, face] : faces)
-    sorted.push_back(face);
-  return sorted;
+  return faces;
 }
 
 template <int dim>
@@ -188,15 +202,6 @@ Quadrature<dim> on_box(const Quadrature<dim> &rule, const Point<dim> &corner,
   return Quadrature<dim>(points, weights);
 }
 
-/** Returns the coordinates of a point of a patch; around a closed side those next to the patch. */
-template <int dim>
-Point<dim - 1> coordinates_on(const Patch<dim> &patch, const Side<dim> &side, const Point<dim> &x) {
-  Point<dim - 1> s = side.coordinates(x);
-  if constexpr (dim == 2)
-    if (side.is_closed())
-      s[0] += side.length() * std::round((patch.centre()[0] - s[0]) / side.length());
-  return s;
-}
 } // namespace
 
 template <int dim>
@@ -245,35 +250,8 @@ void ContactSurface<dim>::place_points(const std::vector<unsigned int> &n_points
     on_mesh.points = values->get_quadrature_points();
     on_mesh.normals = values->get_normal_vectors();
     on_mesh.weights = values->get_JxW_values();
-    for (const Point<dim> &x : on_mesh.points)
-      on_mesh.on_side.push_back(
-        coordinates_on(patches_[piece.patch], side(patches_[piece.patch]), x));
+    set_coordinates(piece, on_mesh);
     complete(piece, on_mesh);
-  }
-}
-
-template <int dim>
-void ContactSurface<dim>::complete(const Piece<dim> &piece, SurfaceRule<dim> &rule) const {
-  rule.directions = rule.normals;
-  if constexpr (dim == 2) {
-    const double of_part = 0.5 * (piece.lower[0] + piece.upper[0]);
-    // The maps of very small cells on arcs turn their normals, and pairs of points depend on them.
-    for (std::size_t q = 0; q < rule.size() && piece.opposite; ++q)
-      rule.normals[q] = side(patches_[piece.patch]).normal(rule.on_side[q][0], of_part);
-    for (std::size_t q = 0; q < rule.size(); ++q)
-      rule.directions[q] = condition(piece).directions.at(of_part, rule.points[q], rule.normals[q]);
-    if (piece.opposite) {
-      const auto &[face, span] = *piece.opposite;
-      const Side<2> &other = scene_.geometry.sides[faces_[face].side];
-      const double middle = 0.5 * (span.start + span.end);
-      for (std::size_t q = 0; q < rule.size(); ++q) {
-        const Point<2> &x = rule.points[q];
-        double s = other.arc_length(other.across(x, rule.normals[q]));
-        if (other.is_closed())
-          s += other.length() * std::round((middle - s) / other.length());
-        rule.on_opposite.push_back(span.parameter(s));
-      }
-    }
   }
 }
 

@@ -121,7 +121,7 @@ void print_sides(const Scene<dim> &scene, std::ostream &screen) {
     if constexpr (dim == 2)
       measure = side.length();
     else
-      measure = side.lengths()[0] * side.lengths()[1];
+      measure = side.area();
     rows.push_back({side.name(), word_for(scene.boundary[i].role), point(points.front()),
                     point(points.back()), number_text(measure), data_of(scene, i, points)});
   }

@@ -39,17 +39,23 @@ LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy st
 }
 
 /** Returns the largest relative imbalance of a free motion: the work of the residual on z_j minus
- * that of the forces on the plates. */
+ * that of the forces on the plates. Pins are no supports: what they take is missing in these
+ * balances. */
 template <int dim>
 double motion_balance(const std::vector<Plate<dim>> &plates, const MotionModes<dim> &modes,
                       const NodalForces &forces) {
   double largest = 0.;
-  for (unsigned int j = 0; j < modes.size(); ++j) {
-    const double work = modes.motions[j].work_of_plates(plates);
-    const double scale = std::max(std::abs(work), forces.scale() * modes.Z[j].linfty_norm());
+  const auto add = [&](const FreeMotion<dim> &motion, const Displacement &z) {
+    const double work = motion.work_of_plates(plates);
+    const double scale = std::max(std::abs(work), forces.scale() * z.linfty_norm());
     if (scale > 0.)
-      largest = std::max(largest, std::abs(modes.Z[j] * forces.residual - work) / scale);
-  }
+      largest = std::max(largest, std::abs(z * forces.residual - work) / scale);
+  };
+  for (unsigned int j = 0; j < modes.size(); ++j)
+    add(modes.motions[j], modes.Z[j]);
+  // In the plane arcs leave neutral motions a part of the loads.
+  for (unsigned int j = 0; j < modes.neutral.size() && dim == 3; ++j)
+    add(modes.neutral[j], modes.neutral_modes[j]);
   return largest;
 }
 

@@ -191,20 +191,20 @@ RunSummary run_scene(const RunInput &input, Parameters parameters, MPI_Comm comm
                      Screen &screen) {
   if (is_first_rank(communicator))
     describe_interruption("before the first level.");
+  const unsigned int dim = dimension_of(parameters, input.known.scenes);
   const auto read_file = [&](GeometryParameters &geometry) {
     if (geometry.shape == Shape::file)
       require_one_version(geometry.file.where(), geometry.file.value, communicator);
     agree(communicator, [&]() {
       if (is_first_rank(communicator) && geometry.shape == Shape::file)
-        geometry.mesh = read_mesh_file(geometry);
+        geometry.mesh = read_mesh_file(geometry, dim);
     });
     geometry.mesh = Utilities::MPI::broadcast(communicator, geometry.mesh);
   };
   if (parameters.bodies.empty())
     read_file(parameters.geometry);
   std::for_each(parameters.bodies.begin(), parameters.bodies.end(), read_file);
-  return dimension_of(parameters, input.known.scenes) == 2
-           ? run_parameters<2>(std::move(parameters), input, communicator, screen)
-           : run_parameters<3>(std::move(parameters), input, communicator, screen);
+  return dim == 2 ? run_parameters<2>(std::move(parameters), input, communicator, screen)
+                  : run_parameters<3>(std::move(parameters), input, communicator, screen);
 }
 } // namespace Signorini

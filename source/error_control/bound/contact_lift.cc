@@ -216,7 +216,8 @@ LiftField::LiftField(const BoundData &data, const ContactTrace &trace, Displacem
   for (unsigned int i = 0; i < remainders_.size(); ++i)
     for (unsigned int c = 0; c < 2; ++c)
       if (const EdgeFunction &r = remainders_[i][c]; !r.is_zero()) {
-        const auto &[cell, face_no, side, vertices] = trace.surface().faces()[i];
+        const auto &cell = trace.surface().faces()[i].cell;
+        const unsigned int face_no = trace.surface().faces()[i].face_no;
         const PenetrationFace &face = trace.faces()[i];
         const double height = cell->face(face_no)->center().distance(
           cell->face(GeometryInfo<2>::opposite_face[face_no])->center());

@@ -132,7 +132,7 @@ PenetrationFace ContactTrace::make_face(const ContactFace<2> &contact) const {
   PenetrationFace face(contact.side, side.between(line->vertex(0), line->vertex(1)));
   face.normal = side.normal(side.arc_length(face.point(0.5)));
   constexpr double beside = 1e-9;
-  const ContactDirections directions = directions_on(data_.scene, contact.side);
+  const ContactDirections<2> directions = directions_on(data_.scene, contact.side);
   const auto is_corner = [&](const Point<2> &x) {
     const double s = side.arc_length(x), near = beside * side.length();
     return side.has_corner(s) || directions.change_between(s - near, s + near);

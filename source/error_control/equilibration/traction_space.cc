@@ -157,7 +157,7 @@ unsigned int TractionSpace::find_edge(const LineIterator &line, const Scene<2> &
       edges_.push_back({on_side, side, 1, 0, freedom_on(scene.boundary[side].role)});
       const double middle = sides_[side].arc_length(a + 0.5 * (b - a)),
                    inside = (0.5 - 1e-9) * on_side.length();
-      const ContactDirections directions = directions_on(scene, side);
+      const ContactDirections<2> directions = directions_on(scene, side);
       edges_.back().direction = directions.at(middle);
       edges_.back().mixes = directions.change_between(middle - inside, middle + inside);
       on_side_[side].emplace(middle - 0.5 * on_side.length(), number);

@@ -143,8 +143,7 @@ double support_error(const DisplacedBody<dim> &body) {
         const Side<dim> &side = scene.geometry.sides[number];
         // On straight sides the normal of a face is that at its middle.
         if (rolls)
-          rollers =
-            std::max(rollers, std::abs(rest * side.normal(side.coordinates(face->center()))));
+          rollers = std::max(rollers, std::abs(rest * side.normal_at(face->center())));
         else
           displacement = std::min(displacement.value_or(rest.norm()), rest.norm());
       }

@@ -9,6 +9,8 @@
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace Signorini {
 namespace {
@@ -36,8 +38,8 @@ std::vector<std::vector<Overlap>> overlaps(const std::vector<double> &from,
 }
 } // namespace
 
-template <int dim>
-Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Patch<dim>> &to) {
+template <>
+Pressure transfer_pressure(const PatchPressure<2> &from, const std::vector<Patch<2>> &to) {
   const std::vector<PatchGrid> given = patch_grids(from.patches);
   Pressure transferred(to.size());
   for (const PatchGrid &grid : patch_grids(to)) {
@@ -46,14 +48,56 @@ Pressure transfer_pressure(const PatchPressure<dim> &from, const std::vector<Pat
     });
     if (known == given.end())
       continue;
-    const auto columns = overlaps(known->ends[0], grid.ends[0]);
-    const auto rows = overlaps(known->ends[1], grid.ends[1]);
-    for (unsigned int j = 0; j < grid.n(1); ++j)
-      for (unsigned int i = 0; i < grid.n(0); ++i)
-        for (const Overlap &row : rows[j])
-          for (const Overlap &column : columns[i])
-            transferred[grid.at(i, j)] +=
-              row.share * column.share * from.P[known->at(column.number, row.number)];
+    const auto intervals = overlaps(known->ends[0], grid.ends[0]);
+    for (unsigned int i = 0; i < grid.n(0); ++i)
+      for (const Overlap &part : intervals[i])
+        transferred[grid.patches[i]] += part.share * from.P[known->patches[part.number]];
+  }
+  return transferred;
+}
+
+namespace {
+/** The identity of a face: that of its cell, and its number there. */
+using FaceIdentity = std::pair<CellId, unsigned int>;
+
+/** Returns the identity of the face of a patch, or of an ancestor of it. */
+FaceIdentity ancestor_of(const Patch<3> &patch, const unsigned int n_generations) {
+  const auto children = patch.face.cell.get_child_indices();
+  return {CellId(patch.face.cell.get_coarse_cell_id(),
+                 std::vector<std::uint8_t>(children.begin(), children.end() - n_generations)),
+          patch.face.face_no};
+}
+
+/** Returns the patches by the identities of their faces and of all ancestors of these. */
+std::map<FaceIdentity, std::vector<unsigned int>> families(const std::vector<Patch<3>> &patches) {
+  std::map<FaceIdentity, std::vector<unsigned int>> found;
+  for (unsigned int t = 0; t < patches.size(); ++t)
+    for (unsigned int g = 0; g <= patches[t].face.cell.get_child_indices().size(); ++g)
+      found[ancestor_of(patches[t], g)].push_back(t);
+  return found;
+}
+} // namespace
+
+template <>
+Pressure transfer_pressure(const PatchPressure<3> &from, const std::vector<Patch<3>> &to) {
+  Pressure transferred(to.size());
+  const auto descendants = families(from.patches);
+  for (unsigned int t = 0; t < to.size(); ++t) {
+    const auto n_before = static_cast<unsigned int>(to[t].face.cell.get_child_indices().size());
+    for (unsigned int g = 0; g <= n_before; ++g) {
+      const auto known = descendants.find(ancestor_of(to[t], g));
+      // Of an ancestor only the patch itself counts, not its whole family.
+      if (known == descendants.end() ||
+          (g > 0 && from.patches[known->second.front()].face.cell != known->first.first))
+        continue;
+      double force = 0., area = 0.;
+      for (const unsigned int k : known->second) {
+        force += from.P[k] * from.patches[k].measure;
+        area += from.patches[k].measure;
+      }
+      transferred[t] = force / area;
+      break;
+    }
   }
   return transferred;
 }
@@ -111,6 +155,4 @@ Displacement carry_over(const DisplacementSpace<dim> &coarse, const Displacement
 }
 
 INSTANTIATE_FUNCTION(carry_over);
-template Pressure transfer_pressure(const PatchPressure<2> &, const std::vector<Patch<2>> &);
-template Pressure transfer_pressure(const PatchPressure<3> &, const std::vector<Patch<3>> &);
 } // namespace Signorini

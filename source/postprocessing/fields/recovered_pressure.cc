@@ -3,8 +3,6 @@
 
 #include <signorini/postprocessing/fields/recovered_pressure.h>
 
-#include <optional>
-
 namespace Signorini {
 template <int dim>
 RecoveredPressure<dim>::RecoveredPressure(const MultiplierSpace<dim> &space, const Pressure &P)
@@ -17,19 +15,17 @@ RecoveredPressure<dim>::RecoveredPressure(const MultiplierSpace<dim> &space, con
 }
 
 template <int dim>
-double RecoveredPressure<dim>::interpolate(const unsigned int patch, const Point<dim - 1> &s,
-                                           const unsigned int n_directions) const {
-  if (n_directions == 0)
-    return means_[patch];
-  const unsigned int d = n_directions - 1;
-  const double middle = space_.surface().patches()[patch].centre()[d];
-  const auto &[before, after] = neighbours_[patch][d];
-  const std::optional<Neighbour> &next = (s[d] < middle && before) || !after ? before : after;
-  const double value = interpolate(patch, s, d);
-  if (!next)
-    return value;
-  const double share = (s[d] - middle) / (next->middle() - middle);
-  return value + share * (interpolate(next->patch, s, d) - value);
+double RecoveredPressure<dim>::interpolate(const unsigned int patch,
+                                           const Point<dim - 1> &s) const {
+  const Point<dim - 1> centre = space_.surface().patches()[patch].centre();
+  double value = means_[patch];
+  for (unsigned int d = 0; d < dim - 1; ++d) {
+    const auto &[before, after] = neighbours_[patch][d];
+    if (const auto &next = (s[d] < centre[d] && before) || !after ? before : after)
+      value +=
+        (s[d] - centre[d]) / (next->middle() - centre[d]) * (means_[next->patch] - means_[patch]);
+  }
+  return value;
 }
 
 template class RecoveredPressure<2>;

@@ -39,9 +39,8 @@ double tangential_force(const MultiplierSpace<dim> &space, const Multiplier &mul
     const Patch<dim> &patch = space.surface().patches()[space.patch_of(k)];
     along += multiplier.values()[m + k] * measures[k];
     if constexpr (dim == 3)
-      force +=
-        measures[k] * tangential_traction<dim>(space, multiplier, space.patch_of(k), patch.lower,
-                                               space.surface().side(patch).normal(patch.lower));
+      force += measures[k] * tangential_traction<dim>(space, multiplier, space.patch_of(k),
+                                                      patch.lower, space.surface().middle(patch).n);
   }
   return dim == 2 ? along : force.norm();
 }

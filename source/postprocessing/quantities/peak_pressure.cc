@@ -5,6 +5,8 @@
 #include <signorini/postprocessing/fields/recovered_pressure.h>
 #include <signorini/postprocessing/quantities/peak_pressure.h>
 
+#include <deal.II/physics/transformations.h>
+
 #include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
@@ -42,18 +44,12 @@ ValueAt max_of_parabola(const std::array<double, 4> &ends, const std::array<doub
   return {from + t, constant + t * (slope + t * curvature)};
 }
 
-/** Returns whether a material is its own mirror image in a plane at right angles to an axis:
- * entries of Hooke's tensor with an odd number of indices of this axis vanish. */
-bool is_symmetric(const SymmetricTensor<4, 3> &E, const unsigned int axis) {
-  const double negligible = 1e-12 * E.norm();
-  for (unsigned int i = 0; i < 3; ++i)
-    for (unsigned int j = 0; j < 3; ++j)
-      for (unsigned int k = 0; k < 3; ++k)
-        for (unsigned int l = 0; l < 3; ++l)
-          if (((i == axis) + (j == axis) + (k == axis) + (l == axis)) % 2 == 1 &&
-              std::abs(E[i][j][k][l]) > negligible)
-            return false;
-  return true;
+/** Returns whether a material is its own mirror image in a plane with the unit normal n. */
+bool is_symmetric(const SymmetricTensor<4, 3> &E, const Tensor<1, 3> &n) {
+  Tensor<2, 3> mirror = unit_symmetric_tensor<3>();
+  mirror -= 2. * outer_product(n, n);
+  const SymmetricTensor<4, 3> image = Physics::Transformations::basis_transformation(E, mirror);
+  return (image - E).norm() <= 1e-12 * E.norm();
 }
 
 /** Returns whether a roller meets the contact side at a point of its edge. Then the body with its
@@ -62,10 +58,9 @@ bool is_mirror(const Scene<3> &scene, const Point<3> &x) {
   const double rounding = 1e-9 * scene.geometry.diameter();
   for (unsigned int i = 0; i < scene.boundary.size(); ++i) {
     const Side<3> &side = scene.geometry.sides[i];
-    const Tensor<1, 3> n = side.normal(Point<2>());
-    if (scene.boundary[i].role == Role::roller &&
-        std::abs((x - side.point(Point<2>())) * n) <= rounding)
-      return is_symmetric(scene.material->relative_hooke(x), axis_of(side));
+    if (scene.boundary[i].role == Role::roller && side.is_flat() &&
+        x.distance(side.project(x)) <= rounding)
+      return is_symmetric(scene.material->relative_hooke(x), side.surface().axis());
   }
   return false;
 }
@@ -189,7 +184,7 @@ private:
   /** Returns whether the body ends with a mirror at a point of the edge of a side, in 3-D. */
   bool is_mirror_at(const Patch<dim> &patch, const Point<dim - 1> &s) const {
     if constexpr (dim == 3)
-      return is_mirror(surface_.scene(), surface_.side(patch).point(s));
+      return is_mirror(surface_.scene(), surface_.point(patch, s));
     return false;
   }
 
@@ -214,28 +209,26 @@ std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<dim> &multipl
   const ContactSurface<dim> &surface = multipliers.surface();
   const PeakCandidates<dim> candidates(multipliers, P);
   std::optional<PressureMaximum> peak;
-  for (const PatchGrid &grid : patch_grids(surface.patches()))
-    for (const unsigned int tau : grid.patches) {
-      if (!candidates.presses(tau) || (belong && !belong(tau)))
-        continue;
-      const Patch<dim> &patch = surface.patches()[tau];
-      const Side<dim> &side = surface.side(patch);
-      const auto is_wanted = [&](const Point<dim - 1> &s) {
-        return !any_contains(outside_of, side.point(s));
-      };
-      std::vector<PressureAt<dim>> found;
-      if constexpr (dim == 2)
-        if (is_polynomial)
-          found = candidates.of_polynomial(tau, is_wanted);
-      if (!is_polynomial)
-        found = candidates.of_means(tau);
-      for (const auto &[s, value] : found)
-        if ((!peak || value > larger * peak->value) && is_wanted(s))
-          peak = {value,
-                  {side.name(), dim == 2 ? s[0] : 0., side.point(s)},
-                  candidates.mean(tau),
-                  is_polynomial ? MeshAt{patch.measure, multipliers.n_of(tau)} : MeshAt()};
-    }
+  for (unsigned int tau = 0; tau < surface.patches().size(); ++tau) {
+    if (!candidates.presses(tau) || (belong && !belong(tau)))
+      continue;
+    const Patch<dim> &patch = surface.patches()[tau];
+    const auto is_wanted = [&](const Point<dim - 1> &s) {
+      return !any_contains(outside_of, surface.point(patch, s));
+    };
+    std::vector<PressureAt<dim>> found;
+    if constexpr (dim == 2)
+      if (is_polynomial)
+        found = candidates.of_polynomial(tau, is_wanted);
+    if (!is_polynomial)
+      found = candidates.of_means(tau);
+    for (const auto &[s, value] : found)
+      if ((!peak || value > larger * peak->value) && is_wanted(s))
+        peak = {value,
+                {surface.side(patch).name(), dim == 2 ? s[0] : 0., surface.point(patch, s)},
+                candidates.mean(tau),
+                is_polynomial ? MeshAt{patch.measure, multipliers.n_of(tau)} : MeshAt()};
+  }
   return peak;
 }
 

@@ -224,7 +224,7 @@ void divide(const HeldNode<dim> &node, const Tensor<1, dim> &reaction, const Sce
     std::vector<Tensor<1, dim>> normals;
     for (const unsigned int number : rollers) {
       const Side<dim> &side = scene.geometry.sides[number];
-      normals.push_back(side.normal(side.coordinates(node.point)));
+      normals.push_back(side.normal_at(node.point));
     }
     LAPACKFullMatrix<double> products(n, n);
     dealii::Vector<double> components(n), lambda(n);

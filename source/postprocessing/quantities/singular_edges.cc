@@ -3,6 +3,7 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/postprocessing/quantities/singular_edges.h>
+#include <signorini/problem/geometry/solid_edges.h>
 #include <signorini/problem/scene/corners.h>
 
 #include <algorithm>
@@ -53,7 +54,7 @@ std::optional<unsigned int> nearest_unknown(const Point<dim> &x,
     const Patch<dim> &patch = surface.patches()[multipliers.patch_of(k)];
     if (side && patch.side != *side)
       continue;
-    const double distance = surface.side(patch).point(multipliers.node(k)).distance(x);
+    const double distance = surface.point(patch, multipliers.node(k)).distance(x);
     if (distance < smallest) {
       smallest = distance;
       nearest = k;
@@ -131,27 +132,21 @@ std::vector<SingularEdge<2>> edges_of_pairs(const Scene<2> &scene, const std::ve
   return edges;
 }
 
-/** Returns the block of Hooke's tensor in the plane of two axes. */
+/** Returns Hooke's tensor in the plane of two unit vectors at right angles. */
 SymmetricTensor<4, 2> in_plane(const SymmetricTensor<4, 3> &hooke,
-                               const std::array<unsigned int, 2> &axes) {
+                               const std::array<Tensor<1, 3>, 2> &e) {
+  const auto strain = [&e](const unsigned int i, const unsigned int j) {
+    return symmetrize(outer_product(e[i], e[j]));
+  };
   SymmetricTensor<4, 2> plane;
   for (unsigned int i = 0; i < 2; ++i)
     for (unsigned int j = i; j < 2; ++j)
       for (unsigned int k = 0; k < 2; ++k)
         for (unsigned int l = k; l < 2; ++l)
-          plane[i][j][k][l] = hooke[axes[i]][axes[j]][axes[k]][axes[l]];
+          plane[i][j][k][l] = strain(i, j) * (hooke * strain(k, l));
   return plane;
 }
 } // namespace
-
-unsigned int axis_of(const Side<3> &side) {
-  const Tensor<1, 3> n = side.normal(Point<2>());
-  unsigned int axis = 0;
-  for (unsigned int d = 1; d < 3; ++d)
-    if (std::abs(n[d]) > std::abs(n[axis]))
-      axis = d;
-  return axis;
-}
 
 template <int dim>
 Point<dim> SingularEdge<dim>::nearest(const Point<dim> &x) const {
@@ -194,24 +189,18 @@ std::vector<SingularEdge<3>> singular_edges(const Scene<3> &scene) {
   std::vector<SingularEdge<3>> edges;
   if (scene.exact_displacement != nullptr)
     return edges;
-  const Geometry<3> &box = scene.geometry;
-  for (unsigned int i = 0; i < box.sides.size(); ++i)
-    for (unsigned int j = i + 1; j < box.sides.size(); ++j) {
-      const std::array<unsigned int, 2> axes = {{axis_of(box.sides[i]), axis_of(box.sides[j])}};
-      if (axes[0] == axes[1])
-        continue;
-      Point<3> middle = box.lower + 0.5 * (box.upper - box.lower);
-      middle[axes[0]] = box.sides[i].centre()[axes[0]];
-      middle[axes[1]] = box.sides[j].centre()[axes[1]];
-      const unsigned int along = 3 - axes[0] - axes[1];
-      std::array<Point<3>, 2> ends = {{middle, middle}};
-      ends[0][along] = box.lower[along];
-      ends[1][along] = box.upper[along];
-      const SymmetricTensor<4, 2> hooke = in_plane(scene.material->relative_hooke(middle), axes);
-      add_if_singular<3>(
-        {ends, {{i, j}}, {make_layer(hooke, 0.5 * PI)}, share_of_sides * box.shortest_extent()},
-        scene, edges);
-    }
+  const std::vector<Side<3>> &sides = scene.geometry.sides;
+  for (const SolidEdge &edge : solid_edges(scene.geometry)) {
+    const Point<3> middle = edge.points(scene.geometry, 1).front();
+    const SymmetricTensor<4, 2> hooke =
+      in_plane(scene.material->relative_hooke(middle), {{edge.tangent, edge.normal}});
+    const double size =
+      std::min({scene.geometry.shortest_extent(), std::sqrt(sides[edge.sides[0]].area()),
+                std::sqrt(sides[edge.sides[1]].area())});
+    add_if_singular<3>(
+      {edge.ends, edge.sides, {make_layer(hooke, edge.angle)}, share_of_sides * size}, scene,
+      edges);
+  }
   return edges;
 }
 

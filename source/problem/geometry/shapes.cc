@@ -124,15 +124,18 @@ Geometry<3> make_box(const Point<3> &lower, const Point<3> &upper,
   geometry.upper = upper;
   // The order is that of colorize = true.
   for (unsigned int i = 0; i < 6; ++i) {
-    const unsigned int d = i / 2, first = (d + 1) % 3, second = (d + 2) % 3;
-    const auto edge = [&](const unsigned int e) {
-      return (upper[e] - lower[e]) * Point<3>::unit_vector(e);
-    };
-    Point<3> corner = lower;
-    corner[d] = i % 2 == 0 ? lower[d] : upper[d];
-    const double sign = i % 2 == 0 ? -1. : 1.;
-    geometry.sides.emplace_back(
-      names[i], Rectangle(corner, edge(first), edge(second), sign * Point<3>::unit_vector(d)));
+    const unsigned int d = i / 2, side = i % 2;
+    // The corners run round the outward normal.
+    const unsigned int first = (d + 2 - side) % 3, second = (d + 1 + side) % 3;
+    FaceCorners corners;
+    for (unsigned int v = 0; v < 4; ++v) {
+      corners[v][d] = side == 0 ? lower[d] : upper[d];
+      corners[v][first] = v % 2 == 0 ? lower[first] : upper[first];
+      corners[v][second] = v < 2 ? lower[second] : upper[second];
+    }
+    const Tensor<1, 3> normal = (side == 0 ? -1. : 1.) * Point<3>::unit_vector(d);
+    geometry.sides.emplace_back(names[i],
+                                SurfacePart(Surface::plane(corners[0], normal), {corners}));
   }
   geometry.make_coarse_mesh = [=](Triangulation<3> &triangulation) {
     GridGenerator::subdivided_hyper_rectangle(triangulation, cells, lower, upper, true);

@@ -40,8 +40,8 @@ Surface Surface::faces() {
   return {Kind::faces, Point<3>(), Tensor<1, 3>(), 0., Body::inside};
 }
 
-std::string Surface::name() const {
-  switch (kind_) {
+std::string Surface::name(const Kind kind) {
+  switch (kind) {
   case Kind::plane:
     return "plane";
   case Kind::sphere:
@@ -121,8 +121,8 @@ Tensor<1, 3> SurfacePart::normal_at(const Point<3> &x) const {
   return normal / normal.norm();
 }
 
-std::vector<SidePoint<3>> SurfacePart::samples(const unsigned int n) const {
-  std::vector<SidePoint<3>> points;
+std::vector<SurfacePoint<3>> SurfacePart::samples(const unsigned int n) const {
+  std::vector<SurfacePoint<3>> points;
   for (const FaceCorners &face : faces_)
     for (unsigned int j = 0; j <= n; ++j)
       for (unsigned int i = 0; i <= n; ++i) {

@@ -167,15 +167,9 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load,
 template <int dim>
 void read_gaps(const Parameters &parameters, Scene<dim> &scene) {
   const ContactParameters &given = parameters.contact;
-  SideTexts gaps;
-  if constexpr (dim == 2) {
-    const bool moves = parameters.load_cases.cases.value.find("shift") != std::string::npos;
-    read_foundation(given, moves, scene);
-    gaps = gaps_without_foundation(given, scene);
-  } else
-    gaps = read_list_for(contact_names(scene), given.gap.value, given.gap.where(),
-                         names_with_contacts(scene));
-  for (const auto &[name, text] : gaps)
+  const bool moves = parameters.load_cases.cases.value.find("shift") != std::string::npos;
+  read_foundation(given, moves, scene);
+  for (const auto &[name, text] : gaps_without_foundation(given, scene))
     scene.contacts[find_contact(name, scene)].gap =
       std::make_shared<GapFunction<dim>>(read_components<dim>(text, 1, given.gap));
   if constexpr (dim == 2)

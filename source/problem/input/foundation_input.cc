@@ -3,6 +3,7 @@
 // of sides.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/scene/contact_pair.h>
@@ -25,33 +26,21 @@ constexpr std::size_t max_obstacles = 1000;
 constexpr double max_gap = 10.;
 
 /** Reads the obstacles of one entry. */
+template <int dim>
 class ObstacleReader {
 public:
-  ObstacleReader(const Entry &entry, const Geometry<2> &geometry)
+  ObstacleReader(const Entry &entry, const Geometry<dim> &geometry)
     : entry_(entry)
     , geometry_(geometry) {}
 
-  Obstacle read(const std::string &text) const {
-    const auto [parts, form] = Phrase(text, "plane|circle|parabola|normal|radius|curvature|inside");
-    if (form == "plane normal")
-      return Obstacle::plane(point(parts[1]), normal(parts[2]));
-    if (form == "parabola normal curvature")
-      return Obstacle::parabola(point(parts[1]), normal(parts[2]), numbers(parts[3], 1)[0]);
-    const bool is_inside = form == "circle radius inside" && parts[3].text.empty();
-    if (is_inside || form == "circle radius") {
-      // Compilers evaluate arguments in different orders.
-      const double r = radius(parts[2]);
-      return Obstacle::circle(point(parts[1]), r, is_inside ? Body::inside : Body::outside);
-    }
-    refuse(quote(text),
-           "plane x,y normal nx,ny; circle x,y radius r; circle x,y radius r inside; parabola x,y "
-           "normal nx,ny curvature k");
-  }
+  Obstacle<dim> read(const std::string &text) const;
 
-  /** Reads "x, y". */
-  Tensor<1, 2> vector(const Phrase::Part &part) const {
-    const std::vector<double> xy = numbers(part, 2);
-    return Tensor<1, 2>({xy[0], xy[1]});
+  /** Reads "x, y" or "x, y, z". */
+  Tensor<1, dim> vector(const Phrase::Part &part) const {
+    const std::vector<double> components = numbers(part, dim);
+    Tensor<1, dim> v;
+    std::copy(components.begin(), components.end(), v.begin_raw());
+    return v;
   }
 
 private:
@@ -66,21 +55,26 @@ private:
     if (!read_numbers(entry_, part.text, numbers) || numbers.size() != n ||
         std::any_of(numbers.begin(), numbers.end(), is_large))
       refuse(quote(part.text) + (part.word.empty() ? "" : " after '" + part.word + "'"),
-             std::string(n == 1 ? "one number" : "two numbers separated by a comma") +
+             std::string(n == 1   ? "one number"
+                         : n == 2 ? "two numbers separated by a comma"
+                                  : "three numbers separated by commas") +
                " (formulas of the constants) up to " + number_text(max_magnitude));
     return numbers;
   }
 
-  Point<2> point(const Phrase::Part &part) const {
-    const Point<2> x(vector(part));
+  Point<dim> point(const Phrase::Part &part) const {
+    const Point<dim> x(vector(part));
     check_length(x.distance(geometry_.inner_point()), "a distance", part);
     return x;
   }
 
-  Tensor<1, 2> normal(const Phrase::Part &part) const {
-    const Tensor<1, 2> n = vector(part);
+  /** Reads a normal or an axis. */
+  Tensor<1, dim> direction(const Phrase::Part &part) const {
+    const Tensor<1, dim> n = vector(part);
     if (!(n.norm() >= min_magnitude))
-      refuse("the normal " + quote(part.text), "a vector of any length but zero, towards the body");
+      refuse("the " + part.word + " " + quote(part.text),
+             "a vector of any length but zero" +
+               std::string(part.word == "normal" ? ", towards the body" : ""));
     return n;
   }
 
@@ -92,22 +86,60 @@ private:
     return r;
   }
 
-  /** Refuses large and far circles, whose gaps |x - c| - r lose digits. */
+  /** Refuses large and far circles and the like, whose gaps |x - c| - r lose digits. */
   void check_length(const double length, const std::string &name, const Phrase::Part &part) const {
     const double diameter = geometry_.diameter();
     if (!(length <= max_distance * diameter))
       refuse(quote(part.text) + " after '" + part.word + "', " + name + " of " +
                number_text(length) + " for a body of the size " + number_text(diameter),
-             "at most " + number_text(max_distance) +
-               " times its size; take a plane or a parabola that begins near the body");
+             "at most " + number_text(max_distance) + " times its size; take a plane " +
+               (dim == 2 ? "or a parabola " : "") + "that begins near the body");
   }
 
   const Entry &entry_;
-  const Geometry<2> &geometry_;
+  const Geometry<dim> &geometry_;
 };
 
-/** Returns some arc lengths of a side, with the one nearest to a point on every piece. */
-std::vector<double> sample(const Side<2> &side, const Point<2> &near) {
+template <>
+Obstacle<2> ObstacleReader<2>::read(const std::string &text) const {
+  const auto [parts, form] = Phrase(text, "plane|circle|parabola|normal|radius|curvature|inside");
+  if (form == "plane normal")
+    return Obstacle<2>::plane(point(parts[1]), direction(parts[2]));
+  if (form == "parabola normal curvature")
+    return Obstacle<2>::parabola(point(parts[1]), direction(parts[2]), numbers(parts[3], 1)[0]);
+  const bool is_inside = form == "circle radius inside" && parts[3].text.empty();
+  if (is_inside || form == "circle radius") {
+    // Compilers evaluate arguments in different orders.
+    const double r = radius(parts[2]);
+    return Obstacle<2>::circle(point(parts[1]), r, is_inside ? Body::inside : Body::outside);
+  }
+  refuse(quote(text),
+         "plane x,y normal nx,ny; circle x,y radius r; circle x,y radius r inside; parabola x,y "
+         "normal nx,ny curvature k");
+}
+
+template <>
+Obstacle<3> ObstacleReader<3>::read(const std::string &text) const {
+  const auto [parts, form] = Phrase(text, "plane|sphere|cylinder|normal|axis|radius|inside");
+  if (form == "plane normal")
+    return Obstacle<3>::plane(point(parts[1]), direction(parts[2]));
+  const bool is_inside = parts.back().word == "inside" && parts.back().text.empty();
+  const Body body = is_inside ? Body::inside : Body::outside;
+  if (form == (is_inside ? "sphere radius inside" : "sphere radius")) {
+    const double r = radius(parts[2]);
+    return Obstacle<3>::circle(point(parts[1]), r, body);
+  }
+  if (form == (is_inside ? "cylinder axis radius inside" : "cylinder axis radius")) {
+    const Tensor<1, 3> axis = direction(parts[2]);
+    const double r = radius(parts[3]);
+    return Obstacle<3>::cylinder(point(parts[1]), axis, r, body);
+  }
+  refuse(quote(text), "plane x,y,z normal a,b,c; sphere x,y,z radius r; cylinder x,y,z axis a,b,c "
+                      "radius r; both also with 'inside' behind the radius");
+}
+
+/** Returns some points of a side with their normals, the one nearest to a point among them. */
+std::vector<SurfacePoint<2>> sample(const Side<2> &side, const Point<2> &near) {
   constexpr unsigned int n_samples = 16;
   std::vector<double> samples;
   for (unsigned int k = 0; k < side.n_pieces(); ++k) {
@@ -116,7 +148,13 @@ std::vector<double> sample(const Side<2> &side, const Point<2> &near) {
       samples.push_back(start + (i + 0.5) / n_samples * (end - start));
     samples.push_back(std::clamp(start + side.piece(k).arc_length(near), start, end));
   }
-  return samples;
+  std::vector<SurfacePoint<2>> points;
+  for (const double s : samples)
+    points.push_back({side.point(s), side.normal(s)});
+  return points;
+}
+std::vector<SurfacePoint<3>> sample(const Side<3> &side, const Point<3> & /*near*/) {
+  return side.samples(side.faces().size() > 50 ? 2 : 8);
 }
 
 /** How obstacles are read: along which direction planes act, and whether load cases move them. */
@@ -127,25 +165,26 @@ struct FoundationUse {
 
 /** Returns whether the direction of contact somewhere on a side meets an obstacle; wherever it is,
  * if load cases move it. */
-bool can_touch(const Obstacle &obstacle, const Side<2> &side, const Tensor<1, 2> &position,
+template <int dim>
+bool can_touch(const Obstacle<dim> &obstacle, const Side<dim> &side, const Tensor<1, dim> &position,
                const double reach, const FoundationUse &use) {
-  const std::vector<double> samples = sample(side, obstacle.anchor() + position);
-  const auto direction_at = [&](const Tensor<1, 2> &n) {
+  const auto points = sample(side, obstacle.anchor() + position);
+  const auto direction_at = [&](const Tensor<1, dim> &n) {
     const auto of_plane = obstacle.direction();
     return of_plane && use.direction == ContactDirection::foundation ? *of_plane : n;
   };
-  return std::any_of(samples.begin(), samples.end(), [&](const double s) {
-    const Tensor<1, 2> n = side.normal(s);
-    return obstacle.can_be_hit_along(n) &&
-           (use.moves || obstacle.is_hit_by_line(side.point(s) - position, direction_at(n), reach));
+  return std::any_of(points.begin(), points.end(), [&](const SurfacePoint<dim> &point) {
+    return obstacle.can_be_hit_along(point.n) &&
+           (use.moves || obstacle.is_hit_by_line(point.x - position, direction_at(point.n), reach));
   });
 }
 
 /** Returns the obstacles of each contact. */
-std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::string> &given,
-                                                             const Scene<2> &scene,
-                                                             const FoundationUse &use) {
-  const Geometry<2> &geometry = scene.geometry;
+template <int dim>
+std::map<unsigned int, std::vector<Obstacle<dim>>> read_obstacles(const Given<std::string> &given,
+                                                                  const Scene<dim> &scene,
+                                                                  const FoundationUse &use) {
+  const Geometry<dim> &geometry = scene.geometry;
   const std::vector<std::string> texts = split_list(given, '|');
   if (texts.size() > max_obstacles)
     throw error_at(given, "found ", texts.size(), " things, allowed: at most ", max_obstacles, ".");
@@ -153,10 +192,10 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
   const std::vector<std::string> names = contact_names(scene);
   // An obstacle without a side is for those that touch no other body.
   std::vector<std::string> rigid;
-  for (const ContactPair<2> &pair : contact_pairs(scene))
+  for (const ContactPair<dim> &pair : contact_pairs(scene))
     if (!pair.other_side())
       rigid.push_back(names[pair.number()]);
-  std::map<unsigned int, std::vector<Obstacle>> obstacles;
+  std::map<unsigned int, std::vector<Obstacle<dim>>> obstacles;
   for (const std::string &text : texts) {
     SideTexts entries;
     if (begins_with_a_name(text))
@@ -164,7 +203,8 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
     else
       for (const std::string &name : rigid.empty() ? names : rigid)
         entries.emplace_back(name, text);
-    const Obstacle obstacle = ObstacleReader(given, geometry).read(entries.front().second);
+    const Obstacle<dim> obstacle =
+      ObstacleReader<dim>(given, geometry).read(entries.front().second);
     bool touches = false;
     for (const auto &entry : entries) {
       const unsigned int contact = find_contact(entry.first, scene);
@@ -182,7 +222,8 @@ std::map<unsigned int, std::vector<Obstacle>> read_obstacles(const Given<std::st
 }
 } // namespace
 
-void read_foundation(const ContactParameters &given, const bool moves, Scene<2> &scene) {
+template <int dim>
+void read_foundation(const ContactParameters &given, const bool moves, Scene<dim> &scene) {
   if (given.foundation.value.empty()) {
     for (const Entry *const entry :
          std::initializer_list<const Entry *>{&given.foundation_position, &given.direction})
@@ -190,29 +231,34 @@ void read_foundation(const ContactParameters &given, const bool moves, Scene<2> 
         throw error_at(*entry, "it needs ", given.foundation.name, ", which is not given.");
     return;
   }
-  scene.foundation_position = ObstacleReader(given.foundation_position, scene.geometry)
-                                .vector({"", trim(given.foundation_position)});
+  if (given.foundation_position.changed)
+    scene.foundation_position = ObstacleReader<dim>(given.foundation_position, scene.geometry)
+                                  .vector({"", trim(given.foundation_position)});
   const auto of_contacts = read_obstacles(given.foundation, scene, {given.direction, moves});
   for (const auto &[number, obstacles] : of_contacts) {
-    ContactCondition<2> &contact = scene.contacts[number];
-    const Side<2> &side = scene.geometry.sides[contact.side];
+    ContactCondition<dim> &contact = scene.contacts[number];
+    const Side<dim> &side = scene.geometry.sides[contact.side];
     contact.foundation =
-      std::make_shared<Foundation>(obstacles, max_gap * scene.geometry.diameter());
+      std::make_shared<Foundation<dim>>(obstacles, max_gap * scene.geometry.diameter());
     if (given.direction == ContactDirection::foundation)
-      contact.directions = ContactDirections(side, *contact.foundation, scene.foundation_position);
+      contact.directions =
+        ContactDirections<dim>(side, *contact.foundation, scene.foundation_position);
     contact.gap =
       foundation_gap(side, contact.foundation, scene.foundation_position, contact.directions);
   }
 }
 
-SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2> &scene) {
+INSTANTIATE_FUNCTION(read_foundation);
+
+template <int dim>
+SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<dim> &scene) {
   const Given<std::string> &gap = given.gap;
   const std::vector<std::string> all = names_with_contacts(scene), names = contact_names(scene);
   SideTexts named;
   if (begins_with_a_name(gap.value))
     named = read_side_list(gap.value, gap.where(), all);
   std::vector<std::string> with, without, rigid;
-  for (const ContactPair<2> &pair : contact_pairs(scene)) {
+  for (const ContactPair<dim> &pair : contact_pairs(scene)) {
     const std::string &side = names[pair.number()];
     const bool has_foundation = pair.data().foundation != nullptr, is_rigid = !pair.other_side(),
                has_text = std::any_of(named.begin(), named.end(),
@@ -234,6 +280,8 @@ SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2>
                    rigid.front(), ": 0).");
   return read_list_for(without, gap.value, gap.where(), all);
 }
+
+INSTANTIATE_FUNCTION(gaps_without_foundation);
 
 void close_pairs(const std::string &where, Scene<2> &scene) {
   const double small = small_overlap * scene.geometry.diameter();
@@ -264,7 +312,7 @@ void close_pairs(const std::string &where, Scene<2> &scene) {
                         "other.");
     if (contact.gap == nullptr)
       contact.gap = std::make_shared<Functions::ZeroFunction<2>>();
-    contact.directions = ContactDirections(first, second);
+    contact.directions = ContactDirections<2>(first, second);
     contact.gap = gap_of_pair(first, second, contact.directions, contact.gap);
   }
 }

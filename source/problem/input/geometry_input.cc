@@ -77,7 +77,7 @@ namespace {
 constexpr std::size_t max_mesh_file_size = 500000000;
 } // namespace
 
-std::string read_mesh_file(const GeometryParameters &given) {
+std::string read_mesh_file(const GeometryParameters &given, const unsigned int dim) {
   const std::filesystem::path path(given.file.value);
   const std::string allowed =
     ", allowed: a file that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...).";
@@ -98,7 +98,7 @@ std::string read_mesh_file(const GeometryParameters &given) {
   if (content.empty() || !is_gmsh_ending(ending))
     throw error_at(given.file, "found ", quote(given.file),
                    content.empty() ? ", which is empty" : "", allowed);
-  return convert_with_gmsh(content, ending, given.mesh_size, given.file.where() + ": ");
+  return convert_with_gmsh(content, ending, dim, given.mesh_size, given.file.where() + ": ");
 }
 
 namespace {
@@ -116,7 +116,7 @@ void refuse_other_shapes(const GeometryParameters &given, const Shape shape) {
   refuse(is_round, {&given.centre, &given.radius}, "half disc, disc or ring");
   refuse(shape == Shape::ring, {&given.inner_radius}, "ring");
   refuse(shape == Shape::polygon || shape == Shape::file, {&given.mesh_size}, "polygon or file");
-  refuse(shape == Shape::file, {&given.file, &given.arcs}, "file");
+  refuse(shape == Shape::file, {&given.file, &given.arcs, &given.surfaces}, "file");
 }
 
 /** Opposite corners and coarse cells of a rectangle or a box. */
@@ -166,6 +166,20 @@ Geometry<2> read_round_body(const GeometryParameters &given) {
 }
 } // namespace
 
+namespace {
+/** Reads the mesh of Shape = file. */
+template <int dim>
+FileMesh<dim> read_mesh(const GeometryParameters &given) {
+  if (given.distortion.changed)
+    throw error_at(given.distortion, "meshes from files are not distorted, found Shape = file.");
+  return read_gmsh<dim>(
+    given.mesh.empty() ? read_mesh_file(given, dim) : given.mesh,
+    given.file.where() + ": " +
+      shorten_path(std::filesystem::path(given.file.value).filename().string()));
+}
+
+} // namespace
+
 template <>
 Geometry<3> make_geometry(const GeometryParameters &given) {
   if (given.shape != Shape::box && given.shape.changed)
@@ -203,6 +217,7 @@ Geometry<2> make_geometry_of_bodies(const Parameters &parameters) {
 template <>
 Geometry<2> make_geometry(const GeometryParameters &given) {
   refuse_other_shapes(given, given.shape);
+  refuse_foreign_entries(false, {&given.surfaces}, "Dimension = 3", "Dimension = 2");
   Geometry<2> geometry;
   const Entry *made_by = nullptr;
   switch (given.shape.value) {
@@ -226,12 +241,7 @@ Geometry<2> make_geometry(const GeometryParameters &given) {
     made_by = &given.radius;
     break;
   case Shape::file: {
-    if (given.distortion.changed)
-      throw error_at(given.distortion, "meshes from files are not distorted, found Shape = file.");
-    FileMesh mesh =
-      read_gmsh(given.mesh.empty() ? read_mesh_file(given) : given.mesh,
-                given.file.where() + ": " +
-                  shorten_path(std::filesystem::path(given.file.value).filename().string()));
+    FileMesh<2> mesh = read_mesh<2>(given);
     if (!given.part.empty())
       keep_part(mesh, given.part, split_words(given.bodies));
     geometry = make_geometry(std::move(mesh), split_words(given.arcs), given.arcs.where());

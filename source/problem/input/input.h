@@ -153,14 +153,16 @@ std::vector<Plate<dim>> read_plates(const Given<std::string> &given, const LoadP
  * where load cases make it move, in all.
  * @throws InputError
  */
-void read_foundation(const ContactParameters &given, bool moves, Scene<2> &scene);
+template <int dim>
+void read_foundation(const ContactParameters &given, bool moves, Scene<dim> &scene);
 
 /**
  * Returns the contacts that read_foundation() left without a gap, with their texts in
  * Contact/Gap; without those of pairs that this does not name.
  * @throws InputError if a side has both, or one on rigid ground neither.
  */
-SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<2> &scene);
+template <int dim>
+SideTexts gaps_without_foundation(const ContactParameters &given, const Scene<dim> &scene);
 
 /** Reads "x, y" or "x, y, z": n numbers. @p text is all of the entry or a part of it. @throws
  * InputError */

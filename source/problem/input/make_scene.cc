@@ -32,27 +32,26 @@ void refuse_description(const Parameters &parameters) {
                  "' fixes this entry; leave it out, or set ", name.name, " = ", described, ".");
 }
 
-/** Returns n points of a side, in space n of them in each direction. */
-std::vector<Point<2>> points_on(const Side<2> &side, const unsigned int n) {
+/** Returns points all over a side. */
+std::vector<Point<2>> points_on(const Side<2> &side) {
+  constexpr unsigned int n = 64;
   std::vector<Point<2>> points;
   for (unsigned int k = 0; k < n; ++k)
     points.push_back(side.point((k + 0.5) / n * side.length()));
   return points;
 }
-std::vector<Point<3>> points_on(const Side<3> &side, const unsigned int n) {
+std::vector<Point<3>> points_on(const Side<3> &side) {
   std::vector<Point<3>> points;
-  for (unsigned int k = 0; k < n * n; ++k)
-    points.push_back(
-      side.point({(k / n + 0.5) / n * side.lengths()[0], (k % n + 0.5) / n * side.lengths()[1]}));
+  for (const SurfacePoint<3> &point : side.samples(side.faces().size() > 50 ? 1 : 8))
+    points.push_back(point.x);
   return points;
 }
 
 /** Returns whether anything could press the body onto the foundation. */
 template <int dim>
 bool is_loaded(const Scene<dim> &scene) {
-  constexpr unsigned int n_samples = dim == 2 ? 64 : 8;
   for (const ContactCondition<dim> &contact : scene.contacts)
-    for (const Point<dim> &x : points_on(scene.geometry.sides[contact.side], n_samples))
+    for (const Point<dim> &x : points_on(scene.geometry.sides[contact.side]))
       if (contact.gap->value(x) < 0.)
         return true;
   return has_load(scene, LoadKind::force) || has_load(scene, LoadKind::weight) ||

@@ -46,10 +46,12 @@ Points<2> sample_side(const Side<2> &side, const bool with_ends) {
   return points;
 }
 Points<3> sample_side(const Side<3> &side, const bool with_ends) {
-  const auto lengths = side.lengths();
+  // A side of very many faces has small ones.
+  const unsigned int n_gauss = side.faces().size() > 20 ? 1 : 12;
   Points<3> points;
-  for (const Point<2> &share : unit_points<2>(12, with_ends))
-    points.push_back(side.point({share[0] * lengths[0], share[1] * lengths[1]}));
+  for (const FaceCorners &face : side.faces())
+    for (const Point<2> &share : unit_points<2>(n_gauss, with_ends))
+      points.push_back(side.project(point_on(face, share)));
   return points;
 }
 
@@ -147,7 +149,7 @@ double motion_across(const Scene<dim> &scene, const ContactPair<dim> &pair, cons
   if constexpr (dim == 2)
     if (const auto &other = pair.other_side()) {
       const Side<2> &side = scene.geometry.sides[pair.side()];
-      const Tensor<1, 2> n = side.normal(side.coordinates(x));
+      const Tensor<1, 2> n = side.normal_at(x);
       if (const auto distance = scene.geometry.sides[*other].distance_along(x, n))
         return u(x + *distance * n) * n;
     }
@@ -191,11 +193,11 @@ void check_exact_on_side(const ExactSolutionParameters &exact, const Scene<dim> 
           refuse("u" + std::to_string(c + 1), u[c],
                  number_text(given) + ", which is prescribed there");
       }
-    if (const double u_n = u * side.normal(side.coordinates(x));
+    if (const double u_n = u * side.normal_at(x);
         condition.role == Role::roller && !(std::abs(u_n) <= share * size))
       refuse("u.n", u_n, "0 on rollers");
     for (const ContactPair<dim> &pair : contact_pairs(scene)) {
-      if (pair.side() != i || (pair.other_side() && !pair.contains(side.coordinates(x)[0])))
+      if (pair.side() != i || (pair.other_side() && !pair.contains(x)))
         continue;
       const double gap = pair.gap(x),
                    closing = u * pair.direction(x) - motion_across(scene, pair, x, u_at);

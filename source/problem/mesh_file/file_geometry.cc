@@ -21,8 +21,8 @@
 
 namespace Signorini {
 namespace {
-using Chain = std::vector<FileMesh::Edge>;
-using Nodes = std::vector<const FileMesh::Node *>;
+using Chain = std::vector<FileMesh<2>::Edge>;
+using Nodes = std::vector<const FileMesh<2>::Node *>;
 
 /** The share of the length by which nodes may lie off their segment. */
 constexpr double segment_tolerance = 1e-8;
@@ -36,7 +36,7 @@ constexpr double min_rise = 1e-6;
 
 /** Returns where a closed chain begins: at its leftmost corner, or without a corner at its leftmost
  * vertex. */
-std::size_t start_of_loop(const FileMesh &mesh, const Chain &loop) {
+std::size_t start_of_loop(const FileMesh<2> &mesh, const Chain &loop) {
   std::vector<std::tuple<bool, double, double>> ranks;
   for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
     const Point<2> &x = mesh.nodes[loop[i].start].x;
@@ -49,7 +49,7 @@ std::size_t start_of_loop(const FileMesh &mesh, const Chain &loop) {
 }
 
 /** Returns all chains of edges with one name, by name, and those of one name from left to right. */
-std::vector<Chain> find_chains(const FileMesh &mesh) {
+std::vector<Chain> find_chains(const FileMesh<2> &mesh) {
   std::vector<Chain> chains;
   for (Chain loop : mesh.loops) {
     std::size_t first = 0;
@@ -74,32 +74,14 @@ std::vector<Chain> find_chains(const FileMesh &mesh) {
   return chains;
 }
 
-/** Returns the names of the sides that chains make. @throws InputError if two are the same. */
-std::vector<std::string> names_of(const FileMesh &mesh, const std::vector<Chain> &chains) {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    const std::string &name = chains[i][0].name;
-    std::size_t number = 1;
-    while (number <= i && chains[i - number][0].name == name)
-      ++number;
-    const bool is_alone = number == 1 && (i + 1 == chains.size() || chains[i + 1][0].name != name);
-    names.push_back(is_alone ? name : name + "." + std::to_string(number));
-  }
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (std::count(names.begin(), names.end(), names[i]) > 1)
-      throw input_error(mesh.name, ": two sides have the name '", names[i],
-                        "', which also numbers the parts of a side, allowed: another name.");
-  return names;
-}
-
-bool is_bent(const FileMesh &mesh, const FileMesh::Edge &edge) {
+bool is_bent(const FileMesh<2> &mesh, const FileMesh<2>::Edge &edge) {
   const Tensor<1, 2> chord = mesh.nodes[edge.end].x - mesh.nodes[edge.start].x;
   const Tensor<1, 2> to_middle = mesh.nodes[edge.middle].x - mesh.nodes[edge.start].x;
   return std::abs(chord * cross_product_2d(to_middle)) > min_rise * chord.norm_square();
 }
 
 /** Returns the nodes along the edges [first, last) of a chain. */
-Nodes nodes_along(const FileMesh &mesh, const Chain &chain, const std::size_t first,
+Nodes nodes_along(const FileMesh<2> &mesh, const Chain &chain, const std::size_t first,
                   const std::size_t last) {
   Nodes nodes = {&mesh.nodes[chain[first].start]};
   for (std::size_t i = first; i < last; ++i) {
@@ -132,7 +114,8 @@ struct Piece {
 
 /** Divides a chain into segments and arcs, as long as possible: edges of second order that are bent
  * are parts of arcs, and so are all edges of a side that is declared one. */
-std::vector<Piece> divide_chain(const FileMesh &mesh, const Chain &chain, const bool is_declared) {
+std::vector<Piece> divide_chain(const FileMesh<2> &mesh, const Chain &chain,
+                                const bool is_declared) {
   std::vector<Piece> pieces;
   for (std::size_t first = 0, last = 0; first < chain.size(); first = last) {
     const bool is_arc = is_declared || is_bent(mesh, chain[first]);
@@ -158,7 +141,7 @@ std::vector<Piece> divide_chain(const FileMesh &mesh, const Chain &chain, const 
 }
 
 /** Moves the vertices inside of a piece onto it. @return the largest motion (length). */
-double move_onto(const Piece &piece, const Chain &chain, FileMesh &mesh) {
+double move_onto(const Piece &piece, const Chain &chain, FileMesh<2> &mesh) {
   const bool is_closed = piece.curve.is_closed();
   double largest = 0.;
   for (std::size_t i = piece.first; i < piece.last; ++i) {
@@ -241,9 +224,9 @@ struct RegionMap {
 };
 
 /** Names the regions of a body, and finds them by points. */
-void add_regions(const FileMesh &mesh, Geometry<2> &geometry) {
+void add_regions(const FileMesh<2> &mesh, Geometry<2> &geometry) {
   std::set<std::string> names;
-  for (const FileMesh::Element &cell : mesh.cells)
+  for (const FileMesh<2>::Element &cell : mesh.cells)
     names.insert(mesh.name_of(cell, 2));
   geometry.regions.assign(names.begin(), names.end());
   geometry.region_at = [](const Point<2> &) { return 0U; };
@@ -252,7 +235,7 @@ void add_regions(const FileMesh &mesh, Geometry<2> &geometry) {
   const auto map = std::make_shared<RegionMap>();
   std::vector<std::pair<BoundingBox<2>, unsigned int>> boxes;
   std::vector<Point<2>> corners_of_body;
-  for (const FileMesh::Element &cell : mesh.cells) {
+  for (const FileMesh<2>::Element &cell : mesh.cells) {
     std::vector<Point<2>> corners;
     for (unsigned int i = 0; i < cell.n_corners; ++i)
       corners.push_back(mesh.nodes[cell.nodes[i]].x);
@@ -269,11 +252,14 @@ void add_regions(const FileMesh &mesh, Geometry<2> &geometry) {
 }
 } // namespace
 
-Geometry<2> make_geometry(FileMesh mesh, const std::vector<std::string> &arcs,
+Geometry<2> make_geometry(FileMesh<2> mesh, const std::vector<std::string> &arcs,
                           const std::string &where) {
   const unsigned int n_vertices = check_and_sort(mesh);
   const std::vector<Chain> chains = find_chains(mesh);
-  const std::vector<std::string> names = names_of(mesh, chains);
+  std::vector<std::string> names;
+  for (const Chain &chain : chains)
+    names.push_back(chain[0].name);
+  names = number_names(names, mesh.name);
   const std::vector<bool> is_arc = find_arcs(chains, names, arcs, where);
   std::vector<Side<2>> sides;
   std::vector<std::vector<Piece>> pieces;
@@ -300,13 +286,13 @@ Geometry<2> make_geometry(FileMesh mesh, const std::vector<std::string> &arcs,
     coarse.vertices.push_back(mesh.nodes[v].x);
   std::size_t n_triangles = 0;
   std::vector<std::size_t> tags;
-  for (const FileMesh::Element &cell : mesh.cells) {
+  for (const FileMesh<2>::Element &cell : mesh.cells) {
     coarse.cells.emplace_back(cell.nodes.begin(), cell.nodes.begin() + cell.n_corners);
     n_triangles += cell.n_corners == 3 ? 1 : 0;
   }
   if (n_triangles > 0)
     coarse = split_cells(coarse);
-  for (const FileMesh::Element &cell : mesh.cells)
+  for (const FileMesh<2>::Element &cell : mesh.cells)
     tags.insert(tags.end(), n_triangles > 0 ? cell.n_corners : 1, cell.tag);
   if (const auto folded = find_folded_cell(coarse, 0.))
     throw input_error(

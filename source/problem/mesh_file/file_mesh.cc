@@ -2,6 +2,7 @@
 // From the nodes and elements of a file to a checked 2-D mesh in order, with its boundary.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/mesh_file/file_mesh.h>
@@ -24,45 +25,29 @@ constexpr double min_sine = 1e-6;
 /** The share of the body's size below which two nodes are one. */
 constexpr double min_node_distance = 1e-9;
 
-/** The name of edges that have none in the file. */
-const std::string unnamed = "rest";
-
-using Node = FileMesh::Node;
-using FileElement = FileMesh::Element;
+using Node = FileMesh<2>::Node;
+using FileElement = FileMesh<2>::Element;
 
 /** Checks that the corners of cells, the first nodes, have the same z, and that no two are at one
- * point, which would be a crack. */
-void check_nodes(const FileMesh &mesh, const unsigned int n_corners) {
+ * point. */
+void check_nodes(const FileMesh<2> &mesh, const unsigned int n_corners) {
   std::vector<const Node *> nodes;
-  for (unsigned int i = 0; i < n_corners; ++i)
+  double size = 0.;
+  for (unsigned int i = 0; i < n_corners; ++i) {
     nodes.push_back(&mesh.nodes[i]);
-  // In an oblique direction few nodes of a mesh lie beside one another.
-  const Tensor<1, 2> oblique({0.8191520442889918, 0.5735764363510461});
-  std::stable_sort(nodes.begin(), nodes.end(),
-                   [&](const Node *a, const Node *b) { return a->x * oblique < b->x * oblique; });
+    size = std::max(size, mesh.nodes[i].x.distance(mesh.nodes[0].x));
+  }
   const auto [lowest, highest] = std::minmax_element(
     nodes.begin(), nodes.end(), [](const Node *a, const Node *b) { return a->z < b->z; });
-  double size = 0.;
-  for (const Node *node : nodes)
-    size = std::max(size, node->x.distance(nodes[0]->x));
-  const double tolerance = min_node_distance * size;
-  if ((*highest)->z - (*lowest)->z > tolerance)
+  if ((*highest)->z - (*lowest)->z > min_node_distance * size)
     throw input_error(mesh.location((*highest)->line), "node ", (*highest)->tag,
                       " has z = ", (*highest)->z, ", node ", (*lowest)->tag, " z = ", (*lowest)->z,
                       ", allowed: a plane body in x and y, with the same z everywhere.");
-  for (auto a = nodes.begin(); a != nodes.end(); ++a)
-    for (auto b = a + 1; b != nodes.end() && ((*b)->x - (*a)->x) * oblique < tolerance; ++b)
-      if ((*a)->x.distance((*b)->x) < tolerance) {
-        const auto [first, second] = std::minmax((*a)->tag, (*b)->tag);
-        throw input_error(
-          mesh.location(std::max((*a)->line, (*b)->line)), "nodes ", first, " and ", second,
-          " lie both at (", (*a)->x[0], ", ", (*a)->x[1],
-          "), which is a crack, allowed: one node for every place (Gmsh: Coherence Mesh).");
-      }
+  check_cracks(mesh, nodes);
 }
 
 /** Turns a clockwise cell round. @throws InputError if it is not convex. */
-void make_counter_clockwise(const FileMesh &mesh, FileElement &cell) {
+void make_counter_clockwise(const FileMesh<2> &mesh, FileElement &cell) {
   const unsigned int n = cell.n_corners;
   const auto corner = [&](const unsigned int i) { return mesh.nodes[cell.nodes[i % n]].x; };
   std::array<double, 4> sines;
@@ -90,7 +75,7 @@ void make_counter_clockwise(const FileMesh &mesh, FileElement &cell) {
 
 /** Lets a cell begin with the corner whose edge to the next one points most to the right (of two
  * the one that points upwards): then cells of a regular mesh are translations of one another. */
-void turn_to_first_corner(const FileMesh &mesh, FileElement &cell) {
+void turn_to_first_corner(const FileMesh<2> &mesh, FileElement &cell) {
   const unsigned int n = cell.n_corners;
   unsigned int first = 0;
   Tensor<1, 2> best({-2., 0.});
@@ -108,30 +93,24 @@ void turn_to_first_corner(const FileMesh &mesh, FileElement &cell) {
     turn(cell.nodes.begin() + n);
 }
 
-/** Sorts the cells in the order of Hilbert's curve through their centres: neighbours in the body
- * are neighbours in memory. */
-void sort_cells(FileMesh &mesh) {
+/** Sorts the cells in the order of Hilbert's curve through their centres. */
+void sort_cells(FileMesh<2> &mesh) {
   std::vector<Point<2>> centres;
   for (FileElement &cell : mesh.cells) {
     centres.emplace_back();
     for (unsigned int i = 0; i < cell.n_corners; ++i)
       centres.back() += mesh.nodes[cell.nodes[i]].x / static_cast<double>(cell.n_corners);
   }
-  const auto keys = Utilities::inverse_Hilbert_space_filling_curve<2>(centres, 24);
-  std::vector<unsigned int> order(mesh.cells.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](const unsigned int a, const unsigned int b) { return keys[a] < keys[b]; });
   std::vector<FileElement> sorted;
-  sorted.reserve(order.size());
-  for (const unsigned int i : order)
+  sorted.reserve(centres.size());
+  for (const unsigned int i : order_on_curve(centres))
     sorted.push_back(mesh.cells[i]);
   mesh.cells = std::move(sorted);
 }
 
 /** Gives the nodes new indices, the corners of cells first, in the order of the cells. @return the
  * number of corners. */
-unsigned int number_nodes(FileMesh &mesh) {
+unsigned int number_nodes(FileMesh<2> &mesh) {
   constexpr unsigned int unused = std::numeric_limits<unsigned int>::max();
   std::vector<unsigned int> number(mesh.nodes.size(), unused);
   std::vector<Node> nodes;
@@ -147,7 +126,7 @@ unsigned int number_nodes(FileMesh &mesh) {
   for (unsigned int i = 0; i < mesh.nodes.size(); ++i)
     take(i);
   mesh.nodes = std::move(nodes);
-  for (std::vector<FileElement> *const elements : {&mesh.lines, &mesh.cells})
+  for (std::vector<FileElement> *const elements : {&mesh.faces, &mesh.cells})
     for (FileElement &element : *elements)
       for (unsigned int &node : element.nodes)
         node = number[node];
@@ -164,14 +143,14 @@ struct HalfEdge {
   }
 };
 
-std::string edge_text(const FileMesh &mesh, const unsigned int start, const unsigned int end) {
+std::string edge_text(const FileMesh<2> &mesh, const unsigned int start, const unsigned int end) {
   return " between nodes " + std::to_string(mesh.nodes[start].tag) + " and " +
          std::to_string(mesh.nodes[end].tag);
 }
 
 /** Returns the edges of all cells, sorted. @throws InputError if two cells have one edge on the
  * same side. */
-std::vector<HalfEdge> find_edges(const FileMesh &mesh) {
+std::vector<HalfEdge> find_edges(const FileMesh<2> &mesh) {
   std::vector<HalfEdge> edges;
   for (const FileElement &cell : mesh.cells)
     for (unsigned int i = 0, n = cell.n_corners; i < n; ++i)
@@ -191,10 +170,10 @@ std::vector<HalfEdge> find_edges(const FileMesh &mesh) {
 using Ends = std::pair<unsigned int, unsigned int>;
 
 /** Returns the lines of the file by their ends, the smaller one first. */
-std::map<Ends, const FileElement *> find_lines(const FileMesh &mesh,
+std::map<Ends, const FileElement *> find_lines(const FileMesh<2> &mesh,
                                                const std::vector<HalfEdge> &edges) {
   std::map<Ends, const FileElement *> lines;
-  for (const FileElement &line : mesh.lines) {
+  for (const FileElement &line : mesh.faces) {
     const unsigned int a = line.nodes[0], b = line.nodes[1];
     const auto has = [&](const unsigned int start, const unsigned int end) {
       return std::binary_search(edges.begin(), edges.end(), HalfEdge{start, end, 0, nullptr});
@@ -220,15 +199,15 @@ std::map<Ends, const FileElement *> find_lines(const FileMesh &mesh,
 }
 
 /** Joins the edges with one cell to loops. */
-void find_loops(FileMesh &mesh) {
+void find_loops(FileMesh<2> &mesh) {
   const std::vector<HalfEdge> edges = find_edges(mesh);
   const auto lines = find_lines(mesh, edges);
-  std::map<unsigned int, FileMesh::Edge> edge_from;
+  std::map<unsigned int, FileMesh<2>::Edge> edge_from;
   for (const HalfEdge &edge : edges) {
     if (std::binary_search(edges.begin(), edges.end(), HalfEdge{edge.end, edge.start, 0, nullptr}))
       continue;
     const auto line = lines.find(std::minmax(edge.start, edge.end));
-    FileMesh::Edge found = {edge.start, edge.end, edge.middle, unnamed};
+    FileMesh<2>::Edge found = {edge.start, edge.end, edge.middle, unnamed};
     if (line != lines.end()) {
       found.name = mesh.name_of(*line->second, 1);
       if (line->second->is_quadratic)
@@ -261,17 +240,18 @@ void find_loops(FileMesh &mesh) {
 }
 } // namespace
 
-std::string FileMesh::name_of(const Element &element, const unsigned int dim) const {
+template <int dim>
+std::string FileMesh<dim>::name_of(const Element &element, const unsigned int dimension) const {
   if (element.group == 0)
-    return has_groups[dim] ? unnamed : std::to_string(element.entity);
-  const auto found = group_names.find({dim, element.group});
+    return has_groups[dimension] ? unnamed : std::to_string(element.entity);
+  const auto found = group_names.find({dimension, element.group});
   if (found == group_names.end())
     return std::to_string(element.group);
   const std::string &group = found->second;
   // The names of regions stand before a ':', those of sides between blanks.
   const bool is_word = !group.empty() && std::all_of(group.begin(), group.end(), [&](const char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || c == '.' ||
-           (c == ' ' && dim == 2);
+           (c == ' ' && dimension == dim);
   });
   if (!is_word)
     throw input_error(
@@ -284,7 +264,67 @@ std::string FileMesh::name_of(const Element &element, const unsigned int dim) co
   return group;
 }
 
-void keep_part(FileMesh &mesh, const std::string &body, const std::vector<std::string> &bodies) {
+template struct FileMesh<2>;
+template struct FileMesh<3>;
+
+std::vector<std::string> number_names(const std::vector<std::string> &names,
+                                      const std::string &file) {
+  std::vector<std::string> numbered;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    std::size_t number = 1;
+    while (number <= i && names[i - number] == names[i])
+      ++number;
+    const bool is_alone = number == 1 && (i + 1 == names.size() || names[i + 1] != names[i]);
+    numbered.push_back(is_alone ? names[i] : names[i] + "." + std::to_string(number));
+  }
+  for (const std::string &name : numbered)
+    if (std::count(numbered.begin(), numbered.end(), name) > 1)
+      throw input_error(file, ": two sides have the name '", name,
+                        "', which also numbers the parts of a side, allowed: another name.");
+  return numbered;
+}
+
+template <int dim>
+void check_cracks(const FileMesh<dim> &mesh,
+                  std::vector<const typename FileMesh<dim>::Node *> nodes) {
+  // In an oblique direction few nodes of a mesh lie beside one another.
+  constexpr std::array<double, 3> oblique = {0.7071, 0.5774, 0.4082};
+  const auto height = [&](const auto *node) {
+    return std::inner_product(node->x.begin_raw(), node->x.end_raw(), oblique.begin(), 0.);
+  };
+  std::stable_sort(nodes.begin(), nodes.end(),
+                   [&](const auto *a, const auto *b) { return height(a) < height(b); });
+  double size = 0.;
+  for (const auto *node : nodes)
+    size = std::max(size, node->x.distance(nodes[0]->x));
+  const double tolerance = min_node_distance * size;
+  for (auto a = nodes.begin(); a != nodes.end(); ++a)
+    for (auto b = a + 1; b != nodes.end() && height(*b) - height(*a) < tolerance; ++b)
+      if ((*a)->x.distance((*b)->x) < tolerance) {
+        const auto [first, second] = std::minmax((*a)->tag, (*b)->tag);
+        throw input_error(
+          mesh.location(std::max((*a)->line, (*b)->line)), "nodes ", first, " and ", second,
+          " lie both at ", vector_text((*a)->x),
+          ", which is a crack, allowed: one node for every place (Gmsh: Coherence Mesh).");
+      }
+}
+
+template void check_cracks<2>(const FileMesh<2> &, std::vector<const FileMesh<2>::Node *>);
+template void check_cracks<3>(const FileMesh<3> &, std::vector<const FileMesh<3>::Node *>);
+
+template <int dim>
+std::vector<unsigned int> order_on_curve(const std::vector<Point<dim>> &points) {
+  const auto keys = Utilities::inverse_Hilbert_space_filling_curve<dim>(points, dim == 2 ? 24 : 20);
+  std::vector<unsigned int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](const unsigned int a, const unsigned int b) { return keys[a] < keys[b]; });
+  return order;
+}
+
+INSTANTIATE_FUNCTION(order_on_curve);
+
+void keep_part(FileMesh<2> &mesh, const std::string &body, const std::vector<std::string> &bodies) {
   const auto is_body = [&](const std::string &name) {
     return std::count(bodies.begin(), bodies.end(), name) > 0;
   };
@@ -309,7 +349,7 @@ void keep_part(FileMesh &mesh, const std::string &body, const std::vector<std::s
   mesh.is_part = true;
 }
 
-unsigned int check_and_sort(FileMesh &mesh) {
+unsigned int check_and_sort(FileMesh<2> &mesh) {
   check_nodes(mesh, number_nodes(mesh));
   for (FileElement &cell : mesh.cells) {
     make_counter_clockwise(mesh, cell);

@@ -223,7 +223,8 @@ bool is_gmsh_ending(const std::string &ending) {
 }
 
 std::string convert_with_gmsh(const std::string &content, const std::string &ending,
-                              const double mesh_size, const std::string &where) {
+                              const unsigned int dim, const double mesh_size,
+                              const std::string &where) {
   if (ending == "msh" && content.rfind("$MeshFormat", 0) != 0 && content.rfind("$NOD", 0) != 0)
     throw input_error(where,
                       "found no $MeshFormat at its beginning, allowed: a mesh file of Gmsh.");
@@ -234,15 +235,19 @@ std::string convert_with_gmsh(const std::string &content, const std::string &end
   const std::string input = "part." + ending;
   std::ofstream(folder.path / input, std::ios::binary) << content;
   std::vector<std::string> arguments = {"gmsh", input};
+  const std::string mesh_option = dim == 2 ? "-2" : "-3";
   if (is_shape)
-    arguments.insert(arguments.end(), {"-2", "-order", "2"});
+    arguments.insert(arguments.end(), {mesh_option, "-order", "2"});
   else
     arguments.emplace_back("-save");
+  std::vector<std::string> options = {"Mesh.SaveAll 1", "Mesh.Binary 0"};
   // Algorithm 6, blossom and a division of all cells give quadrilaterals for every outline that was
-  // tried; algorithm 8 crashes in Gmsh 4.8.4, and sizes by curvature may not end.
-  for (const char *const option :
-       {"Mesh.Algorithm 6", "Mesh.RecombineAll 1", "Mesh.SubdivisionAlgorithm 1", "Mesh.SaveAll 1",
-        "Mesh.Binary 0"}) {
+  // tried; algorithm 8 crashes in Gmsh 4.8.4, and sizes by curvature may not end. In space
+  // quadrilaterals beside tetrahedra would need pyramids.
+  if (dim == 2)
+    options.insert(options.end(),
+                   {"Mesh.Algorithm 6", "Mesh.RecombineAll 1", "Mesh.SubdivisionAlgorithm 1"});
+  for (const std::string &option : options) {
     arguments.emplace_back("-setnumber");
     for (const std::string &word : split_words(option))
       arguments.push_back(word);
@@ -264,7 +269,7 @@ std::string convert_with_gmsh(const std::string &content, const std::string &end
     text = read_whole_file(result, where, "mesh file", max_mesh_size);
   if (text.find("$Elements") == std::string::npos)
     throw input_error(where, describe_failure(status, folder.path / "log"),
-                      ", allowed: a file from which Gmsh makes a mesh (gmsh -2).");
+                      ", allowed: a file from which Gmsh makes a mesh (gmsh ", mesh_option, ").");
   const std::string end_of_format = "$EndMeshFormat\n", mark = conversion_section;
   return text.insert(text.find(end_of_format) + end_of_format.size(),
                      mark + "\n$End" + mark.substr(1) + "\n");

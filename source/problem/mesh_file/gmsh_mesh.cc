@@ -2,14 +2,17 @@
 // The format MSH of Gmsh, versions 2.0 to 2.2 and 4.1, section by section.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/mesh_file/file_mesh.h>
 #include <signorini/problem/scene/scene.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -129,27 +132,39 @@ private:
 };
 
 namespace {
-/** The numbers of nodes and of corners of the elements that are read, by Gmsh's number of their
- * type: points, lines, triangles and quadrilaterals. */
-const std::map<unsigned int, std::pair<unsigned int, unsigned int>> element_types = {
-  {15, {1, 1}}, {1, {2, 2}}, {8, {3, 2}},  {2, {3, 3}},
-  {9, {6, 3}},  {3, {4, 4}}, {16, {8, 4}}, {10, {9, 4}}};
+/** A type of element; with no nodes: one that is not read. */
+struct ElementType {
+  std::string name;
+  unsigned int dimension, n_nodes, n_corners;
+};
 
-/** The names of other elements, by Gmsh's number of their type. */
-const std::map<unsigned int, std::string> other_elements = {{4, "a tetrahedron"},
-                                                            {5, "a hexahedron"},
-                                                            {6, "a prism"},
-                                                            {7, "a pyramid"},
-                                                            {11, "a tetrahedron"},
-                                                            {12, "a hexahedron"},
-                                                            {13, "a prism"},
-                                                            {14, "a pyramid"},
-                                                            {17, "a hexahedron"},
-                                                            {18, "a prism"},
-                                                            {19, "a pyramid"},
-                                                            {21, "a triangle of order 3"},
-                                                            {26, "a line of order 3"},
-                                                            {36, "a quadrilateral of order 3"}};
+/** The types of elements by Gmsh's number. */
+const std::map<unsigned int, ElementType> element_types = {
+  {15, {"a point", 0, 1, 1}},
+  {1, {"a line", 1, 2, 2}},
+  {8, {"a line", 1, 3, 2}},
+  {2, {"a triangle", 2, 3, 3}},
+  {9, {"a triangle", 2, 6, 3}},
+  {3, {"a quadrilateral", 2, 4, 4}},
+  {16, {"a quadrilateral", 2, 8, 4}},
+  {10, {"a quadrilateral", 2, 9, 4}},
+  {4, {"a tetrahedron", 3, 4, 4}},
+  {11, {"a tetrahedron", 3, 10, 4}},
+  {5, {"a hexahedron", 3, 8, 8}},
+  {17, {"a hexahedron", 3, 20, 8}},
+  {12, {"a hexahedron", 3, 27, 8}},
+  {6, {"a prism", 3, 6, 6}},
+  {18, {"a prism", 3, 15, 6}},
+  {13, {"a prism", 3, 18, 6}},
+  {7, {"a pyramid", 3, 0, 5}},
+  {14, {"a pyramid", 3, 0, 5}},
+  {19, {"a pyramid", 3, 0, 5}},
+  {26, {"a line of order 3", 1, 0, 2}},
+  {21, {"a triangle of order 3", 2, 0, 3}},
+  {36, {"a quadrilateral of order 3", 2, 0, 4}},
+  {29, {"a tetrahedron of order 3", 3, 0, 4}},
+  {92, {"a hexahedron of order 3", 3, 0, 8}},
+  {90, {"a prism of order 3", 3, 0, 6}}};
 
 /** Returns whether the nodes and elements of a version of the format are those of 2.2. */
 bool is_version_2(const std::string_view version) {
@@ -157,14 +172,17 @@ bool is_version_2(const std::string_view version) {
 }
 
 /** Reads the sections of one file. */
+template <int dim>
 class GmshReader {
+  using Element = typename FileMesh<dim>::Element;
+
 public:
   GmshReader(const std::string &text, const std::string &name)
     : scanner_(text, name) {
     mesh_.name = name;
   }
 
-  FileMesh read() {
+  FileMesh<dim> read() {
     read_format();
     while (!scanner_.is_at_end()) {
       const std::string section(scanner_.word("the name of a section"));
@@ -188,17 +206,18 @@ public:
       scanner_.expect(end);
     }
     if (mesh_.cells.empty())
-      throw input_error(mesh_.name,
-                        ": found no cells, allowed: a mesh of quadrilaterals or triangles.");
+      throw input_error(mesh_.name, ": found no cells, allowed: a mesh of ",
+                        dim == 2 ? "quadrilaterals or triangles."
+                                 : "hexahedra, tetrahedra or prisms.");
     for (const auto &[group, name] : names_without_dimension_) {
       const auto give_name = [&, group = group, name = name](const auto &elements,
-                                                             const unsigned int dim) {
-        for (const FileMesh::Element &element : elements)
+                                                             const unsigned int dimension) {
+        for (const auto &element : elements)
           if (element.group == group)
-            mesh_.group_names.emplace(std::make_pair(dim, group), name);
+            mesh_.group_names.emplace(std::make_pair(dimension, group), name);
       };
-      give_name(mesh_.lines, 1);
-      give_name(mesh_.cells, 2);
+      give_name(mesh_.faces, dim - 1);
+      give_name(mesh_.cells, dim);
     }
     return std::move(mesh_);
   }
@@ -242,22 +261,23 @@ private:
     }
   }
 
-  /** Reads the entities, and keeps the physical groups of curves and surfaces. */
+  /** Reads the entities, and keeps the physical groups of theirs. */
   void read_entities() {
     std::array<std::size_t, 4> n = {};
-    for (std::size_t &n_of_dim : n)
-      n_of_dim = scanner_.count("a number of entities");
-    for (unsigned int dim = 0; dim < 4; ++dim)
-      for (std::size_t i = n[dim]; i > 0; --i) {
+    for (std::size_t &n_of_dimension : n)
+      n_of_dimension = scanner_.count("a number of entities");
+    for (unsigned int d = 0; d < 4; ++d)
+      for (std::size_t i = n[d]; i > 0; --i) {
         const int tag = scanner_.number<int>("the number of an entity");
-        skip<double>(dim == 0 ? 3 : 6, "a coordinate of an entity");
+        skip<double>(d == 0 ? 3 : 6, "a coordinate of an entity");
         const std::size_t n_groups = scanner_.count("the number of physical groups");
-        if (dim == 1 && n_groups > 1)
-          scanner_.refuse("found curve " + std::to_string(tag) + " in " + std::to_string(n_groups) +
+        if (d == dim - 1 && n_groups > 1)
+          scanner_.refuse(std::string(dim == 2 ? "found curve " : "found surface ") +
+                          std::to_string(tag) + " in " + std::to_string(n_groups) +
                           " physical groups, allowed: one, because a side has one name.");
         for (std::size_t g = 0; g < n_groups; ++g)
-          groups_[{dim, tag}] = std::abs(scanner_.number<int>("the number of a physical group"));
-        if (dim > 0)
+          groups_[{d, tag}] = std::abs(scanner_.number<int>("the number of a physical group"));
+        if (d > 0)
           skip<int>(scanner_.count("the number of bounding entities"),
                     "the number of a bounding entity");
       }
@@ -275,7 +295,8 @@ private:
     if (!index_of_tag_.emplace(tag, mesh_.nodes.size()).second)
       scanner_.refuse("found node " + std::to_string(tag) +
                       " a second time, allowed: one node for each number.");
-    mesh_.nodes.push_back({tag, scanner_.line(), {x[0], x[1]}, x[2]});
+    mesh_.nodes.push_back({tag, scanner_.line(), {}, x[2]});
+    std::copy_n(x.begin(), dim, mesh_.nodes.back().x.begin_raw());
   }
 
   /** Reads the nodes, in version 2.2 like one block of version 4.1 with numbers beside nodes. */
@@ -306,13 +327,13 @@ private:
     const std::size_t n_blocks = is_old_ ? 1 : scanner_.count("the number of blocks");
     skip<std::size_t>(is_old_ ? 0 : 3, "a number of elements");
     for (std::size_t block = 0; block < n_blocks; ++block) {
-      unsigned int dim = 0, type = 0;
-      FileMesh::Element element = {};
+      unsigned int type = 0;
+      Element element = {};
       if (!is_old_) {
-        dim = scanner_.number<unsigned int>("the dimension of an entity");
+        const auto d = scanner_.number<unsigned int>("the dimension of an entity");
         element.entity = scanner_.number<int>("the number of an entity");
         type = scanner_.number<unsigned int>("the type of an element");
-        const auto group = groups_.find({dim, element.entity});
+        const auto group = groups_.find({d, element.entity});
         element.group = group == groups_.end() ? 0 : group->second;
       }
       for (std::size_t i = scanner_.count("the number of elements"); i > 0; --i) {
@@ -331,21 +352,12 @@ private:
     }
   }
 
-  void read_element(const unsigned int type, FileMesh::Element element) {
+  void read_element(const unsigned int type, Element element) {
     element.line = scanner_.line();
     const auto found = element_types.find(type);
-    if (found == element_types.end()) {
-      const auto name = other_elements.find(type);
-      const bool is_known = name != other_elements.end();
-      scanner_.refuse("element " + std::to_string(element.tag) + " is " +
-                      (is_known ? name->second : "of the type " + std::to_string(type)) +
-                      ", allowed: quadrilaterals, triangles and lines of first or second order" +
-                      (is_known && type < 21
-                         ? "; bodies in space are boxes (Dimension = 3, Shape = "
-                           "box), not files."
-                         : "."));
-    }
-    const auto [n_nodes, n_corners] = found->second;
+    if (found == element_types.end() || found->second.n_nodes == 0 || found->second.dimension > dim)
+      refuse_element(type, element.tag);
+    const auto &[name, dimension, n_nodes, n_corners] = found->second;
     element.n_corners = n_corners;
     element.is_quadratic = n_nodes > n_corners;
     for (unsigned int i = 0; i < n_nodes; ++i) {
@@ -356,13 +368,24 @@ private:
                         std::to_string(node) + ", which the section $Nodes before it lacks.");
       element.nodes[i] = index->second;
     }
-    if (n_corners > 1)
-      (n_corners == 2 ? mesh_.lines : mesh_.cells).push_back(element);
-    mesh_.has_groups[std::min(n_corners - 1, 2U)] |= element.group != 0;
+    if (dimension + 1 >= dim)
+      (dimension == dim ? mesh_.cells : mesh_.faces).push_back(element);
+    mesh_.has_groups[dimension] |= element.group != 0;
+  }
+
+  [[noreturn]] void refuse_element(const unsigned int type, const std::size_t tag) const {
+    const auto found = element_types.find(type);
+    const bool is_known = found != element_types.end();
+    scanner_.refuse(
+      "element " + std::to_string(tag) + " is " +
+      (is_known ? found->second.name : "of the type " + std::to_string(type)) + ", allowed: " +
+      (dim == 2 ? "quadrilaterals, triangles and lines" : "hexahedra, prisms and tetrahedra") +
+      " of first or second order" +
+      (is_known && found->second.dimension > dim ? "; a body in space needs Dimension = 3." : "."));
   }
 
   GmshScanner scanner_;
-  FileMesh mesh_;
+  FileMesh<dim> mesh_;
   /** Whether the version is 2.0 to 2.2. */
   bool is_old_ = false;
   /** Names by the number of a group, of whatever dimension. */
@@ -380,7 +403,10 @@ bool is_gmsh_text(const std::string &text) {
   return section == "$MeshFormat" && (is_version_2(version) || version == "4.1") && type == "0";
 }
 
-FileMesh read_gmsh(const std::string &text, const std::string &name) {
-  return GmshReader(text, name).read();
+template <int dim>
+FileMesh<dim> read_gmsh(const std::string &text, const std::string &name) {
+  return GmshReader<dim>(text, name).read();
 }
+
+INSTANTIATE_FUNCTION(read_gmsh);
 } // namespace Signorini

@@ -82,7 +82,8 @@ void Declarations::declare_boundary(BoundaryParameters &boundary) {
       "Surface traction (force/area) by side: left: tx; ty | right: tx; ty; in 3-D tx; ty; tz. "
       "Sides without a role are free.");
   add("Boundary/Plates", boundary.plates,
-      "Sides to which rigid plates are bonded, with the direction in which each travels: "
+      "Sides to which rigid plates are bonded, with the direction in which each travels, in 3-D "
+      "three numbers: "
       "top: 0, -1 | right: 1, 0 turning. A plate that is turning may also rotate about its middle, "
       "on a hole about the centre.");
 }
@@ -97,10 +98,13 @@ void Declarations::declare_load(LoadParameters &load) {
   add(
     "Load/Plate cross force", load.plate_cross_force,
     "Force on a plate across its direction (force per thickness) by side, in the direction turned "
-    "counter-clockwise by a right angle; the plate may then move across, too.");
+    "counter-clockwise by a right angle; in 3-D a vector fx, fy, fz at right angles to it. The "
+    "plate "
+    "may then move across, too.");
   add("Load/Plate moment", load.plate_moment,
       "Moment on a turning plate about its middle, on a hole about the centre, counter-clockwise "
-      "(force x length per thickness) by side; zero where nothing is given.");
+      "(force x length per thickness) by side, in 3-D a vector mx, my, mz; zero where nothing is "
+      "given.");
   add("Load/Plate travel", load.plate_travel,
       "Travel of a plate along its direction (length) by side, in the place of a force.");
 }
@@ -138,12 +142,12 @@ void Declarations::declare_contact(ContactParameters &contact) {
 }
 
 void Declarations::declare_load_cases(LoadCasesParameters &load_cases) {
-  add(
-    "Load cases/Cases", load_cases.cases,
-    "Other loads that the finest level is solved for, from the same factorisation: factors of "
-    "force (tractions, plates), weight (body force), travel (prescribed displacements), gap and "
-    "slide (Foundation shift), and shift x, shift y of the foundation (length): force 0.5, weight "
-    "2 | force 0 to 3 in 100 cases. What is not named keeps the factor 1 and the shift 0.");
+  add("Load cases/Cases", load_cases.cases,
+      "Other loads that the finest level is solved for, from the same factorisation: factors of "
+      "force (tractions, plates), weight (body force), travel (prescribed displacements), gap and "
+      "slide (Foundation shift), and shift x, shift y, shift z of the foundation (length): force "
+      "0.5, weight "
+      "2 | force 0 to 3 in 100 cases. What is not named keeps the factor 1 and the shift 0.");
   add("Load cases/Sequence", load_cases.sequence,
       "independent: every case begins with a body that has not slipped. steps: with friction, each "
       "case goes on from the slip of the one before, in their order, on every nested level.");
@@ -302,7 +306,7 @@ void Declarations::declare_geometry(GeometryParameters &geometry) {
   add("Geometry/Shape", geometry.shape,
       "Shape of the body. A rectangle has the sides left, right, bottom, top; a polygon side0, "
       "side1, ... in the order of its vertices; a half disc (the lower half) flat and arc, a disc "
-      "arc, a ring inner and outer; a file those that are named in it; a box, the shape in 3-D, "
+      "arc, a ring inner and outer; a file those that are named in it; a box, in 3-D, "
       "left, right (x), front, back (y), bottom, top (z).");
   add("Geometry/Lower left", geometry.lower_left,
       "Corner of the rectangle: x, y; of the box: x, y, z (length).");
@@ -332,18 +336,23 @@ void Declarations::declare_geometry(GeometryParameters &geometry) {
   add("Geometry/Radius", geometry.radius, "Of a half disc, a disc or a ring (length).", 1e-30,
       1e30);
   add("Geometry/Inner radius", geometry.inner_radius, "Of a ring (length).", 1e-30, 1e30);
-  add(
-    "Geometry/File", geometry.file,
-    "Coarse mesh or shape that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...); all but text of "
-    ".msh, version 2 or 4.1, goes through the program gmsh. Looked for in the folder of the "
-    "parameter file, then in the working folder. Sides are the physical names of curves, or their "
-    "numbers where no curve has a name; other edges are the side rest.");
+  add("Geometry/File", geometry.file,
+      "Coarse mesh or shape that Gmsh reads (.msh, .geo, .step, .brep, .unv, ...); all but text of "
+      ".msh, version 2 or 4.1, goes through the program gmsh. Looked for in the folder of the "
+      "parameter file, then in the working folder. Sides are the physical names of curves, in "
+      "space of surfaces, or their numbers where none has a name; the others are the side rest.");
   add(
     "Geometry/Arcs", geometry.arcs,
     "Mesh file: sides that are circular arcs, so that refinement follows the circle through their "
     "nodes, which may lie beside it by 1e-4 of the radius and are moved onto it: names separated "
     "by "
     "blanks. Edges with a node in the middle need no entry.");
+  add(
+    "Geometry/Surfaces", geometry.surfaces,
+    "Mesh file in space: the kind of surface of sides, as in 'hole: cylinder | ball: sphere | lid: "
+    "plane | cone: faces'. Nodes may lie beside it by 1e-3 of the radius or of the plane's extent "
+    "and are moved onto it, and a side that is not a plane is not divided where its faces turn. "
+    "Sides without an entry are what their nodes lie on to 1e-6, or else faces as they are.");
   add("Geometry/Distortion", geometry.distortion,
       "Interior vertices of the coarsest level are moved at random by this share of h.", 0., 0.45);
   add("Geometry/Thickness", geometry.thickness,

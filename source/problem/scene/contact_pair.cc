@@ -27,6 +27,13 @@ unsigned int ContactPair<dim>::carrier() const {
 }
 
 template <int dim>
+bool ContactPair<dim>::contains(const Point<dim> &x) const {
+  if constexpr (dim == 2)
+    return contains(scene_.geometry.sides[side()].arc_length(x));
+  return !other_side();
+}
+
+template <int dim>
 bool ContactPair<dim>::contains(const double s) const {
   const Side<dim> &on = scene_.geometry.sides[side()];
   if constexpr (dim == 2)

@@ -4,6 +4,7 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
+#include <signorini/problem/geometry/solid_edges.h>
 #include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/contradictions.h>
 #include <signorini/problem/scene/corners.h>
@@ -21,7 +22,7 @@ namespace {
  * which a difference is rounding. */
 constexpr double rounding = 1e-6;
 
-/** Returns the common points of each two sides: corners, and points of the edges of a box. */
+/** Returns the common points of each two sides: corners, and points of edges. */
 std::vector<std::pair<Point<2>, std::array<unsigned int, 2>>>
 meetings(const Geometry<2> &geometry) {
   std::vector<std::pair<Point<2>, std::array<unsigned int, 2>>> found;
@@ -43,21 +44,18 @@ std::vector<Point<2>> samples(const Side<2> &side) {
 
 std::vector<Point<3>> samples(const Side<3> &side) {
   std::vector<Point<3>> points;
-  for (const double r : shares)
-    for (const double s : shares)
-      points.push_back(side.point({r * side.lengths()[0], s * side.lengths()[1]}));
+  for (const SurfacePoint<3> &point : side.samples(side.faces().size() > 50 ? 1 : 8))
+    points.push_back(point.x);
   return points;
 }
 
 std::vector<std::pair<Point<3>, std::array<unsigned int, 2>>>
 meetings(const Geometry<3> &geometry) {
   std::vector<std::pair<Point<3>, std::array<unsigned int, 2>>> found;
-  for (unsigned int i = 0; i < geometry.sides.size(); ++i)
-    for (const Point<3> &x : samples(geometry.sides[i]))
-      for (unsigned int j = 0; j < i; ++j)
-        if (x.distance(geometry.sides[j].point(geometry.sides[j].coordinates(x))) <
-            1e-8 * geometry.diameter())
-          found.push_back({x, {{i, j}}});
+  for (const SolidEdge &edge : solid_edges(geometry))
+    if (edge.sides[0] != edge.sides[1])
+      for (const Point<3> &x : edge.points(geometry, 9))
+        found.emplace_back(x, edge.sides);
   return found;
 }
 
@@ -97,7 +95,7 @@ std::optional<double> given_along(const Scene<dim> &scene, const unsigned int si
                                   const Point<dim> &x, const Tensor<1, dim> &n) {
   const BoundaryCondition<dim> &condition = scene.boundary[side];
   const Side<dim> &on = scene.geometry.sides[side];
-  if (condition.role == Role::roller && std::abs(on.normal(on.coordinates(x)) * n) > 1. - rounding)
+  if (condition.role == Role::roller && std::abs(on.normal_at(x) * n) > 1. - rounding)
     return 0.;
   for (const auto &[motion, text] : motions_at(scene, side, x))
     if (std::abs(motion * n) > rounding * motion.norm())
@@ -121,8 +119,7 @@ std::string contradiction_to_foundation(const Scene<dim> &scene, const Point<dim
                                         const unsigned int side, const ContactPair<dim> &contact,
                                         const double size) {
   const Side<dim> &touching = scene.geometry.sides[contact.side()];
-  const std::optional<double> u_n =
-    given_along(scene, side, x, touching.normal(touching.coordinates(x)));
+  const std::optional<double> u_n = given_along(scene, side, x, touching.normal_at(x));
   if (!u_n)
     return "";
   const double g = contact.gap(x);
@@ -148,7 +145,7 @@ std::string contradiction_at(const Scene<dim> &scene, const Point<dim> &x, const
   const auto name = [&](const unsigned int k) {
     return "'" + scene.geometry.sides[k].name() + "'";
   };
-  const Tensor<1, dim> n = scene.geometry.sides[j].normal(scene.geometry.sides[j].coordinates(x));
+  const Tensor<1, dim> n = scene.geometry.sides[j].normal_at(x);
   const auto held_part = [&](const Tensor<1, dim> &u) {
     return second_holds_all ? u : (u * n) * n;
   };

@@ -24,7 +24,7 @@ FunctionPointer<dim> scale(const FunctionPointer<dim> &function, const double fa
 
 /** Returns the tangential motion of a foundation: @p given, and the part of a shift across the
  * direction of contact. */
-FunctionPointer<2> slide_along(const Side<2> &side, const ContactDirections &directions,
+FunctionPointer<2> slide_along(const Side<2> &side, const ContactDirections<2> &directions,
                                const FunctionPointer<2> &given, const Tensor<1, 2> &shift) {
   return std::make_shared<ScalarFunctionFromFunctionObject<2>>([=](const Point<2> &x) {
     const double s = side.arc_length(x);
@@ -33,12 +33,26 @@ FunctionPointer<2> slide_along(const Side<2> &side, const ContactDirections &dir
   });
 }
 
+/** In space the tangential part of the whole motion counts. */
+FunctionPointer<3> slide_along(const Side<3> & /*side*/,
+                               const ContactDirections<3> & /*directions*/,
+                               const FunctionPointer<3> &given, const Tensor<1, 3> &shift) {
+  return std::make_shared<FieldFunction<3>>([=](const Point<3> &x) {
+    Tensor<1, 3> along = shift;
+    for (unsigned int c = 0; c < 3 && given != nullptr; ++c)
+      along[c] += given->value(x, c);
+    return along;
+  });
+}
+
 /** Moves the foundation of a contact. */
-void move_foundation(Scene<2> &scene, ContactCondition<2> &contact, const Tensor<1, 2> &shift) {
-  const Side<2> &side = scene.geometry.sides[contact.side];
+template <int dim>
+void move_foundation(const Scene<dim> &scene, ContactCondition<dim> &contact,
+                     const Tensor<1, dim> &shift) {
+  const Side<dim> &side = scene.geometry.sides[contact.side];
   if (contact.foundation != nullptr)
     contact.gap =
-      foundation_gap(side, contact.foundation, scene.foundation_position, contact.directions);
+      foundation_gap<dim>(side, contact.foundation, scene.foundation_position, contact.directions);
   if (scene.contact_law.has_tangential_part())
     contact.shift = slide_along(side, contact.directions, contact.shift, shift);
 }
@@ -70,9 +84,8 @@ Scene<dim> scene_of_case(Scene<dim> scene, const LoadCase &load_case) {
   for (ContactCondition<dim> &contact : scene.contacts) {
     contact.exact_pressure = contact.exact_tangential = nullptr;
     contact.shift = scale(contact.shift, load_case.slide);
-    if constexpr (dim == 2)
-      if (load_case.shift<2>().norm() > 0.)
-        move_foundation(scene, contact, load_case.shift<2>());
+    if (const Tensor<1, dim> shift = load_case.shift<dim>(); shift.norm() > 0.)
+      move_foundation(scene, contact, shift);
     contact.gap = scale(contact.gap, load_case.gap);
   }
   return scene;

@@ -4,7 +4,6 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
-#include <signorini/problem/geometry/surface.h>
 #include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/rigid_motions.h>
 
@@ -84,19 +83,11 @@ public:
   double size;
 };
 
-/** Returns points with outward normals that hold what the whole side would hold. */
-std::vector<SidePoint<3>> sampled(const Side<3> &side) {
-  std::vector<SidePoint<3>> points;
-  for (const double r : {0., side.lengths()[0]})
-    for (const double t : {0., side.lengths()[1]})
-      points.push_back({side.point({r, t}), side.normal({r, t})});
-  return points;
-}
-
 /** Returns points of a side with the directions of a contact; two suffice for a segment, three for
  * a circle. */
-std::vector<SidePoint<2>> directions_on(const Side<2> &side, const ContactCondition<2> &contact) {
-  std::vector<SidePoint<2>> points;
+std::vector<SurfacePoint<2>> contact_points(const Side<2> &side,
+                                            const ContactCondition<2> &contact) {
+  std::vector<SurfacePoint<2>> points;
   for (unsigned int k = 0; k < side.n_pieces(); ++k)
     for (const double share : {0., 1. / 3., 2. / 3., 1.}) {
       const double s = share * side.piece(k).length();
@@ -106,8 +97,12 @@ std::vector<SidePoint<2>> directions_on(const Side<2> &side, const ContactCondit
     }
   return points;
 }
-std::vector<SidePoint<3>> directions_on(const Side<3> &side, const ContactCondition<3> &) {
-  return sampled(side);
+std::vector<SurfacePoint<3>> contact_points(const Side<3> &side,
+                                            const ContactCondition<3> &contact) {
+  std::vector<SurfacePoint<3>> points = side.samples(2);
+  for (auto &[x, m] : points)
+    m = contact.directions.at(x, m);
+  return points;
 }
 
 /** Adds the conditions of a side, as a contact one of it where there is one. */
@@ -118,7 +113,7 @@ void add_side_conditions(const Scene<dim> &scene, const unsigned int number,
   std::optional<unsigned int> other;
   if (contact.opposite)
     other = geometry.body_of_side(*contact.opposite);
-  const std::vector<SidePoint<dim>> points = directions_on(geometry.sides[number], contact);
+  const std::vector<SurfacePoint<dim>> points = contact_points(geometry.sides[number], contact);
   for (const auto &[x, m] : points)
     conditions.forbid(scene.boundary[number].role, x, m, 4. / points.size(),
                       geometry.body_of_side(number), other);
@@ -175,7 +170,7 @@ std::string pole(const BodyMotion<3> &motion) {
                          motion.size) +
          " along " + rounded_text<3>(omega / omega.norm()) +
          (std::abs(pitch) > negligible * motion.size
-            ? ", by " + number_text(2. * numbers::PI * pitch) + " along it in each turn,"
+            ? " (by " + number_text(2. * numbers::PI * pitch) + " along it in each turn)"
             : "");
 }
 

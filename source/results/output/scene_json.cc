@@ -12,21 +12,18 @@ namespace Signorini {
 using Json = nlohmann::ordered_json;
 
 namespace {
-/** Returns the coordinates of equally spaced points of a side, its ends included. */
-std::vector<double> coordinates_on(const Side<2> &side) {
+/** Returns equally spaced points of a side, its ends included. */
+std::vector<SurfacePoint<2>> points_on(const Side<2> &side) {
   constexpr unsigned int n_intervals = 64;
-  std::vector<double> found(n_intervals + 1);
-  for (unsigned int i = 0; i <= n_intervals; ++i)
-    found[i] = i * side.length() / n_intervals;
+  std::vector<SurfacePoint<2>> found;
+  for (unsigned int i = 0; i <= n_intervals; ++i) {
+    const double s = i * side.length() / n_intervals;
+    found.push_back({side.point(s), side.normal(s)});
+  }
   return found;
 }
-std::vector<Point<2>> coordinates_on(const Side<3> &side) {
-  constexpr unsigned int n_intervals = 8;
-  std::vector<Point<2>> found;
-  for (unsigned int i = 0; i <= n_intervals; ++i)
-    for (unsigned int j = 0; j <= n_intervals; ++j)
-      found.emplace_back(i * side.lengths()[0] / n_intervals, j * side.lengths()[1] / n_intervals);
-  return found;
+std::vector<SurfacePoint<3>> points_on(const Side<3> &side) {
+  return side.samples(side.faces().size() > 50 ? 1 : 8);
 }
 } // namespace
 
@@ -38,9 +35,9 @@ SideSamples<dim> sample_side(const Scene<dim> &scene, const unsigned int side) {
     if (contact.side == side && data == nullptr)
       data = contact.gap;
   SideSamples<dim> samples;
-  for (const auto &s : coordinates_on(scene.geometry.sides[side])) {
-    samples.points.push_back(scene.geometry.sides[side].point(s));
-    samples.normals.push_back(scene.geometry.sides[side].normal(s));
+  for (const SurfacePoint<dim> &point : points_on(scene.geometry.sides[side])) {
+    samples.points.push_back(point.x);
+    samples.normals.push_back(point.n);
     samples.values.emplace_back();
     if (data != nullptr)
       for (unsigned int c = 0; c < data->n_components; ++c)

@@ -6,6 +6,7 @@
 #include <signorini/solvers/contact/boundary_model.h>
 #include <signorini/solvers/contact/kernel_models.h>
 
+#include <deal.II/base/bounding_box.h>
 #include <deal.II/base/numbers.h>
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
@@ -101,9 +102,8 @@ void require_constants(const MultiplierSpace<dim> &multipliers) {
 /** Returns E'/E_0 at the middle of a patch. */
 template <int dim>
 double relative_contact_modulus(const ContactSurface<dim> &surface, const Patch<dim> &patch) {
-  const Side<dim> &side = surface.side(patch);
-  const Tensor<1, dim> n = side.normal(patch.centre());
-  const auto hooke = surface.scene().material->relative_hooke(side.point(patch.centre()));
+  const auto &[x, n] = surface.middle(patch);
+  const auto hooke = surface.scene().material->relative_hooke(x);
   // Σ_j H(n, e_j, n, e_j) is M and one μ for each direction on the surface.
   double M = 0., sum = 0.;
   for (unsigned int a = 0; a < dim; ++a)
@@ -128,6 +128,26 @@ Vector scaling_of(const ContactSurface<dim> &surface) {
   return scaling;
 }
 
+/** Returns the corners of a patch on a flat side: its arc lengths, or in space the coordinates
+ * along the edges of the first patch, if it is a rectangle with such edges. */
+std::optional<std::array<Point<1>, 2>> box_of(const Patch<2> &patch, const Patch<2> & /*first*/) {
+  return {{patch.lower, patch.upper}};
+}
+std::optional<std::array<Point<2>, 2>> box_of(const Patch<3> &patch, const Patch<3> &first) {
+  const FaceCorners &corners = first.face.corners;
+  std::vector<Point<2>> points(4);
+  for (unsigned int d = 0; d < 2; ++d) {
+    const Tensor<1, 3> edge = corners[1 + d] - corners[0];
+    for (unsigned int v = 0; v < 4; ++v)
+      points[v][d] = (patch.face.corners[v] - corners[0]) * edge / edge.norm();
+  }
+  const auto [lower, upper] = BoundingBox<2>(points).get_boundary_points();
+  const Tensor<1, 2> extent = upper - lower;
+  if (std::abs(extent[0] * extent[1] - patch.measure) > 1e-6 * patch.measure)
+    return {};
+  return {{lower, upper}};
+}
+
 /** Returns the patches of one contact as a grid of equal boxes; none if they are not. */
 template <int dim>
 std::optional<CosineGrid> grid_of(const ContactSurface<dim> &surface,
@@ -135,14 +155,20 @@ std::optional<CosineGrid> grid_of(const ContactSurface<dim> &surface,
   const Patch<dim> &first = surface.patches()[patches.front()];
   if (!surface.side(first).is_flat())
     return {};
-  const auto extent = first.upper - first.lower;
-  Point<dim - 1> lower = first.lower, upper = first.upper;
-  for (const unsigned int k : patches)
+  std::vector<std::array<Point<dim - 1>, 2>> boxes;
+  for (const unsigned int k : patches) {
+    const auto box = box_of(surface.patches()[k], first);
+    if (!box)
+      return {};
+    boxes.push_back(*box);
+  }
+  const Tensor<1, dim - 1> extent = boxes[0][1] - boxes[0][0];
+  auto [lower, upper] = boxes[0];
+  for (const auto &box : boxes)
     for (unsigned int d = 0; d < dim - 1; ++d) {
-      const Patch<dim> &patch = surface.patches()[k];
-      lower[d] = std::min(lower[d], patch.lower[d]);
-      upper[d] = std::max(upper[d], patch.upper[d]);
-      if (std::abs(patch.upper[d] - patch.lower[d] - extent[d]) > 1e-6 * extent[d])
+      lower[d] = std::min(lower[d], box[0][d]);
+      upper[d] = std::max(upper[d], box[1][d]);
+      if (std::abs(box[1][d] - box[0][d] - extent[d]) > 1e-6 * extent[d])
         return {};
     }
   std::array<unsigned int, 2> sizes = {1, 1};
@@ -154,12 +180,12 @@ std::optional<CosineGrid> grid_of(const ContactSurface<dim> &surface,
   if (sizes[0] * sizes[1] != patches.size())
     return {};
   std::vector<unsigned int> multipliers(patches.size());
-  for (const unsigned int k : patches) {
+  for (std::size_t i = 0; i < patches.size(); ++i) {
     unsigned int number = 0;
     for (unsigned int d = dim - 1; d-- > 0;)
-      number = number * sizes[d] + static_cast<unsigned int>(std::lround(
-                                     (surface.patches()[k].lower[d] - lower[d]) / extent[d]));
-    multipliers[number] = k;
+      number = number * sizes[d] +
+               static_cast<unsigned int>(std::lround((boxes[i][0][d] - lower[d]) / extent[d]));
+    multipliers[number] = patches[i];
   }
   return CosineGrid(sizes, lengths, omega_0, multipliers);
 }
@@ -204,7 +230,7 @@ std::shared_ptr<const BoundaryModel> make_kernel_model(const MultiplierSpace<dim
   // a way that is definite. An alternating pressure on equal patches has the energy that it should.
   std::vector<double> heights;
   for (const Patch<dim> &patch : patches) {
-    centres.push_back(surface.side(patch).point(patch.centre()));
+    centres.push_back(surface.middle(patch).x);
     heights.push_back(dim == 2 ? 0.145 * patch.measure : 0.2 * std::sqrt(patch.measure));
   }
   FullMatrix<double> C(m, m);

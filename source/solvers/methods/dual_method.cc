@@ -90,19 +90,21 @@ template <int dim>
                    "loads in balance, or more sides that hold the body.");
 }
 
-/** Refuses a motion of the body that the pressing patches leave free, where no load works in
- * motions and only a negative gap presses. @throws InputError if there is such a motion. */
+/** Returns a motion of the body that the pressing patches leave free, where no load works in
+ * motions and only a negative gap presses; none if there is none. */
 template <int dim>
-void refuse_undetermined(const Parameters &parameters, const Discretization<dim> &discretization,
-                         const LevelOperators<dim> &operators, const FreeMotions &motions,
-                         const Vector &F, const Vector &P) {
+std::optional<RigidMotion<dim>> motion_left_free(const Parameters &parameters,
+                                                 const Discretization<dim> &discretization,
+                                                 const LevelOperators<dim> &operators,
+                                                 const FreeMotions &motions, const Vector &F,
+                                                 const Vector &P) {
   const unsigned int m = discretization.multipliers.n_multipliers();
   constexpr double rounding = 1e-10;
   const double touches = rounding * std::max(discretization.G.linfty_norm(), F.linfty_norm());
   // Loads in balance strain the body, wherever it comes to rest.
   if (!motions.b_magnitude.all_zero() ||
       std::none_of(F.begin(), F.begin() + m, [&](double F_k) { return F_k < -touches; }))
-    return;
+    return {};
   // A body that has lifted off keeps pressures of the size of rounding, or of the tolerance: its
   // KKT residual compares C_ii P_i with F. They hold nothing. Friction holds with its bound,
   // however little of it is needed.
@@ -118,16 +120,29 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<dim>
       pressing_motions.B(i, j) = 0.;
   const auto neutral =
     ReducedMotions(pressing_motions, discretization.K, typical_stiffness(motions)).neutral;
-  if (!neutral.empty())
-    throw InputError(parameters.boundary.where +
-                     ": no load moves the body, and the pressure of the foundation, into which it "
-                     "begins, leaves " +
-                     rigid_part(operators.modes, neutral.front()).name() + " free" +
-                     (K.has_tangential_part()
-                        ? ", along which friction is too weak to hold it; allowed: "
-                          "more friction, "
-                        : "; allowed: ") +
-                     "loads that press the body onto the foundation, or more sides that hold it.");
+  return neutral.empty() ? std::nullopt
+                         : std::optional(rigid_part(operators.modes, neutral.front()));
+}
+
+/** Refuses a motion that the pressing patches leave free. @throws InputError always. */
+template <int dim>
+[[noreturn]] void refuse_undetermined(const Parameters &parameters, const RigidMotion<dim> &motion,
+                                      const bool has_friction) {
+  throw InputError(parameters.boundary.where +
+                   ": no load moves the body, and the pressure of the foundation, into which it "
+                   "begins, leaves " +
+                   motion.name() + " free" +
+                   (has_friction ? ", along which friction is too weak to hold it; allowed: "
+                                   "more friction, "
+                                 : "; allowed: ") +
+                   "loads that press the body onto the foundation, or more sides that hold it.");
+}
+
+/** Returns whether later levels may have other patches, which determine more motions. */
+template <int dim>
+bool is_refined_later(const Parameters &parameters, const Discretization<dim> &discretization) {
+  const DiscretizationParameters &given = parameters.discretization;
+  return given.strategy != Strategy::hp && discretization.mesh.level() < given.finest_level;
 }
 
 /** Returns whether there is friction, and a larger coefficient would balance the loads. */
@@ -299,7 +314,8 @@ public:
       data.motions.B.vmult(B_q, contact.q);
       data.free.F -= B_q;
     }
-    contact.undetermined = undetermined;
+    contact.undetermined.insert(contact.undetermined.begin(), undetermined.begin(),
+                                undetermined.end());
     contact.data = std::move(data);
     contact.times = times;
     contact.linear = {operators.inverse->n_solves(), operators.inverse->max_residual(),
@@ -336,8 +352,15 @@ private:
       if (found.escape)
         refuse_escape(parameters_, discretization, operators.modes, motions, *found.escape,
                       found.sliding);
+      for (const Vector &v : found.neutral)
+        contact.undetermined.push_back(rigid_part(operators.modes, v).name());
       if (operators.modes.size() > 0)
-        refuse_undetermined(parameters_, discretization, operators, motions, F, found.qp.P);
+        if (const auto left =
+              motion_left_free(parameters_, discretization, operators, motions, F, found.qp.P)) {
+          if (!is_refined_later(parameters_, discretization))
+            refuse_undetermined(parameters_, *left, discretization.K.has_tangential_part());
+          contact.undetermined.push_back(left->name());
+        }
       contact.q = found.q;
       contact.report = summary_of(found.qp, choice_.contact);
       contact.P = Multiplier(found.qp.P, discretization.K);

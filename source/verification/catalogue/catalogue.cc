@@ -165,7 +165,7 @@ void set_condition(const Description<dim> &description, const unsigned int numbe
   if (condition.role == Role::displacement)
     condition.data = description.function(description.text("Moves"));
   if (condition.role == Role::traction) {
-    const Tensor<1, dim> normal = side.normal(side.coordinates(scene.geometry.lower));
+    const Tensor<1, dim> normal = side.normal_at(scene.geometry.lower);
     condition.data = std::make_shared<FieldFunction<dim>>(
       [u = scene.exact_displacement, material = scene.material, geometry = scene.geometry,
        normal](const Point<dim> &x) {

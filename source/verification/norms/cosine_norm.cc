@@ -172,7 +172,7 @@ FullMatrix<double> CosineNorm<2>::gram_matrix(const std::vector<double> &ends) c
 template <int dim>
 FullMatrix<double> dual_gram_matrix(const ContactSurface<dim> &surface) {
   FullMatrix<double> gram(surface.patches().size(), surface.patches().size());
-  for (const PatchGrid &grid : patch_grids(surface.patches())) {
+  for (const PatchGrid &grid : patch_grids(surface)) {
     const FullMatrix<double> on_side =
       CosineNorm<dim>(surface.scene().geometry.sides[grid.side]).gram_matrix(grid);
     for (unsigned int k = 0; k < on_side.m(); ++k)

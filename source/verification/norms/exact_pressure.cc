@@ -82,7 +82,7 @@ FullMatrix<double> coefficients_on(const Scene<3> &scene, const ContactCondition
   const Side<3> &side = scene.geometry.sides[contact.side];
   // Two points for the half of a period of the highest mode.
   const QIterated<1> rule(QGauss<1>(8), CosineNorm<3>::n_modes / 4);
-  const std::array<double, 2> lengths = side.lengths();
+  const std::array<double, 2> lengths = side.rectangle();
   std::array<std::vector<double>, 2> positions;
   for (unsigned int d = 0; d < 2; ++d)
     for (const Point<1> &s : rule.get_points())
@@ -92,7 +92,8 @@ FullMatrix<double> coefficients_on(const Scene<3> &scene, const ContactCondition
   std::vector<double> values(rule.size());
   for (unsigned int a = 0; a < rule.size(); ++a) {
     for (unsigned int b = 0; b < rule.size(); ++b)
-      points[b] = side.point({positions[0][a], positions[1][b]});
+      points[b] = point_on(side.faces().front(),
+                           {positions[0][a] / lengths[0], positions[1][b] / lengths[1]});
     contact.exact_pressure->value_list(points, values);
     for (unsigned int b = 0; b < rule.size(); ++b)
       weighted(a, b) = values[b] * lengths[0] * rule.weight(a) * lengths[1] * rule.weight(b);
@@ -164,7 +165,7 @@ DualNormErrors ExactPressure<dim>::errors(const MultiplierSpace<dim> &space,
   dealii::Vector<double> differences = project(space);
   differences -= P;
   DualNormErrors sum = {0., 0., 0., 0.};
-  for (const PatchGrid &grid : patch_grids(space.surface().patches())) {
+  for (const PatchGrid &grid : patch_grids(space.surface())) {
     const CosineNorm<dim> norm(scene_.geometry.sides[grid.side]);
     DualNormErrors side;
     side.spectral = norm.distance(coefficients_[grid.contact], grid, P);

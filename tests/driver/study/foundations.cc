@@ -168,8 +168,8 @@ void test_hertz(Checks &checks) {
   scene.kinks = Kinks<2>();
   ContactCondition<2> &contact = contact_of(scene, "arc");
   contact.exact_pressure = nullptr;
-  contact.foundation = std::make_shared<Foundation>(
-    std::vector<Obstacle>{Obstacle::circle({0., 1.}, 2., Body::inside)}, 20.);
+  contact.foundation = std::make_shared<Foundation<2>>(
+    std::vector<Obstacle<2>>{Obstacle<2>::circle({0., 1.}, 2., Body::inside)}, 20.);
   contact.gap = foundation_gap(scene.geometry.sides[contact.side], contact.foundation,
                                dealii::Point<2>(0., 0.01));
   const StudyResult<2> result = run(parameters, scene);

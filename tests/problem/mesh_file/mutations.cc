@@ -37,7 +37,7 @@ std::string damage(std::string text, std::mt19937 &random) {
 /** Whether a text is a body or an InputError with one good line. */
 bool is_judged(const std::string &text) {
   try {
-    const Geometry<2> geometry = make_geometry(read_gmsh(text, "a.msh"), {}, "arcs");
+    const Geometry<2> geometry = make_geometry(read_gmsh<2>(text, "a.msh"), {}, "arcs");
     return !geometry.sides.empty();
   } catch (const InputError &error) {
     const std::string message = error.what();

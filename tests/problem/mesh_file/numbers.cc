@@ -15,21 +15,21 @@ using namespace Signorini;
 
 namespace {
 /** The same mesh with other numbers, and with some cells turned round. */
-FileMesh shuffle(const FileMesh &mesh) {
+FileMesh<2> shuffle(const FileMesh<2> &mesh) {
   std::mt19937 random(3);
-  FileMesh shuffled = mesh;
+  FileMesh<2> shuffled = mesh;
   std::vector<unsigned int> number_of(mesh.nodes.size());
   std::iota(number_of.begin(), number_of.end(), 0);
   std::shuffle(number_of.begin(), number_of.end(), random);
   for (std::size_t i = 0; i < number_of.size(); ++i)
     shuffled.nodes[number_of[i]] = mesh.nodes[i];
-  for (std::vector<FileMesh::Element> *const elements : {&shuffled.lines, &shuffled.cells}) {
-    for (FileMesh::Element &element : *elements)
+  for (std::vector<FileMesh<2>::Element> *const elements : {&shuffled.faces, &shuffled.cells}) {
+    for (FileMesh<2>::Element &element : *elements)
       for (unsigned int &node : element.nodes)
         node = number_of[node];
     std::shuffle(elements->begin(), elements->end(), random);
   }
-  for (FileMesh::Element &cell : shuffled.cells) {
+  for (FileMesh<2>::Element &cell : shuffled.cells) {
     const unsigned int first = random() % 4;
     for (const unsigned int begin : {0, 4})
       std::rotate(cell.nodes.begin() + begin, cell.nodes.begin() + begin + first,
@@ -44,7 +44,7 @@ FileMesh shuffle(const FileMesh &mesh) {
 }
 
 /** The cells, their vertices, and the sides of their faces, as a text. */
-std::string text_of(const FileMesh &mesh) {
+std::string text_of(const FileMesh<2> &mesh) {
   const Geometry<2> geometry = make_geometry(mesh, {}, "arcs");
   dealii::Triangulation<2> triangulation;
   geometry.make_coarse_mesh(triangulation);
@@ -62,7 +62,7 @@ void test_numbers(Checks &checks) {
   for (const std::string name : {"bracket", "plate_with_hole", "half_disc"})
     for (const std::string &file : {SOURCE_DIR "/prm/parts/" + name + ".msh",
                                     SOURCE_DIR "/tests/problem/mesh_file/" + name + "_1.msh"}) {
-      const FileMesh mesh = read_gmsh(file_text(file), name);
+      const FileMesh<2> mesh = read_gmsh<2>(file_text(file), name);
       checks.that(file + ": other numbers", text_of(mesh) == text_of(shuffle(mesh)));
     }
 }

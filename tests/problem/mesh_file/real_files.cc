@@ -18,7 +18,7 @@ namespace {
 const std::string files = SOURCE_DIR "/tests/problem/mesh_file/", parts = SOURCE_DIR "/prm/parts/";
 
 Geometry<2> read(const std::string &file, const std::vector<std::string> &arcs = {}) {
-  return make_geometry(read_gmsh(file_text(file), file), arcs, "arcs");
+  return make_geometry(read_gmsh<2>(file_text(file), file), arcs, "arcs");
 }
 
 const Side<2> &side_of(const Geometry<2> &geometry, const std::string &name) {

@@ -43,7 +43,7 @@ std::string change(std::string text, const Changes &changes) {
 }
 
 Geometry<2> read(const std::string &text, const std::vector<std::string> &arcs = {}) {
-  return make_geometry(read_gmsh(text, "a.msh"), arcs, "a.prm:3: Geometry/Arcs");
+  return make_geometry(read_gmsh<2>(text, "a.msh"), arcs, "a.prm:3: Geometry/Arcs");
 }
 
 struct WrongMesh {
@@ -101,7 +101,7 @@ const std::vector<WrongMesh> wrong_texts = {
    "'.', because the parameter file separates names by blanks."},
   {{{"4 3 2 0 1 2 3 6 5", "4 4 2 0 1 2 3 6 5"}},
    "a.msh:23: element 4 is a tetrahedron, allowed: quadrilaterals, triangles and lines of first or "
-   "second order; bodies in space are boxes (Dimension = 3, Shape = box), not files."},
+   "second order; a body in space needs Dimension = 3."},
   {{{"4 3 2 0 1 2 3 6 5", "4 99 2 0 1 2 3 6 5"}},
    "a.msh:23: element 4 is of the type 99, allowed: quadrilaterals, triangles and lines of first "
    "or "
@@ -260,7 +260,7 @@ void test_digits(Checks &checks) {
 void test_parts(Checks &checks) {
   const auto part = [](const std::string &names, const std::string &body,
                        const std::vector<std::string> &bodies) {
-    FileMesh mesh = read_gmsh(
+    FileMesh<2> mesh = read_gmsh<2>(
       change(version_2,
              {{"Names\n2", names}, {"0 1 1 2 5 4", "3 1 1 2 5 4"}, {"0 1 2 3", "4 1 2 3"}}),
       "a.msh");

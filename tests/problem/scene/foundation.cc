@@ -36,7 +36,7 @@ Vector at_angle(const double angle) {
  * the place that then counts: sqrt(t_1 t_2). */
 struct Thing {
   std::string name;
-  Obstacle obstacle;
+  Obstacle<2> obstacle;
   std::function<double(const Point &)> height;
   std::function<double(const Point &, const Vector &)> beside = {};
 };
@@ -58,19 +58,20 @@ void test_lines(Checks &checks) {
       };
     };
     for (const Thing &thing : std::vector<Thing>{
-           {"plane", Obstacle::plane(p, length * nu), [&](const Point &y) { return (y - p) * nu; }},
-           {"disc", Obstacle::circle(p, r, Body::outside),
+           {"plane", Obstacle<2>::plane(p, length * nu),
+            [&](const Point &y) { return (y - p) * nu; }},
+           {"disc", Obstacle<2>::circle(p, r, Body::outside),
             [&](const Point &y) { return y.distance(p) - r; },
             [&](const Point &y, const Vector &) {
               return std::sqrt((y - p).norm_square() - r * r);
             }},
-           {"hole", Obstacle::circle(p, r, Body::inside),
+           {"hole", Obstacle<2>::circle(p, r, Body::inside),
             [&](const Point &y) { return r - y.distance(p); }},
-           {"hill", Obstacle::parabola(p, length * nu, -k), parabola(-k),
+           {"hill", Obstacle<2>::parabola(p, length * nu, -k), parabola(-k),
             [&](const Point &y, const Vector &m) {
               return std::sqrt(2. * parabola(-k)(y) / (k * (1. - std::pow(m * nu, 2))));
             }},
-           {"valley", Obstacle::parabola(p, length * nu, k), parabola(k)}}) {
+           {"valley", Obstacle<2>::parabola(p, length * nu, k), parabola(k)}}) {
       const std::optional<double> t = thing.obstacle.distance(x, n);
       const bool is_inside = thing.height(x) <= 0.;
       const double far = t ? std::min(std::abs(*t), reach) : reach;
@@ -94,7 +95,7 @@ void test_lines(Checks &checks) {
 
 const Vector up({0., 1.}), down({0., -1.}), right({1., 0.});
 
-double entry(const Obstacle &obstacle, const Point &x, const Vector &n) {
+double entry(const Obstacle<2> &obstacle, const Point &x, const Vector &n) {
   return obstacle.distance(x, n).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -104,7 +105,7 @@ void test_digits(Checks &checks) {
   // parallel to the parabola there.
   const double slope = 1. + 1e-9, norm = std::hypot(1., slope);
   checks.near("a chord of a parabola",
-              entry(Obstacle::parabola(Point(0., 0.), up, 1.), Point(1., slope),
+              entry(Obstacle<2>::parabola(Point(0., 0.), up, 1.), Point(1., slope),
                     Vector({1. / norm, slope / norm})),
               norm * (2. * slope - 1.), 1e-15);
   // With a small curvature the second root is far away.
@@ -112,21 +113,21 @@ void test_digits(Checks &checks) {
     const double angle = 0.7, h = 0.3, s = std::sin(angle);
     // h - s t = k/2 (cos t)²: t = h/s - k/2 (cos h/s)²/s + O(k²).
     checks.near("nearly a plane, curvature " + std::to_string(std::log10(std::abs(k))),
-                entry(Obstacle::parabola(Point(0., 0.), up, k), Point(0., h), at_angle(-angle)),
+                entry(Obstacle<2>::parabola(Point(0., 0.), up, k), Point(0., h), at_angle(-angle)),
                 h / s - 0.5 * k * std::pow(std::cos(angle) * h / s, 2) / s, 1e-15);
   }
   // A large disc is a parabola up to x⁴/(8 R³).
   const double R = 1e4, x = 0.5;
   checks.near("a large disc",
-              entry(Obstacle::circle(Point(0., -R), R, Body::outside), Point(x, 0.), down),
+              entry(Obstacle<2>::circle(Point(0., -R), R, Body::outside), Point(x, 0.), down),
               x * x / (2. * R), 4e-12);
 }
 
 void test_directions(Checks &checks) {
   const Point x(0., 1.);
-  const Obstacle ground = Obstacle::plane(Point(3., 0.), up);
+  const Obstacle<2> ground = Obstacle<2>::plane(Point(3., 0.), up);
   checks.that("along a plane", !ground.distance(x, right));
-  const Obstacle slope = Obstacle::plane(Point(1., 1.), Vector({1., 3.}));
+  const Obstacle<2> slope = Obstacle<2>::plane(Point(1., 1.), Vector({1., 3.}));
   const Vector along({3. / std::sqrt(10.), -1. / std::sqrt(10.)});
   bool is_parallel = !slope.can_be_hit_along(along);
   for (const double height : {-1e-16, 0., 1e-16})
@@ -136,7 +137,7 @@ void test_directions(Checks &checks) {
   checks.that("can_be_hit_along", ground.can_be_hit_along(down) &&
                                     !ground.can_be_hit_along(right) &&
                                     !ground.can_be_hit_along(up));
-  const Obstacle disc = Obstacle::circle(Point(), 0.5, Body::outside);
+  const Obstacle<2> disc = Obstacle<2>::circle(Point(), 0.5, Body::outside);
   checks.that("is_hit_by_line: what is ahead, near enough, or around the point",
               disc.is_hit_by_line(x, down, 1.) && !disc.is_hit_by_line(x, down, 0.4) &&
                 !disc.is_hit_by_line(x, up, 1.) &&
@@ -149,8 +150,8 @@ void test_directions(Checks &checks) {
 void test_gaps(Checks &checks) {
   const double R = 2., h = 0.125, largest = 40.;
   const Side<2> arc = make_half_disc(R).sides[1], flat = make_half_disc(R).sides[0];
-  const auto ground = std::make_shared<Foundation>(
-    std::vector<Obstacle>{Obstacle::plane(Point(0., -R), Vector({0., 5.}))}, largest);
+  const auto ground = std::make_shared<Foundation<2>>(
+    std::vector<Obstacle<2>>{Obstacle<2>::plane(Point(0., -R), Vector({0., 5.}))}, largest);
   const auto gap = foundation_gap(arc, ground, Vector({7., -h}));
   for (double angle = 0.2; angle < 3.; angle += 0.1)
     checks.near("a half disc above a plane", gap->value(arc.point(R * angle)),
@@ -162,8 +163,8 @@ void test_gaps(Checks &checks) {
   // In a hole about its own centre the gap of a disc is the same everywhere; moved by e it is
   // e cos(theta) + sqrt(r² - e² sin²(theta)) - R.
   const Side<2> outer = make_ring(1., R).sides[1];
-  const auto hole = std::make_shared<Foundation>(
-    std::vector<Obstacle>{Obstacle::circle(Point(0., 0.), R + h, Body::inside)}, largest);
+  const auto hole = std::make_shared<Foundation<2>>(
+    std::vector<Obstacle<2>>{Obstacle<2>::circle(Point(0., 0.), R + h, Body::inside)}, largest);
   for (const double e : {0., 0.1}) {
     const auto moved = foundation_gap(outer, hole, Vector({e, 0.}));
     for (double position = 0.; position < outer.length(); position += 0.1) {
@@ -180,9 +181,9 @@ void test_gaps(Checks &checks) {
 void test_planes(Checks &checks) {
   const double R = 2., largest = 40.;
   const Side<2> arc = make_half_disc(R).sides[1], flat = make_half_disc(R).sides[0];
-  const auto ground = std::make_shared<Foundation>(
-    std::vector<Obstacle>{Obstacle::plane(Point(0., -R), Vector({0., 5.}))}, largest);
-  const ContactDirections below(arc, *ground, Vector({0., -0.25}));
+  const auto ground = std::make_shared<Foundation<2>>(
+    std::vector<Obstacle<2>>{Obstacle<2>::plane(Point(0., -R), Vector({0., 5.}))}, largest);
+  const ContactDirections<2> below(arc, *ground, Vector({0., -0.25}));
   const auto height = foundation_gap(arc, ground, Vector({0., -0.25}), below);
   checks.that("one plane, one direction", below.changes().empty() && !below.are_normals());
   for (double s = 0.05; s < arc.length(); s += 0.1) {
@@ -190,18 +191,19 @@ void test_planes(Checks &checks) {
     checks.near("the gap is the height", height->value(arc.point(s)), arc.point(s)[1] + R + 0.25,
                 1e-14);
   }
-  checks.that("a straight side that is parallel keeps its normal",
-              ContactDirections(
-                flat, Foundation({Obstacle::plane(Point(0., 1.), Vector({0., -3.}))}, largest), {})
-                .are_normals());
+  checks.that(
+    "a straight side that is parallel keeps its normal",
+    ContactDirections<2>(
+      flat, Foundation<2>({Obstacle<2>::plane(Point(0., 1.), Vector({0., -3.}))}, largest), {})
+      .are_normals());
   // A groove about the line that is tilted by 0.1: the nearest plane changes at the lowest point of
   // that line, and beside the groove planes go on.
   const double tilt = 0.1;
   const Vector left = at_angle(PI / 4. + tilt), to_right = at_angle(3. * PI / 4. + tilt);
-  const Foundation groove({Obstacle::plane(Point(-2. * R * left), left),
-                           Obstacle::plane(Point(-2. * R * to_right), to_right)},
-                          largest);
-  const ContactDirections two(arc, groove, {});
+  const Foundation<2> groove({Obstacle<2>::plane(Point(-2. * R * left), left),
+                              Obstacle<2>::plane(Point(-2. * R * to_right), to_right)},
+                             largest);
+  const ContactDirections<2> two(arc, groove, {});
   const double bottom = arc.arc_length(Point(R * at_angle(-PI / 2. + tilt)));
   checks.near("a groove", two.changes().size(), 1., 0.);
   checks.near("the nearest plane changes", two.changes().at(0), bottom, 1e-10);
@@ -211,20 +213,21 @@ void test_planes(Checks &checks) {
   checks.that("changes lie between", two.change_between(bottom - 1e-9, bottom + 1e-9) &&
                                        !two.change_between(bottom + 1e-9, arc.length()));
   // Between two plates: a side does not belong to the one behind the body, however near it is.
-  const Foundation plates(
-    {Obstacle::plane(Point(0., -30.), up), Obstacle::plane(Point(0., 0.), down)}, largest);
-  checks.near("the plate in front", (*ContactDirections(arc, plates, {}).at(bottom) - down).norm(),
-              0., 1e-15);
-  const Obstacle disc = Obstacle::circle(Point(0., -5.), 2., Body::outside);
+  const Foundation<2> plates(
+    {Obstacle<2>::plane(Point(0., -30.), up), Obstacle<2>::plane(Point(0., 0.), down)}, largest);
+  checks.near("the plate in front",
+              (*ContactDirections<2>(arc, plates, {}).at(bottom) - down).norm(), 0., 1e-15);
+  const Obstacle<2> disc = Obstacle<2>::circle(Point(0., -5.), 2., Body::outside);
   checks.that("round things",
-              ContactDirections(arc, Foundation({disc}, largest), {}).are_normals() &&
+              ContactDirections<2>(arc, Foundation<2>({disc}, largest), {}).are_normals() &&
                 !disc.direction());
-  checks.near("their normals",
-              (*disc.normal_at_entry(Point(0., 0.), down) - up).norm() +
-                (*Obstacle::parabola(Point(0., 0.), up, 1.).normal_at_entry(Point(1., 3.), down) -
-                 Vector({-1., 1.}) / std::sqrt(2.))
-                  .norm(),
-              0., 1e-15);
+  checks.near(
+    "their normals",
+    (*disc.normal_at_entry(Point(0., 0.), down) - up).norm() +
+      (*Obstacle<2>::parabola(Point(0., 0.), up, 1.).normal_at_entry(Point(1., 3.), down) -
+       Vector({-1., 1.}) / std::sqrt(2.))
+        .norm(),
+    0., 1e-15);
 }
 
 /** A body that fits its foundation has no gap: not by rounding either, which would press it. */

@@ -5,6 +5,8 @@
 #include <signorini/discretization/mesh/mesh.h>
 #include <signorini/problem/scene/scene.h>
 
+#include <deal.II/grid/cell_id.h>
+
 #include <array>
 #include <optional>
 #include <vector>
@@ -19,19 +21,30 @@ struct ContactFace {
   /** The number of the side in the geometry. */
   unsigned int side;
   std::array<Point<dim>, 1U << (dim - 1)> vertices;
+  /** The identity of the cell, which all ranks know. */
+  CellId identity = {};
 
   bool is_on_this_rank() const {
     return cell.state() == IteratorState::valid;
   }
 };
 
-/** A patch τ, an element of Γ_c^H: an interval of arc length in 2-D, a group of faces in 3-D.
+/** A face of a cell of a coarser mesh, whose children are faces of this mesh. */
+struct AncestralFace {
+  CellId cell;
+  unsigned int face_no = 0;
+  FaceCorners corners;
+};
+
+/**
+ * A patch τ, an element of Γ_c^H: an interval of arc length in 2-D, in space a face of a coarser
+ * mesh. Its coordinates are the arc length, or the reference coordinates of that face.
  */
 template <int dim>
 struct Patch {
   /** The number of the contact in Scene::contacts, and that of its side in the geometry. */
   unsigned int contact, side;
-  /** The corners of the smallest box around the patch in the coordinates of the side (length). */
+  /** The ends of the interval (length), or the corners of the unit square. */
   Point<dim - 1> lower, upper;
   /** The measure |τ| (length^{dim-1}). */
   double measure;
@@ -39,22 +52,22 @@ struct Patch {
   bool mixes = false;
   /** The share of a face of the carrier that lies in the patch, where patches are such faces. */
   double share = 1.;
+  /** In space only. */
+  AncestralFace face = {};
 
   Point<dim - 1> centre() const {
     return lower + 0.5 * (upper - lower);
   }
-  double diameter() const {
-    return lower.distance(upper);
-  }
+  /** Returns the length, or the longer diagonal (length). */
+  double diameter() const;
 };
 
-/** The patches of one contact as a grid: rows and columns in the coordinates of its side. In 2-D
- * there is one row. */
+/** The patches of one contact as a grid: in 2-D intervals of arc length in one row, in space rows
+ * and columns along the edges of a side that is a rectangle. */
 struct PatchGrid {
   /** The number of the contact in Scene::contacts, and that of its side in the geometry. */
   unsigned int contact = 0, side = 0;
-  /** The beginnings of the patches, sorted, and the end of the last one, in both coordinates of the
-   * side. */
+  /** The beginnings of the patches, sorted, and the end of the last one, in both directions. */
   std::array<std::vector<double>, 2> ends = {{{}, {0., 1.}}};
   /** The numbers of the patches; that of column i and row j at i + n(0) j. */
   std::vector<unsigned int> patches;
@@ -74,15 +87,8 @@ struct PatchGrid {
   }
 };
 
-/**
- * Returns one grid for each contact, in the order of the patches; m log m operations for m patches.
- * @throws ComputationError where patches are no grid.
- */
-template <int dim>
-std::vector<PatchGrid> patch_grids(const std::vector<Patch<dim>> &patches);
-
-/** A patch next to another one, and its interval in the coordinate in which it follows; around a
- * closed side as if the side went on. */
+/** A patch next to another one, and its interval in the coordinate of the first one in which it
+ * follows; around a closed side as if the side went on. */
 struct Neighbour {
   unsigned int patch;
   double lower, upper;
@@ -102,7 +108,7 @@ template <int dim>
 struct SurfaceRule {
   /** The points in the reference coordinates of the face. */
   std::vector<Point<dim - 1>> on_face;
-  /** The points in the coordinates of the side (length). */
+  /** The points in the coordinates of the patch: on the side (length), or on a face. */
   std::vector<Point<dim - 1>> on_side;
   /** The points themselves. */
   std::vector<Point<dim>> points;
@@ -138,8 +144,8 @@ template <int dim>
 struct Piece {
   /** The numbers of the contact face and of the patch. */
   unsigned int face, patch;
-  /** The corners of the box of the piece in the coordinates of the side, and the same points in the
-   * reference coordinates of the face. */
+  /** The corners of the box of the piece in the coordinates of the patch, and the same points in
+   * the reference coordinates of the face. */
   Point<dim - 1> lower, upper;
   Point<dim - 1> lower_on_face, upper_on_face;
   /** The Gauss points on the face of the mesh. They integrate products of a trace of V^h, a
@@ -160,8 +166,8 @@ struct FaceOfPiece {
 
 /** The rule by which Γ_c^H is made. */
 struct Partition {
-  /** The ratio H/h: faces per patch and direction. Where it does not divide the faces of a side,
-   * the last patch is the longer one. */
+  /** The ratio H/h: faces per patch and direction. In 2-D the last patch is the longer one where it
+   * does not divide the faces of a side; in space it is a power of two. */
   unsigned int ratio = 2;
   /** The number of equal patches by contact, aligned with nothing, where it is positive. */
   std::vector<unsigned int> patches_by_contact = {};
@@ -191,7 +197,8 @@ class ContactSurface {
 public:
   /**
    * Divides the contact sides by a partition. Mesh and scene must outlive the object.
-   * @throws ComputationError in 3-D for a partition that is aligned with nothing.
+   * @throws ComputationError in space for a partition by other ratios, and where the mesh is too
+   * coarse for it.
    */
   ContactSurface(const Mesh<dim> &mesh, const Scene<dim> &scene, const Partition &partition);
   /**
@@ -216,6 +223,10 @@ public:
   const Side<dim> &side(const Patch<dim> &patch) const {
     return scene_.geometry.sides[patch.side];
   }
+  /** Returns the point of a side with the coordinates @p s of a patch. */
+  Point<dim> point(const Patch<dim> &patch, const Point<dim - 1> &s) const;
+  /** Returns the point in the middle of a patch, and the outward normal. */
+  SurfacePoint<dim> middle(const Patch<dim> &patch) const;
   /** Returns the contact to which a piece belongs. */
   const ContactCondition<dim> &condition(const Piece<dim> &piece) const {
     return scene_.contacts[patches_[piece.patch].contact];
@@ -266,6 +277,8 @@ private:
   void divide(const Partition &partition);
   /** Sets has_unstable_patch_, and keeps the pieces of this rank only. */
   void keep_own_pieces();
+  /** Fills SurfaceRule::on_side. */
+  void set_coordinates(const Piece<dim> &piece, SurfaceRule<dim> &rule) const;
   /** Fills SurfaceRule::directions and on_opposite. */
   void complete(const Piece<dim> &piece, SurfaceRule<dim> &rule) const;
   /** Fills Piece::on_mesh with the given numbers of points, by active cell. */
@@ -278,4 +291,12 @@ private:
   std::vector<Piece<dim>> pieces_;
   bool has_unstable_patch_;
 };
+
+/** Returns one grid for each contact, in the order of the patches; m log m operations for m
+ * patches. */
+std::vector<PatchGrid> patch_grids(const std::vector<Patch<2>> &patches);
+/** Returns the same for the patches of a surface. @throws ComputationError where they are no grid
+ * on a rectangle. */
+std::vector<PatchGrid> patch_grids(const ContactSurface<2> &surface);
+std::vector<PatchGrid> patch_grids(const ContactSurface<3> &surface);
 } // namespace Signorini

@@ -28,14 +28,13 @@ public:
   }
   /** Returns the same without the cut. */
   double without_sign(unsigned int patch, const Point<dim - 1> &s) const {
-    return space_.is_piecewise_constant() ? interpolate(patch, s, dim - 1)
-                                          : space_.value(P_, patch, s);
+    return space_.is_piecewise_constant() ? interpolate(patch, s) : space_.value(P_, patch, s);
   }
 
 private:
-  /** Returns the mean of a patch, interpolated linearly between the middles of neighbours in the
-   * first directions, one after the other. */
-  double interpolate(unsigned int patch, const Point<dim - 1> &s, unsigned int n_directions) const;
+  /** Returns the mean of a patch with the changes towards the middles of neighbours, linear in each
+   * coordinate. */
+  double interpolate(unsigned int patch, const Point<dim - 1> &s) const;
 
   const MultiplierSpace<dim> &space_;
   Pressure P_;

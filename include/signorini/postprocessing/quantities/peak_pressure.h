@@ -38,9 +38,9 @@ struct PeakPressure : PressureMaximum {
  * second order. Where patches have polynomials, the maximum is the largest value of -p_H on the
  * patches that press.
  *
- * In 3-D, where all four neighbours press, it is the sum of the parabolas in both coordinates, less
- * the mean of the patch. At the edge of the side to a roller the mirror image is the neighbour, if
- * the material is its own mirror image.
+ * In 3-D, where all four neighbours press, it is the sum of the parabolas in both coordinates of
+ * the patch, less its mean. At the edge of the side to a roller the mirror image is the neighbour,
+ * if the material is its own mirror image.
  */
 template <int dim>
 std::optional<PressureMaximum> peak_pressure(const MultiplierSpace<dim> &multipliers,

@@ -33,8 +33,8 @@ struct GrowthEdge {
 };
 
 /** A corner of a 2-D body, the point of another body across from one, an end of an interface of
- * materials on its boundary, or an edge of a box, at which stresses behave like r^{λ - 1} with λ <
- * 1 (corner_exponent()) in at least one state of contact. */
+ * materials on its boundary, or an edge of a body in space, at which stresses behave like r^{λ - 1}
+ * with λ < 1 (corner_exponent()) in at least one state of contact. */
 template <int dim>
 struct SingularEdge {
   /** The ends of the edge; equal in 2-D. */
@@ -57,12 +57,9 @@ struct SingularEdge {
 };
 
 /** Returns the singular edges. There are none where the exact solution is known: it may be smooth
- * at every corner. Across an edge of a box the exponent is that of plane strain. */
+ * at every corner. Across an edge in space the exponent is that of plane strain. */
 std::vector<SingularEdge<2>> singular_edges(const Scene<2> &scene);
 std::vector<SingularEdge<3>> singular_edges(const Scene<3> &scene);
-
-/** Returns the axis of a box along the normal of a side. */
-unsigned int axis_of(const Side<3> &side);
 
 /** Returns whether @p x lies at one of the edges. */
 template <int dim>

@@ -12,8 +12,15 @@
 #include <vector>
 
 namespace Signorini {
-/** The position of the body relative to a circle. */
+/** The position of the body relative to a circle, a sphere or a cylinder. */
 enum class Body { inside, outside };
+
+/** A point of a side with the outward unit normal. */
+template <int dim>
+struct SurfacePoint {
+  Point<dim> x;
+  Tensor<1, dim> n;
+};
 
 /**
  * A segment, a circular arc or a chain of them on the boundary of a 2-D body. Its coordinate is the
@@ -129,6 +136,14 @@ public:
   }
   Point<1> coordinates(const Point<2> &x) const {
     return Point<1>(arc_length(x));
+  }
+  /** Returns the point of the curve with the arc length of @p x. */
+  Point<2> project(const Point<2> &x) const {
+    return point(arc_length(x));
+  }
+  /** Returns n at project(x). */
+  Tensor<1, 2> normal_at(const Point<2> &x) const {
+    return normal(arc_length(x));
   }
   Point<2> centre() const {
     return point(0.5 * length_);

@@ -36,7 +36,10 @@ public:
     return kind_;
   }
   /** Returns "plane", "sphere", "cylinder" or "faces". */
-  std::string name() const;
+  static std::string name(Kind kind);
+  std::string name() const {
+    return name(kind_);
+  }
   bool is_flat() const {
     return kind_ == Kind::plane;
   }
@@ -92,13 +95,6 @@ Point<3> point_on(const FaceCorners &corners, const Point<2> &xi);
  * direction that of the normal, up to the sign. */
 Tensor<1, 3> area_vector(const FaceCorners &corners, const Point<2> &xi);
 
-/** A point of a side with the outward unit normal. */
-template <int dim>
-struct SidePoint {
-  Point<dim> x;
-  Tensor<1, dim> n;
-};
-
 /**
  * A part of the boundary of a body in space: a surface, and faces of the coarse mesh on it, or
  * larger quadrilaterals of the same shape.
@@ -135,7 +131,7 @@ public:
   }
   /** Returns points in a grid on every face, its edges included, @p n intervals in each direction,
    * on the surface. */
-  std::vector<SidePoint<3>> samples(unsigned int n) const;
+  std::vector<SurfacePoint<3>> samples(unsigned int n) const;
   /** Returns the lengths of the edges of a rectangle, the first one along the edge from corner 0 to
    * corner 1; zeros where the part is none. */
   std::array<double, 2> rectangle() const;

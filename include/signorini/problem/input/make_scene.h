@@ -13,7 +13,7 @@ unsigned int dimension_of(const Parameters &parameters, const NamedScenes &known
 
 /** Returns the text of the mesh file that Geometry/File names, or that Gmsh makes of it.
  * @throws InputError */
-std::string read_mesh_file(const GeometryParameters &given);
+std::string read_mesh_file(const GeometryParameters &given, unsigned int dim);
 
 /** Returns the scene that the parameters name or describe. @throws InputError */
 template <int dim>

@@ -71,6 +71,7 @@ struct GeometryParameters {
   /** The name of the body, where the file holds several. */
   std::string part;
   Given<std::string> arcs;
+  Given<std::string> surfaces;
   /** The folder of the parameter file, in which files are looked for first; empty if the parameters
    * come from no file. */
   std::string folder;

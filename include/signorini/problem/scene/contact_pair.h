@@ -49,15 +49,17 @@ public:
    * carrier.
    */
   unsigned int carrier() const;
-  /** Returns whether an arc length of the side lies in the part where two bodies may touch. */
+  /** Returns whether a point of the side, or its arc length, lies in the part where two bodies may
+   * touch. */
+  bool contains(const Point<dim> &x) const;
   bool contains(double s) const;
   /** Returns the direction m of contact at a point of the side. */
   Tensor<1, dim> direction(const Point<dim> &x) const {
-    const auto s = scene_.geometry.sides[side()].coordinates(x);
-    const Tensor<1, dim> n = scene_.geometry.sides[side()].normal(s);
+    const Tensor<1, dim> n = scene_.geometry.sides[side()].normal_at(x);
     if constexpr (dim == 2)
-      return data().directions.at(s[0], x, n);
-    return n;
+      return data().directions.at(scene_.geometry.sides[side()].arc_length(x), x, n);
+    else
+      return data().directions.at(x, n);
   }
   /** Returns the gap g at a point of the side. @throws InputError where it has no value. */
   double gap(const Point<dim> &x) const {
@@ -100,7 +102,7 @@ ContactPair<dim> pair_with(const Scene<dim> &scene, const unsigned int side) {
 
 /** Returns the directions of the contact on a side that is in one only; those of n where Γ_c lies
  * on no or on the other body. */
-inline ContactDirections directions_on(const Scene<2> &scene, const unsigned int side) {
+inline ContactDirections<2> directions_on(const Scene<2> &scene, const unsigned int side) {
   for (const ContactCondition<2> &contact : scene.contacts)
     if (contact.side == side)
       return contact.directions;

@@ -93,9 +93,9 @@ struct ContactCondition {
   unsigned int n_patches = 0;
   /** The obstacles, where the gap is the distance to them; foundation_gap(side, foundation,
    * position, directions) computes the gap for another position of theirs. Else empty. */
-  std::shared_ptr<const Foundation> foundation = nullptr;
-  /** The directions of contact, in 2-D. Load cases that move the foundation keep them. */
-  ContactDirections directions = {};
+  std::shared_ptr<const Foundation<dim>> foundation = nullptr;
+  /** The directions of contact. Load cases that move the foundation keep them. */
+  ContactDirections<dim> directions = {};
   /** The functions f and s of the limits of the law, and the tangential motion g_t of the
    * foundation, empty where it rests: in the plane along t, in space a vector whose tangential part
    * counts. The tangent t is m turned counter-clockwise. */

@@ -107,7 +107,7 @@ public:
 
   explicit CosineNorm(const std::array<double, 2> &lengths);
   explicit CosineNorm(const Side<3> &side)
-    : CosineNorm(side.lengths()) {}
+    : CosineNorm(side.rectangle()) {}
 
   /** Returns q_ij for i, j < n_modes of a function with given values times weights at points of a
    * grid, @p weighted_values (a, b) at (positions[0][a], positions[1][b]). */
