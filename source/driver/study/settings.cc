@@ -53,6 +53,9 @@ void check_tangential_part(const Parameters &parameters, const Scene<dim> &scene
             "with it: automatic, psor, active set");
   if (given.strategy == Strategy::hp)
     return;
+  refuse_if(dim == 3 && (scene.is_held_by_contact || !scene.plates.empty()), parameters.contact.law,
+            "with Dimension = 3 and plates, or a body that contact alone holds",
+            "with them: none, or bodies that other sides hold");
   refuse_if(given.element == Element::q2, given.element, "with friction",
             dim == 2 ? "with it: Q1, Q1 B-bar" : "with it: Q1");
 }

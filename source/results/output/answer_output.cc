@@ -40,8 +40,10 @@ std::string signed_percent(const double share) {
 std::string scaled_text(const double x, const double size) {
   return digits(rounded(x, size));
 }
-/** Returns "(0.25, 0)". */
+/** Returns "(0.25, 0)", of one number "0.25". */
 std::string scaled_text(const AnswerVector &x, const double size) {
+  if (x.size() == 1)
+    return scaled_text(x[0], size);
   std::vector<std::string> texts;
   for (const double component : x)
     texts.push_back(scaled_text(component, size));
@@ -113,17 +115,18 @@ public:
   }
 
   void add_plates() {
-    for (const auto &[side, plate, motion, force, cross_force, moment] : level_.motions.plates) {
-      std::string text = "travel " + scaled_text(motion.travel, size_) + " along " +
-                         scaled_text(plate.direction, 1.) + ", force " + scaled_text(force, scale_);
+    for (const PlateRecord &plate : level_.motions.plates) {
+      std::string text = "travel " + scaled_text(plate.travel, size_) + " along " +
+                         scaled_text(plate.direction, 1.) + ", force " +
+                         scaled_text(plate.force, scale_);
       if (plate.drifts)
-        text += ", drift " + scaled_text(motion.drift, size_) + " across, force " +
-                scaled_text(cross_force, scale_);
+        text += ", drift " + scaled_text(plate.drift, size_) + " across, force " +
+                scaled_text(plate.cross_force, scale_);
       if (plate.turns)
-        text += ", rotation " + scaled_text(motion.rotation, 1.) + " about " +
+        text += ", rotation " + scaled_text(plate.rotation, 1.) + " about " +
                 scaled_text(plate.centre, size_) + ", moment " +
-                scaled_text(moment, scale_ * size_);
-      add("Plate on " + side, text);
+                scaled_text(plate.moment, scale_ * size_);
+      add("Plate on " + plate.side, text);
     }
     for (const std::string &motion : level_.motions.undetermined)
       add("Undetermined", motion + ": nothing resists it, its size means nothing");

@@ -100,10 +100,11 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space, const Scen
 
 /** The forces of reactions() as functionals of the solution, each r(u) = a(u, v) - f(v) - ∫ p_H v.n
  * with a fixed v in the space without essential conditions: for many loads on one body. */
+template <int dim>
 class ReactionFunctionals {
 public:
   /** Integrates a(., v) on the cells beside held sides. */
-  ReactionFunctionals(const DisplacementSpace<2> &space, const Scene<2> &scene);
+  ReactionFunctionals(const DisplacementSpace<dim> &space, const Scene<dim> &scene);
 
   /** Returns the components of all held sides, "left_x", ... (force per thickness).
    * @param forces loads and contact forces at all degrees of freedom. */
