@@ -3,6 +3,7 @@
 
 #include <signorini/base/columns.h>
 #include <signorini/base/instantiate.h>
+#include <signorini/problem/scene/trace_norms.h>
 #include <signorini/verification/norms/cosine_norm.h>
 #include <signorini/verification/norms/errors.h>
 #include <signorini/verification/norms/inf_sup.h>
@@ -23,7 +24,7 @@ bool wants_inf_sup(const Parameters &parameters, const LevelSolution<dim> &solut
   const bool has_factors = solution.record.dual.method != ContactSolver::multigrid &&
                            parameters.solver.linear_solver != LinearSolver::multigrid;
   return choice == Choice::yes ||
-         (choice == Choice::automatic && has_factors && !solution.scene.geometry.axisymmetric &&
+         (choice == Choice::automatic && has_factors && has_trace_norms(solution.scene) &&
           solution.scene.exact_displacement != nullptr &&
           parameters.discretization.strategy != Strategy::hp &&
           solution.contact.U.size() <= (dim == 2 ? 100000U : 5000U));
@@ -82,9 +83,9 @@ void add_errors(const Parameters &parameters, const Discretization<dim> &discret
 
 template <int dim>
 Verify<dim> make_verify(const Parameters &parameters, const Scene<dim> &scene) {
-  // The norms of the trace space are those of a plane body, and of patches of one length.
+  // The norms of the trace space are those of patches of one length.
   const bool has_dual_norms = parameters.output.errors && scene.has_exact_pressure() &&
-                              !scene.geometry.axisymmetric &&
+                              has_trace_norms(scene) &&
                               parameters.discretization.strategy != Strategy::hp;
   return [&parameters, &scene, has_dual_norms, pressure = std::shared_ptr<ExactPressure<dim>>()](
            const Discretization<dim> &discretization, const Progress &progress,

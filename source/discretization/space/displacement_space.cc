@@ -77,32 +77,32 @@ AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh, const DoFH
   return conditions;
 }
 
-using Pin = DisplacementSpace<2>::Pin;
-
 /** A node for a pin, and the share at which its speed counts where pins are chosen. */
+template <int dim>
 struct PinCandidate {
-  Pin pin;
+  typename DisplacementSpace<dim>::Pin pin;
   double weight;
 };
 
 /** Returns the free components of vertices of the coarse mesh, which do not hang. Those on contact
  * sides count little: a pin there takes part of the load. */
-std::vector<PinCandidate> pin_candidates(const DoFHandler<2> &dofs, const Scene<2> &scene,
-                                         const AffineConstraints<double> &essential) {
+template <int dim>
+std::vector<PinCandidate<dim>> pin_candidates(const DoFHandler<dim> &dofs, const Scene<dim> &scene,
+                                              const AffineConstraints<double> &essential) {
   std::map<unsigned int, double> weights;
   for (const auto &cell : dofs.get_triangulation().cell_iterators_on_level(0))
     for (const unsigned int v : cell->vertex_indices())
       weights[cell->vertex_index(v)] = 1.;
   for (const auto &face : dofs.get_triangulation().active_face_iterators())
     if (face->at_boundary() && scene.boundary[face->boundary_id()].role == Role::contact)
-      for (const unsigned int v : {0, 1})
+      for (const unsigned int v : face->vertex_indices())
         if (const auto vertex = weights.find(face->vertex_index(v)); vertex != weights.end())
           vertex->second = 1e-3;
-  std::vector<PinCandidate> candidates;
+  std::vector<PinCandidate<dim>> candidates;
   for (const auto &cell : dofs.active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
       if (const auto vertex = weights.find(cell->vertex_index(v)); vertex != weights.end()) {
-        for (unsigned int c = 0; c < 2; ++c) {
+        for (unsigned int c = 0; c < dim; ++c) {
           const auto dof = cell->vertex_dof_index(v, c, cell->active_fe_index());
           if (!essential.is_constrained(dof))
             candidates.push_back(
@@ -115,11 +115,14 @@ std::vector<PinCandidate> pin_candidates(const DoFHandler<2> &dofs, const Scene<
 
 /** Returns as many pins as there are motions, chosen one after the other where the motions that are
  * left are fastest: elimination with complete pivoting. */
-std::vector<Pin> choose_pins(const DoFHandler<2> &dofs, const Scene<2> &scene,
-                             const AffineConstraints<double> &essential) {
-  std::vector<RigidMotion> motions = free_rigid_motions(scene);
+template <int dim>
+std::vector<typename DisplacementSpace<dim>::Pin>
+choose_pins(const DoFHandler<dim> &dofs, const Scene<dim> &scene,
+            const AffineConstraints<double> &essential) {
+  using Pin = typename DisplacementSpace<dim>::Pin;
+  std::vector<RigidMotion<dim>> motions = free_rigid_motions(scene);
   const auto candidates = pin_candidates(dofs, scene, essential);
-  const auto speed = [](const RigidMotion &motion, const Pin &pin) {
+  const auto speed = [](const RigidMotion<dim> &motion, const Pin &pin) {
     return motion.bodies[pin.body].velocity(pin.node)[pin.component];
   };
   std::vector<Pin> pins;
@@ -127,7 +130,7 @@ std::vector<Pin> choose_pins(const DoFHandler<2> &dofs, const Scene<2> &scene,
     Pin pin = {};
     std::size_t fastest = 0;
     double largest = 0.;
-    for (const PinCandidate &candidate : candidates)
+    for (const PinCandidate<dim> &candidate : candidates)
       for (std::size_t k = 0; k < motions.size(); ++k)
         if (const double size = candidate.weight * std::abs(speed(motions[k], candidate.pin));
             size > largest) {
@@ -135,10 +138,10 @@ std::vector<Pin> choose_pins(const DoFHandler<2> &dofs, const Scene<2> &scene,
           pin = candidate.pin;
           fastest = k;
         }
-    const RigidMotion stopped = motions[fastest];
+    const RigidMotion<dim> stopped = motions[fastest];
     motions.erase(motions.begin() + fastest);
-    for (RigidMotion &motion : motions)
-      motion = combine({motion, stopped}, {1., -speed(motion, pin) / speed(stopped, pin)});
+    for (RigidMotion<dim> &motion : motions)
+      motion = combine<dim>({motion, stopped}, {1., -speed(motion, pin) / speed(stopped, pin)});
     pins.push_back(pin);
   }
   return pins;
@@ -231,17 +234,16 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
   auto essential = essential_conditions(mesh_, dofs_, scene);
   supports_ = held_dofs(essential, dofs_.n_dofs());
   continuity_ = continuity_conditions(dofs_);
-  if constexpr (dim == 2)
-    if (scene.is_held_by_contact) {
-      pins_ = choose_pins(dofs_, scene, essential);
-      constraints_without_pins_ = merge(essential_conditions(mesh_, dofs_, scene), continuity_);
-      AffineConstraints<double> conditions = no_conditions(dofs_);
-      conditions.merge(essential);
-      for (const Pin &pin : pins_)
-        conditions.add_line(pin.dof);
-      conditions.close();
-      essential = std::move(conditions);
-    }
+  if (scene.is_held_by_contact) {
+    pins_ = choose_pins(dofs_, scene, essential);
+    constraints_without_pins_ = merge(essential_conditions(mesh_, dofs_, scene), continuity_);
+    AffineConstraints<double> conditions = no_conditions(dofs_);
+    conditions.merge(essential);
+    for (const Pin &pin : pins_)
+      conditions.add_line(pin.dof);
+    conditions.close();
+    essential = std::move(conditions);
+  }
   constraints_ = merge(std::move(essential), continuity_);
   IndexSet relevant;
   DoFTools::extract_locally_relevant_dofs(dofs_, relevant);

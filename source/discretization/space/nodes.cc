@@ -16,13 +16,12 @@ Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Fun
   return values;
 }
 
-INSTANTIATE_FUNCTION(interpolate_at_nodes);
-
-Displacement interpolate_by_body(const DisplacementSpace<2> &space,
-                                 const std::vector<FieldFunction<2>> &u) {
+template <int dim>
+Displacement interpolate_by_body(const DisplacementSpace<dim> &space,
+                                 const std::vector<FieldFunction<dim>> &u) {
   Displacement values = space.zero();
   values.zero_out_ghost_values();
-  std::map<types::material_id, const Function<2> *> by_body;
+  std::map<types::material_id, const Function<dim> *> by_body;
   for (std::size_t b = 0; b < u.size(); ++b)
     by_body[b] = &u[b];
   VectorTools::interpolate_based_on_material_id(space.mesh().mapping(), space.dofs(), by_body,
@@ -30,4 +29,7 @@ Displacement interpolate_by_body(const DisplacementSpace<2> &space,
   values.update_ghost_values();
   return values;
 }
+
+INSTANTIATE_FUNCTION(interpolate_at_nodes);
+INSTANTIATE_FUNCTION(interpolate_by_body);
 } // namespace Signorini

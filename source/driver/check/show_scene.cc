@@ -52,12 +52,20 @@ std::string ranges(const FunctionPointer<dim> &function, const std::vector<Point
   return join(texts, ", ");
 }
 
+std::string text_of(const double x) {
+  return number_text(x);
+}
+std::string text_of(const Tensor<1, 3> &x) {
+  return vector_text(x);
+}
+
 /** Returns the motion of a plate: "plate, force 2 along (0, -1), turning". */
-std::string motion_of(const Plate &plate) {
+template <int dim>
+std::string motion_of(const Plate<dim> &plate) {
   return (plate.is_pushed ? "plate, force " + number_text(plate.force)
                           : "plate, travel " + number_text(plate.travel)) +
          " along " + vector_text(plate.direction) +
-         (plate.drifts ? ", force across " + number_text(plate.cross_force) : "") +
+         (plate.drifts ? ", force across " + text_of(plate.cross_force) : "") +
          (plate.turns ? ", turning" : "");
 }
 
@@ -82,7 +90,7 @@ std::string data_of(const ContactPair<dim> &pair, const Scene<dim> &scene,
 template <int dim>
 std::string data_of(const Scene<dim> &scene, const unsigned int side,
                     const std::vector<Point<dim>> &points) {
-  for (const Plate &plate : scene.plates)
+  for (const Plate<dim> &plate : scene.plates)
     if (plate.side == side)
       return motion_of(plate);
   const BoundaryCondition<dim> &condition = scene.boundary[side];

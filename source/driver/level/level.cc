@@ -38,40 +38,24 @@ LevelSizes sizes_of(const Discretization<dim> &discretization, const Strategy st
   return sizes;
 }
 
-/** Returns the records of all plates: their motions, and the forces that hold them there. */
-template <int dim>
-std::vector<PlateRecord> plates_of(const Solved<dim> &solved, const MotionModes<dim> &modes,
-                                   const NodalForces &nodal) {
-  std::vector<PlateRecord> plates;
-  if constexpr (dim == 2) {
-    const Scene<2> &scene = solved.scene;
-    const std::vector<PlateMotion> motions = modes.plate_motions(scene.plates, solved.contact.q);
-    const std::vector<PlateForce> forces = plate_forces(solved.space, scene, nodal);
-    for (std::size_t p = 0; p < scene.plates.size(); ++p) {
-      PlateRecord &record = plates.emplace_back();
-      record.side = scene.geometry.sides[scene.plates[p].side].name();
-      record.plate = scene.plates[p];
-      record.motion = motions[p];
-      record.force = forces[p].force;
-      record.cross_force = forces[p].cross_force;
-      record.moment = forces[p].moment;
-    }
-  }
-  return plates;
-}
-
 /** Returns the largest relative imbalance of a free motion: the work of the residual on z_j minus
- * that of the forces on the plates. */
+ * that of the forces on the plates. Pins are no supports: what they take is missing in these
+ * balances. */
 template <int dim>
-double motion_balance(const std::vector<Plate> &plates, const MotionModes<dim> &modes,
+double motion_balance(const std::vector<Plate<dim>> &plates, const MotionModes<dim> &modes,
                       const NodalForces &forces) {
   double largest = 0.;
-  for (unsigned int j = 0; j < modes.size(); ++j) {
-    const double work = modes.motions[j].work_of_plates(plates);
-    const double scale = std::max(std::abs(work), forces.scale() * modes.Z[j].linfty_norm());
+  const auto add = [&](const FreeMotion<dim> &motion, const Displacement &z) {
+    const double work = motion.work_of_plates(plates);
+    const double scale = std::max(std::abs(work), forces.scale() * z.linfty_norm());
     if (scale > 0.)
-      largest = std::max(largest, std::abs(modes.Z[j] * forces.residual - work) / scale);
-  }
+      largest = std::max(largest, std::abs(z * forces.residual - work) / scale);
+  };
+  for (unsigned int j = 0; j < modes.size(); ++j)
+    add(modes.motions[j], modes.Z[j]);
+  // In the plane arcs leave neutral motions a part of the loads.
+  for (unsigned int j = 0; j < modes.neutral.size() && dim == 3; ++j)
+    add(modes.neutral[j], modes.neutral_modes[j]);
   return largest;
 }
 
@@ -124,7 +108,9 @@ void add_certificate_and_answer(const Solved<dim> &solved, LevelSolution<dim> &s
   solution.energies = energies_of(solved, operators.modes, forces);
   record.certificate = certify(solved, operators.system->applied, forces, solution.energies);
   record.certificate.motion_balance = motion_balance(solved.scene.plates, operators.modes, forces);
-  record.motions.plates = plates_of(solved, operators.modes, forces);
+  record.motions.plates = plate_records(
+    solved.scene, operators.modes.plate_motions(solved.scene.plates, solved.contact.q),
+    plate_forces(solved.space, solved.scene, forces));
   record.answer = compute_answer<dim>(solved, forces);
 }
 

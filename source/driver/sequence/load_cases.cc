@@ -2,6 +2,7 @@
 // All load cases of a scene on one level.
 
 #include <signorini/base/columns.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/driver/sequence/level_clock.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/estimate/contact_part.h>
@@ -20,23 +21,27 @@ namespace {
 /** Returns the estimated relative error of a case, at least the largest penetration over the
  * largest displacement and at most 1, which it is where a graded mesh has missed the contact;
  * nothing where there is no T^{2h}. */
-std::optional<double> error_of_case(const Parameters &parameters, const Solved<2> &solved,
-                                    const LevelOperators<2> &operators) {
+template <int dim>
+std::optional<double> error_of_case(const Parameters &parameters, const Solved<dim> &solved,
+                                    const LevelOperators<dim> &operators) {
   const auto &[space, U] = std::tie(solved.space, solved.U);
   const bool is_graded = parameters.discretization.strategy == Strategy::hp;
   if (!is_graded && !space.mesh().has_parents())
     return {};
-  // Cell matrices of high degrees cost more than all the rest of a case.
-  const EnergyScale scale = {is_graded
-                               ? energy_distance(solved, {space, solved.scene, space.zero()})
-                               : internal_forces(solved).energy_norm,
-                             norm_of_rigid_motion(solved)};
+  const auto energy = [&]() {
+    // Cell matrices of high degrees cost more than all the rest of a case.
+    if constexpr (dim == 2)
+      if (is_graded)
+        return energy_distance(solved, {space, solved.scene, space.zero()});
+    return internal_forces(solved).energy_norm;
+  };
+  const EnergyScale scale = {energy(), norm_of_rigid_motion(solved)};
   double error = 1.;
   if (!is_graded) {
     OtherErrors others;
     others.contact = contact_part(solved);
     error = estimate_error(solved, scale, correct_pressure(solved, operators), others).relative;
-  } else {
+  } else if constexpr (dim == 2) {
     const StepFindings found = StepExamination(1.).examine(solved, scale, {}, 1.);
     if (found.has_estimate())
       error = found.error > 0. ? found.error / found.scale : 0.;
@@ -50,8 +55,9 @@ std::optional<double> error_of_case(const Parameters &parameters, const Solved<2
 }
 } // namespace
 
-std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Scene<2> &scene,
-                                         LevelResult<2> &level, const CaseFields &use_fields,
+template <int dim>
+std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Scene<dim> &scene,
+                                         LevelResult<dim> &level, const CaseFields<dim> &use_fields,
                                          const Progress &progress) {
   double seconds = 0.;
   std::vector<CaseResult> results;
@@ -59,12 +65,12 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
     const StageTimer timer(seconds);
     progress("load cases");
     const bool are_steps = parameters.load_cases.sequence == CaseSequence::steps;
-    const LevelOperators<2> &operators = *level.solution.operators;
-    CaseSolver solver(*level.discretization, scene, operators,
-                      dual_options(parameters.solver, is_unstable(*level.discretization)),
-                      are_steps);
+    const LevelOperators<dim> &operators = *level.solution.operators;
+    CaseSolver<dim> solver(*level.discretization, scene, operators,
+                           dual_options(parameters.solver, is_unstable(*level.discretization)),
+                           are_steps);
     const auto edges =
-      scene.probes.empty() ? std::vector<SingularEdge<2>>() : singular_edges(scene);
+      scene.probes.empty() ? std::vector<SingularEdge<dim>>() : singular_edges(scene);
     const auto since_start = [start = std::chrono::steady_clock::now()] {
       return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
@@ -77,10 +83,11 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
       if (level.is_last && result.escape.empty()) {
         ContactSolution contact = solver.contact();
         contact.algebraic_error = level.solution.contact.algebraic_error;
-        Scene<2> moved = with_plates_moved(scene_of_case(scene, load_case), result.plates);
-        const Solved<2> solved(*level.discretization, moved, contact);
+        Scene<dim> moved =
+          with_plates_moved(scene_of_case(scene, load_case), solver.plate_motions());
+        const Solved<dim> solved(*level.discretization, moved, contact);
         result.reactions = solver.reactions(contact.U);
-        result.reports = report_on_probes<2>(solved, edges);
+        result.reports = report_on_probes<dim>(solved, edges);
         if (load_case.has_fields)
           use_fields(result.number, solved);
         // Sticking points follow the foundation from the slip of the steps before.
@@ -98,4 +105,6 @@ std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Sce
   record.times.postprocess += seconds;
   return results;
 }
+
+INSTANTIATE_FUNCTION(solve_load_cases);
 } // namespace Signorini

@@ -64,7 +64,9 @@ private:
   SolverChoice solvers_of(const unsigned int level) const {
     const SolverParameters &solver = context_.parameters.solver;
     if (failure_of_cycles_)
-      return {ContactSolver::active_set, solver.linear_solver};
+      return {solver.contact_solver == ContactSolver::psor ? ContactSolver::psor
+                                                           : ContactSolver::active_set,
+              solver.linear_solver};
     return choose_solvers(context_.parameters, context_.scene, level);
   }
 
@@ -83,12 +85,15 @@ private:
       solution.record.dual.failure_of_cycles = failure_of_cycles_;
       return solution;
     };
-    if (context_.parameters.solver.contact_solver != ContactSolver::automatic ||
-        !problem.solvers.is_by_cycles())
+    const SolverParameters &solver = context_.parameters.solver;
+    const bool by_cycles = problem.solvers.is_by_cycles();
+    if (by_cycles ? solver.contact_solver != ContactSolver::automatic
+                  : solver.linear_solver != LinearSolver::automatic ||
+                      !problem.solvers.is_matrix_free())
       return solve_with_choice();
     try {
       LevelSolution<dim> solution = solve_with_choice();
-      if (solution.record.dual.converged)
+      if (solution.record.dual.converged || !by_cycles)
         return solution;
       failure_of_cycles_ = name_of_next() + " did not end within " +
                            std::to_string(solution.record.dual.iterations) + " V-cycles";

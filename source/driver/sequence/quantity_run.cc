@@ -51,9 +51,9 @@ Scene<2> unloaded(Scene<2> scene) {
       condition.role = Role::clamped;
     condition.data = nullptr;
   }
-  for (Plate &plate : scene.plates) {
+  for (Plate<2> &plate : scene.plates) {
     plate.force = plate.travel = plate.cross_force = plate.moment = 0.;
-    scene.boundary[plate.side] = {Role::displacement, plate_displacement(plate, {})};
+    scene.boundary[plate.side] = {Role::displacement, plate_displacement<2>(plate, {})};
   }
   scene.contacts.clear();
   scene.contact_law = {};
@@ -89,7 +89,7 @@ Scene<2> with_motion(const Scene<2> &scene, const unsigned int side, const SideF
       hold(*contact.opposite, true);
   }
   moved.plates.erase(std::remove_if(moved.plates.begin(), moved.plates.end(),
-                                    [&](const Plate &plate) { return plate.side == side; }),
+                                    [&](const Plate<2> &plate) { return plate.side == side; }),
                      moved.plates.end());
   const Side<2> curve = scene.geometry.sides[side];
   const auto value = [phi, curve](const Point<2> &x) {

@@ -7,6 +7,7 @@
 #include <signorini/driver/study/settings.h>
 #include <signorini/problem/parameters/entry_error.h>
 #include <signorini/problem/parameters/parameter_text.h>
+#include <signorini/problem/scene/trace_norms.h>
 
 #include <string>
 
@@ -52,6 +53,9 @@ void check_tangential_part(const Parameters &parameters, const Scene<dim> &scene
             "with it: automatic, psor, active set");
   if (given.strategy == Strategy::hp)
     return;
+  refuse_if(dim == 3 && (scene.is_held_by_contact || !scene.plates.empty()), parameters.contact.law,
+            "with Dimension = 3 and plates, or a body that contact alone holds",
+            "with them: none, or bodies that other sides hold");
   refuse_if(given.element == Element::q2, given.element, "with friction",
             dim == 2 ? "with it: Q1, Q1 B-bar" : "with it: Q1");
 }
@@ -68,10 +72,11 @@ void check_settings(const Parameters &parameters, const Scene<dim> &scene) {
   const std::string revolved = "with Plane state '" + to_text(PlaneState::axisymmetric) + "'";
   refuse_if(scene.geometry.axisymmetric && by_cycles, contact, revolved,
             "with it: automatic, psor, active set");
-  refuse_if(scene.geometry.axisymmetric && parameters.output.inf_sup_constant == Choice::yes,
-            parameters.output.inf_sup_constant, revolved, "with it: automatic, false");
-  if (scene.geometry.axisymmetric && parameters.output.lemmas)
-    throw error_at(parameters.output.lemmas, "found 'true' ", revolved,
+  const std::string no_norms = dim == 2 ? revolved : "with contact on a side that is no rectangle";
+  refuse_if(!has_trace_norms(scene) && parameters.output.inf_sup_constant == Choice::yes,
+            parameters.output.inf_sup_constant, no_norms, "with it: automatic, false");
+  if (!has_trace_norms(scene) && parameters.output.lemmas)
+    throw error_at(parameters.output.lemmas, "found 'true' ", no_norms,
                    ", allowed with it: false.");
   refuse_if(parameters.discretization.strategy == Strategy::hp &&
               parameters.output.inf_sup_constant == Choice::yes,

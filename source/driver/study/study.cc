@@ -188,22 +188,19 @@ private:
   /** Solves load cases on the last level, and the steps of a history on every nested one: each
    * level has a history of its own. */
   std::vector<CaseResult> solve_cases(LevelResult<dim> &level, const Progress &progress) {
-    if constexpr (dim == 2) {
-      const Scene<2> &scene = sequence_->scene();
-      const bool on_every_level = parameters_.load_cases.sequence == CaseSequence::steps &&
-                                  parameters_.discretization.strategy != Strategy::hp;
-      const auto write_fields = [&](const unsigned int number, const Solved<2> &solved) {
-        writer_.write_case_fields(solved, number);
-      };
-      if (!scene.load_cases.empty() && (level.is_last || on_every_level)) {
-        std::vector<CaseResult> found =
-          solve_load_cases(parameters_, scene, level, write_fields, progress);
-        if (!parameters_.output.compliance)
-          level.solution.operators.reset();
-        return found;
-      }
-    }
-    return {};
+    const Scene<dim> &scene = sequence_->scene();
+    const bool on_every_level = parameters_.load_cases.sequence == CaseSequence::steps &&
+                                parameters_.discretization.strategy != Strategy::hp;
+    const auto write_fields = [&](const unsigned int number, const Solved<dim> &solved) {
+      writer_.write_case_fields<dim>(solved, number);
+    };
+    if (scene.load_cases.empty() || !(level.is_last || on_every_level))
+      return {};
+    std::vector<CaseResult> found =
+      solve_load_cases<dim>(parameters_, scene, level, write_fields, progress);
+    if (!parameters_.output.compliance)
+      level.solution.operators.reset();
+    return found;
   }
 
   /** Adds the means that are wanted with guaranteed errors. */

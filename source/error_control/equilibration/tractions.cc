@@ -193,7 +193,7 @@ void Tractions::project_shared() {
 }
 
 void Tractions::add_plates(const Scene<2> &scene) {
-  for (const Plate &plate : scene.plates) {
+  for (const Plate<2> &plate : scene.plates) {
     TractionCondition force, cross_force, moment;
     for (const TractionEdge &edge : space.edges()) {
       if (edge.side != plate.side)
@@ -203,7 +203,7 @@ void Tractions::add_plates(const Scene<2> &scene) {
         const Tensor<1, 2> sum({sums[i][0], sums[i][1]});
         const double rounding = 1e-13 * edge.length();
         for (const auto &[condition, part] : {std::pair(&force, sum * plate.direction),
-                                              std::pair(&cross_force, sum * plate.across())})
+                                              std::pair(&cross_force, sum * plate.across()[0])})
           if (std::abs(part) > rounding)
             condition->row.emplace_back(edge.first + i, part);
         if (std::abs(sums[i][2]) > rounding * sums[0].norm())

@@ -61,17 +61,19 @@ NodalForces nodal_forces(const BodyInContact<dim> &body, const DualVector &loads
 }
 
 template <int dim>
-std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                                     const NodalForces &forces) {
-  std::vector<PlateForce> result;
-  for (std::size_t p = 0; p < scene.plates.size(); ++p) {
-    const auto work_on = [&](const PlateMotion &motion) {
-      std::vector<PlateMotion> motions(scene.plates.size());
-      motions[p] = motion;
-      return space.prescribed(with_only_plates_moved(scene, motions)) * forces.residual;
-    };
-    result.push_back({work_on({1., 0., 0.}), work_on({0., 1., 0.}), work_on({0., 0., 1.})});
-  }
+std::vector<PlateForce<dim>> plate_forces(const DisplacementSpace<dim> &space,
+                                          const Scene<dim> &scene, const NodalForces &forces) {
+  std::vector<PlateForce<dim>> result(scene.plates.size());
+  for (std::size_t p = 0; p < scene.plates.size(); ++p)
+    for (const PlateMotion<dim> &unit : scene.plates[p].unit_motions()) {
+      std::vector<PlateMotion<dim>> motions(scene.plates.size());
+      motions[p] = unit;
+      Scene<dim> moved = with_only_plates_moved(scene, motions);
+      const double work = space.prescribed(moved) * forces.residual;
+      result[p].force += work * unit.travel;
+      result[p].cross_force += work * unit.drift;
+      result[p].moment += work * unit.rotation;
+    }
   return result;
 }
 

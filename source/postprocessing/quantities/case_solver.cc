@@ -13,9 +13,10 @@
 #include <algorithm>
 
 namespace Signorini {
-CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &scene,
-                       const LevelOperators<2> &operators, const DualSolverOptions &options,
-                       const bool are_steps)
+template <int dim>
+CaseSolver<dim>::CaseSolver(const Discretization<dim> &discretization, const Scene<dim> &scene,
+                            const LevelOperators<dim> &operators, const DualSolverOptions &options,
+                            const bool are_steps)
   : discretization_(discretization)
   , scene_(scene)
   , operators_(operators)
@@ -30,10 +31,11 @@ CaseSolver::CaseSolver(const Discretization<2> &discretization, const Scene<2> &
       responses_.push_back(respond(factor));
 }
 
-CaseSolver::LoadResponse CaseSolver::respond(const CaseFactor &factor) const {
-  const Scene<2> scene = with_only(scene_, *factor.kind);
-  const DisplacementSpace<2> &space = discretization_.space;
-  const LinearSystem<2> system = assemble_right_hand_side(space, scene, discretization_.n_points);
+template <int dim>
+typename CaseSolver<dim>::LoadResponse CaseSolver<dim>::respond(const CaseFactor &factor) const {
+  const Scene<dim> scene = with_only(scene_, *factor.kind);
+  const DisplacementSpace<dim> &space = discretization_.space;
+  const LinearSystem<dim> system = assemble_right_hand_side(space, scene, discretization_.n_points);
   LoadResponse response;
   response.factor = factor.number;
   response.U = solve_homogeneous(*operators_.inverse, space, system.f);
@@ -44,8 +46,9 @@ CaseSolver::LoadResponse CaseSolver::respond(const CaseFactor &factor) const {
   return response;
 }
 
-dealii::Vector<double> CaseSolver::gap_of(const LoadCase &load_case) const {
-  if (load_case.shift().norm() > 0.)
+template <int dim>
+dealii::Vector<double> CaseSolver<dim>::gap_of(const LoadCase &load_case) const {
+  if (load_case.shift<dim>().norm() > 0.)
     return discretization_.assemble_gap_of(scene_of_case(scene_, load_case));
   dealii::Vector<double> G = G_;
   for (unsigned int k = 0; k < G.size(); ++k)
@@ -53,7 +56,8 @@ dealii::Vector<double> CaseSolver::gap_of(const LoadCase &load_case) const {
   return G;
 }
 
-TangentialSummary CaseSolver::finish_step(const dealii::Vector<double> &F) {
+template <int dim>
+TangentialSummary CaseSolver<dim>::finish_step(const dealii::Vector<double> &F) {
   dealii::Vector<double> W = operators_.C->apply(P_.values());
   W -= F;
   if (q_.size() > 0)
@@ -67,26 +71,29 @@ TangentialSummary CaseSolver::finish_step(const dealii::Vector<double> &F) {
   return summary;
 }
 
-DualVector CaseSolver::loads_of(const LoadCase &load_case) const {
+template <int dim>
+DualVector CaseSolver<dim>::loads_of(const LoadCase &load_case) const {
   DualVector loads = discretization_.space.make_vector();
   for (const LoadResponse &response : responses_)
     loads.add(load_case.*response.factor, response.loads);
   return loads;
 }
 
-bool CaseSolver::slides(const LoadCase &load_case) const {
+template <int dim>
+bool CaseSolver<dim>::slides(const LoadCase &load_case) const {
   if (operators_.modes.neutral.empty())
     return false;
-  const std::vector<Plate> plates = plates_of_case(scene_.plates, load_case);
+  const std::vector<Plate<dim>> plates = plates_of_case(scene_.plates, load_case);
   return operators_.modes.driven_neutral(plates, loads_of(load_case)).has_value();
 }
 
-CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {
+template <int dim>
+CaseResult CaseSolver<dim>::solve_dual(const LoadCase &load_case) {
   CaseResult result;
   result.load_case = last_ = load_case;
   dealii::Vector<double> F = gap_of(load_case);
   const unsigned int m = discretization_.multipliers.n_multipliers();
-  for (unsigned int k = m; k < F.size(); ++k)
+  for (unsigned int k = m; k < F.size() && are_steps_; ++k)
     F[k] += slip_[k - m];
   FreeMotions motions = {B_, operators_.modes.K, dealii::Vector<double>(operators_.modes.size()),
                          dealii::Vector<double>(operators_.modes.size())};
@@ -115,37 +122,51 @@ CaseResult CaseSolver::solve_dual(const LoadCase &load_case) {
   return result;
 }
 
-CaseResult CaseSolver::solve(const LoadCase &load_case) {
+template <int dim>
+CaseResult CaseSolver<dim>::solve(const LoadCase &load_case) {
   CaseResult result = solve_dual(load_case);
   if (slides(load_case))
     result.escape = "it slides";
   if (!result.escape.empty())
     return result;
-  const ContactSurface<2> &surface = discretization_.surface;
+  const ContactSurface<dim> &surface = discretization_.surface;
   const std::vector<unsigned int> contacts = contacts_of_contact_force(scene_);
+  Resultant<dim> force;
   const PairSide acts_on = body_of_contact_force(scene_);
-  for (const Piece<2> &piece : surface.pieces())
+  for (const Piece<dim> &piece : surface.pieces())
     if (std::count(contacts.begin(), contacts.end(), surface.patches()[piece.patch].contact) > 0)
-      result.contact +=
-        PairedPiece<2>(surface, piece).resultant(discretization_.multipliers, P_, acts_on);
+      force += PairedPiece<dim>(surface, piece).resultant(discretization_.multipliers, P_, acts_on);
+  result.contact = {force.force, force.moment};
   if (const auto peak = peak_pressure(discretization_.multipliers, P_.normal()))
     result.peak_pressure = peak->value;
-  for (const ContactZone &zone : contact_zones(discretization_.multipliers, P_.normal())) {
-    result.zone_length += zone.length;
-    ++result.n_zones;
-  }
-  result.active = summarise_contact(discretization_.multipliers, P_.normal()).active;
-  result.plates = operators_.modes.plate_motions(plates_of_case(scene_.plates, load_case), q_);
+  const ContactSummary summary = summarise_contact(discretization_.multipliers, P_.normal());
+  if constexpr (dim == 2)
+    for (const ContactZone &zone : contact_zones(discretization_.multipliers, P_.normal())) {
+      result.zone_length += zone.length;
+      ++result.n_zones;
+    }
+  else
+    result.zone_length = summary.length;
+  result.active = summary.active;
+  result.plates = plate_records(scene_, plate_motions(), {});
   return result;
 }
 
-std::vector<std::pair<std::string, double>> CaseSolver::reactions(const Displacement &U) const {
+template <int dim>
+std::vector<PlateMotion<dim>> CaseSolver<dim>::plate_motions() const {
+  return operators_.modes.plate_motions(plates_of_case(scene_.plates, last_), q_);
+}
+
+template <int dim>
+std::vector<std::pair<std::string, double>>
+CaseSolver<dim>::reactions(const Displacement &U) const {
   DualVector forces = loads_of(last_);
   discretization_.D.add_product(P_.values(), forces);
   return reactions_.of(U, forces);
 }
 
-ContactSolution CaseSolver::contact() const {
+template <int dim>
+ContactSolution CaseSolver<dim>::contact() const {
   ContactSolution contact;
   contact.P = P_;
   contact.q = q_;
@@ -157,4 +178,7 @@ ContactSolution CaseSolver::contact() const {
   operators_.modes.add_to(contact.U, q_);
   return contact;
 }
+
+template class CaseSolver<2>;
+template class CaseSolver<3>;
 } // namespace Signorini

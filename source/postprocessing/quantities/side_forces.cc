@@ -169,6 +169,23 @@ std::vector<ContactForce> zone_forces(const MultiplierSpace<2> &multipliers,
   return forces;
 }
 
+std::vector<ContactForce> zone_forces(const MultiplierSpace<3> &multipliers,
+                                      const Multiplier &multiplier,
+                                      const std::vector<PressedArea> &areas) {
+  const ContactSurface<3> &surface = multipliers.surface();
+  std::vector<ContactForce> forces;
+  for (const PressedArea &area : areas) {
+    const std::set<unsigned int> patches(area.patches.begin(), area.patches.end());
+    const auto is_part = [&](const unsigned int patch) { return patches.count(patch) > 0; };
+    forces.push_back({force_of_pieces(surface.side(surface.patches()[area.patches.front()]).name(),
+                                      multipliers, multiplier, PairSide::first,
+                                      [&](const Piece<3> &piece) { return is_part(piece.patch); }),
+                      "", PairSide::first,
+                      peak_pressure<3>(multipliers, multiplier.normal(), {}, is_part)});
+  }
+  return forces;
+}
+
 namespace {
 /** A node that is held, by one or more sides. */
 template <int dim>
@@ -271,37 +288,43 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space, const Scen
   return result;
 }
 
-ReactionFunctionals::ReactionFunctionals(const DisplacementSpace<2> &space, const Scene<2> &scene) {
-  std::map<unsigned int, std::array<Displacement, 2>> v;
+template <int dim>
+ReactionFunctionals<dim>::ReactionFunctionals(const DisplacementSpace<dim> &space,
+                                              const Scene<dim> &scene) {
+  std::map<unsigned int, std::array<Displacement, dim>> v;
   for (unsigned int i = 0; i < scene.boundary.size(); ++i)
     if (holds(scene.boundary[i].role))
-      v[i] = {{space.zero(), space.zero()}};
+      v[i].fill(space.zero());
   for (const auto &[dof, node] : held_nodes(space, scene))
-    for (unsigned int c = 0; c < 2; ++c) {
-      std::map<unsigned int, Resultant<2>> by_side;
-      Tensor<1, 2> unit;
+    for (unsigned int c = 0; c < dim; ++c) {
+      std::map<unsigned int, Resultant<dim>> by_side;
+      Tensor<1, dim> unit;
       unit[c] = 1.;
       divide(node, unit, scene, by_side);
       for (const auto &[side, part] : by_side)
-        for (unsigned int d = 0; d < 2; ++d)
+        for (unsigned int d = 0; d < dim; ++d)
           v[side][d](node.dofs[c]) = part.force[d];
     }
   for (auto &[side, components] : v)
-    for (unsigned int d = 0; d < 2; ++d) {
+    for (unsigned int d = 0; d < dim; ++d) {
       space.make_continuous(components[d]);
-      functionals_.push_back({scene.geometry.sides[side].name() + "_" + "xy"[d], components[d],
-                              internal_forces(DisplacedBody(space, scene, components[d])).forces});
+      functionals_.push_back(
+        {scene.geometry.sides[side].name() + "_" + "xyz"[d], components[d],
+         internal_forces(DisplacedBody<dim>(space, scene, components[d])).forces});
     }
 }
 
+template <int dim>
 std::vector<std::pair<std::string, double>>
-ReactionFunctionals::of(const Displacement &U, const DualVector &forces) const {
+ReactionFunctionals<dim>::of(const Displacement &U, const DualVector &forces) const {
   std::vector<std::pair<std::string, double>> values;
   for (const Functional &functional : functionals_)
     values.emplace_back(functional.name, U * functional.stiffness - functional.v * forces);
   return values;
 }
 
+template class ReactionFunctionals<2>;
+template class ReactionFunctionals<3>;
 INSTANTIATE_FUNCTION(side_force);
 INSTANTIATE_FUNCTION(contacts_of_contact_force);
 INSTANTIATE_FUNCTION(body_of_contact_force);

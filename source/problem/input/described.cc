@@ -150,12 +150,10 @@ void read_boundary(const BoundaryParameters &given, const LoadParameters &load,
        {std::pair{&given.displacement, Role::displacement}, {&given.traction, Role::traction}})
     for (const auto &[name, text] : read_side_list(list->value, list->where(), sides))
       assign(name, role, *list).data = read_function<dim>(text, dim, *list);
-  if constexpr (dim == 2) {
-    scene.plates = read_plates(given.plates, load, scene.geometry);
-    for (const Plate &plate : scene.plates)
-      assign(sides[plate.side], Role::displacement, given.plates).data =
-        plate_displacement(plate, PlateMotion{plate.travel, 0., 0.});
-  }
+  scene.plates = read_plates(given.plates, load, scene.geometry);
+  for (const Plate<dim> &plate : scene.plates)
+    assign(sides[plate.side], Role::displacement, given.plates).data =
+      plate_displacement(plate, PlateMotion<dim>{plate.travel});
   if constexpr (dim == 2) {
     hold_on_axis(entries, scene);
     add_pairs(pairs, has_numbers_only, given.contact, scene);

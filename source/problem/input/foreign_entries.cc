@@ -34,11 +34,7 @@ void refuse_2d_entries(const Parameters &parameters) {
     {{&parameters.material.orthotropic_moduli, &parameters.material.orientation,
       &parameters.material.moduli_across},
      "Law = general with Hooke tensor"},
-    {{&parameters.boundary.plates, &parameters.load.plate_force, &parameters.load.plate_cross_force,
-      &parameters.load.plate_moment, &parameters.load.plate_travel},
-     "Boundary/Displacement or Traction"},
-    {{&parameters.load_cases.cases, &parameters.load_cases.fields, &parameters.load_cases.sequence},
-     "--sweep"},
+    {{&parameters.load_cases.sequence}, "independent cases"},
     {{&parameters.discretization.patches}, "Patch ratio"},
     {{&parameters.geometry.arcs, &parameters.geometry.thickness, &parameters.material.plane_state,
       &parameters.discretization.kinks_at_x, &parameters.discretization.kinks_at_y,
@@ -56,18 +52,6 @@ void refuse_2d_entries(const Parameters &parameters) {
     throw error_at(ratio, "found '", ratio.value,
                    "' with Dimension = 3, allowed: 2 or more; in space the inf-sup constant of "
                    "H = h falls like h^2.");
-  unsigned int n_generations = 0;
-  while (1U << n_generations < ratio)
-    ++n_generations;
-  if (1U << n_generations != ratio)
-    throw error_at(ratio, "found '", ratio.value,
-                   "' with Dimension = 3, allowed: powers of two; patches in space are faces of "
-                   "coarser meshes.");
-  const Given<unsigned int> &coarsest = parameters.discretization.coarsest_level;
-  if (coarsest < n_generations)
-    throw error_at(coarsest, "found '", coarsest.value,
-                   "' with Dimension = 3, allowed: ", n_generations,
-                   " or more; patches in space are faces of coarser meshes.");
 }
 
 } // namespace Signorini

@@ -143,8 +143,9 @@ std::vector<std::pair<unsigned int, std::string>> read_contact_list(const Given<
 
 /** Reads Boundary/Plates with Load/Plate force, Plate moment and Plate travel. @throws InputError.
  */
-std::vector<Plate> read_plates(const Given<std::string> &given, const LoadParameters &load,
-                               const Geometry<2> &geometry);
+template <int dim>
+std::vector<Plate<dim>> read_plates(const Given<std::string> &given, const LoadParameters &load,
+                                    const Geometry<dim> &geometry);
 
 /**
  * Reads "plane x,y normal nx,ny | bottom: circle x,y radius r" and gives the named contact sides
@@ -218,5 +219,6 @@ template <int dim>
 void check_described_scene(const Parameters &parameters, const Scene<dim> &scene);
 
 /** Reads the subsection Load cases. @throws InputError. */
-std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Scene<2> &scene);
+template <int dim>
+std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Scene<dim> &scene);
 } // namespace Signorini

@@ -2,6 +2,7 @@
 // "force 0 to 3 in 100 cases, weight 1 | travel 2": lists and ranges of load cases.
 
 #include <signorini/base/errors.h>
+#include <signorini/base/instantiate.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/parameters/entry_error.h>
@@ -19,9 +20,10 @@ namespace {
 constexpr unsigned int max_cases = 100000;
 
 /** Returns why a number of load cases could change nothing; empty if it could. */
-std::string uselessness(const CaseFactor &factor, const Scene<2> &scene) {
+template <int dim>
+std::string uselessness(const CaseFactor &factor, const Scene<dim> &scene) {
   if (factor.name.rfind("shift", 0) == 0)
-    for (const ContactCondition<2> &contact : scene.contacts)
+    for (const ContactCondition<dim> &contact : scene.contacts)
       if (contact.foundation == nullptr)
         return "the side '" + scene.geometry.sides[contact.side].name() +
                "' has no Contact/Foundation that could be moved";
@@ -40,7 +42,8 @@ unsigned int whole_number(const Entry &entry, const std::string &text, const dou
 }
 
 /** Reads one entry between '|': one case, or a range of them. */
-void read_cases(const std::string &entry, const Given<std::string> &given, const Scene<2> &scene,
+template <int dim>
+void read_cases(const std::string &entry, const Given<std::string> &given, const Scene<dim> &scene,
                 std::vector<LoadCase> &cases) {
   const auto require = [&](const bool is_allowed, const std::string &found,
                            const std::string &allowed) {
@@ -60,7 +63,9 @@ void read_cases(const std::string &entry, const Given<std::string> &given, const
     throw error_at(given, "found more than ", max_cases, " cases, allowed: at most that many.");
   const std::size_t first = cases.size();
   cases.resize(first + n);
-  const std::vector<CaseFactor> &factors = case_factors();
+  std::vector<CaseFactor> factors = case_factors();
+  if (dim == 2)
+    factors.pop_back();
   std::vector<std::string> names;
   for (const CaseFactor &factor : factors)
     names.push_back(factor.name);
@@ -94,7 +99,8 @@ void read_cases(const std::string &entry, const Given<std::string> &given, const
 }
 } // namespace
 
-std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Scene<2> &scene) {
+template <int dim>
+std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Scene<dim> &scene) {
   std::vector<LoadCase> cases;
   for (const std::string &entry : split_list(given.cases, '|'))
     read_cases(entry, given.cases, scene, cases);
@@ -110,4 +116,6 @@ std::vector<LoadCase> read_load_cases(const LoadCasesParameters &given, const Sc
   }
   return cases;
 }
+
+INSTANTIATE_FUNCTION(read_load_cases);
 } // namespace Signorini

@@ -32,24 +32,38 @@ void refuse_description(const Parameters &parameters) {
                  "' fixes this entry; leave it out, or set ", name.name, " = ", described, ".");
 }
 
+/** Returns points all over a side. */
+std::vector<Point<2>> points_on(const Side<2> &side) {
+  constexpr unsigned int n = 64;
+  std::vector<Point<2>> points;
+  for (unsigned int k = 0; k < n; ++k)
+    points.push_back(side.point((k + 0.5) / n * side.length()));
+  return points;
+}
+std::vector<Point<3>> points_on(const Side<3> &side) {
+  std::vector<Point<3>> points;
+  for (const SurfacePoint<3> &point : side.samples(side.faces().size() > 50 ? 1 : 8))
+    points.push_back(point.x);
+  return points;
+}
+
 /** Returns whether anything could press the body onto the foundation. */
-bool is_loaded(const Scene<2> &scene) {
-  constexpr unsigned int n_samples = 64;
-  for (const ContactCondition<2> &contact : scene.contacts)
-    for (unsigned int k = 0; k < n_samples; ++k) {
-      const Side<2> &side = scene.geometry.sides[contact.side];
-      if (contact.gap->value(side.point((k + 0.5) / n_samples * side.length())) < 0.)
+template <int dim>
+bool is_loaded(const Scene<dim> &scene) {
+  for (const ContactCondition<dim> &contact : scene.contacts)
+    for (const Point<dim> &x : points_on(scene.geometry.sides[contact.side]))
+      if (contact.gap->value(x) < 0.)
         return true;
-    }
   return has_load(scene, LoadKind::force) || has_load(scene, LoadKind::weight) ||
          has_load(scene, LoadKind::travel) || has_load(scene, LoadKind::cross);
 }
 
 /** Finds out whether contact alone holds the body, which needs a load. */
-void check_free_motions(Scene<2> &scene, const std::string &where) {
+template <int dim>
+void check_free_motions(Scene<dim> &scene, const std::string &where) {
   scene.is_held_by_contact = !free_rigid_motions(scene, Plates::held).empty();
   std::vector<std::string> names;
-  for (const RigidMotion &motion : free_rigid_motions(scene, Plates::released))
+  for (const RigidMotion<dim> &motion : free_rigid_motions(scene, Plates::released))
     names.push_back(motion.name());
   if (!names.empty() && !is_loaded(scene))
     throw input_error(where, ": the clamped, prescribed and roller sides leave ",
@@ -150,12 +164,8 @@ Scene<3> make_scene(const Parameters &parameters, const NamedScenes &known) {
   refuse_2d_entries(parameters);
   Scene<3> scene = read_scene<3>(parameters, known);
   refuse_contradiction(scene, parameters.boundary.where);
-  const std::vector<std::string> names = free_rigid_motions(scene);
-  if (!names.empty())
-    throw input_error(parameters.boundary.where,
-                      ": the clamped, prescribed and roller sides leave ", join(names, " and "),
-                      " of the body free; in 3-D, hold the body with Clamped, Displacement or "
-                      "Rollers.");
+  check_free_motions(scene, parameters.boundary.where);
+  scene.load_cases = read_load_cases(parameters.load_cases, scene);
   scene.probes = read_probes(parameters.output.report, scene.geometry);
   return scene;
 }

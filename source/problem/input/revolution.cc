@@ -65,7 +65,7 @@ void hold_on_axis(const std::vector<const Entry *> &entries, Scene<2> &scene) {
                        "' lies on the axis of the body of revolution, allowed: no entry for it.");
       role = Role::roller;
     }
-  for (const Plate &plate : scene.plates)
+  for (const Plate<2> &plate : scene.plates)
     if (scene.geometry.axisymmetric &&
         (plate.turns || plate.drifts || std::abs(plate.direction[0]) > 0.))
       throw error_at(*entries[plate.side], "the plate '", scene.geometry.sides[plate.side].name(),

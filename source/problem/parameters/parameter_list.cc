@@ -82,7 +82,8 @@ void Declarations::declare_boundary(BoundaryParameters &boundary) {
       "Surface traction (force/area) by side: left: tx; ty | right: tx; ty; in 3-D tx; ty; tz. "
       "Sides without a role are free.");
   add("Boundary/Plates", boundary.plates,
-      "Sides to which rigid plates are bonded, with the direction in which each travels: "
+      "Sides to which rigid plates are bonded, with the direction in which each travels, in 3-D "
+      "three numbers: "
       "top: 0, -1 | right: 1, 0 turning. A plate that is turning may also rotate about its middle, "
       "on a hole about the centre.");
 }
@@ -97,10 +98,13 @@ void Declarations::declare_load(LoadParameters &load) {
   add(
     "Load/Plate cross force", load.plate_cross_force,
     "Force on a plate across its direction (force per thickness) by side, in the direction turned "
-    "counter-clockwise by a right angle; the plate may then move across, too.");
+    "counter-clockwise by a right angle; in 3-D a vector fx, fy, fz at right angles to it. The "
+    "plate "
+    "may then move across, too.");
   add("Load/Plate moment", load.plate_moment,
       "Moment on a turning plate about its middle, on a hole about the centre, counter-clockwise "
-      "(force x length per thickness) by side; zero where nothing is given.");
+      "(force x length per thickness) by side, in 3-D a vector mx, my, mz; zero where nothing is "
+      "given.");
   add("Load/Plate travel", load.plate_travel,
       "Travel of a plate along its direction (length) by side, in the place of a force.");
 }
@@ -140,12 +144,12 @@ void Declarations::declare_contact(ContactParameters &contact) {
 }
 
 void Declarations::declare_load_cases(LoadCasesParameters &load_cases) {
-  add(
-    "Load cases/Cases", load_cases.cases,
-    "Other loads that the finest level is solved for, from the same factorisation: factors of "
-    "force (tractions, plates), weight (body force), travel (prescribed displacements), gap and "
-    "slide (Foundation shift), and shift x, shift y of the foundation (length): force 0.5, weight "
-    "2 | force 0 to 3 in 100 cases. What is not named keeps the factor 1 and the shift 0.");
+  add("Load cases/Cases", load_cases.cases,
+      "Other loads that the finest level is solved for, from the same factorisation: factors of "
+      "force (tractions, plates), weight (body force), travel (prescribed displacements), gap and "
+      "slide (Foundation shift), and shift x, shift y, shift z of the foundation (length): force "
+      "0.5, weight "
+      "2 | force 0 to 3 in 100 cases. What is not named keeps the factor 1 and the shift 0.");
   add("Load cases/Sequence", load_cases.sequence,
       "independent: every case begins with a body that has not slipped. steps: with friction, each "
       "case goes on from the slip of the one before, in their order, on every nested level.");

@@ -80,15 +80,11 @@ std::vector<std::pair<Tensor<1, dim>, std::string>> motions_at(const Scene<dim> 
                                                                const unsigned int side,
                                                                const Point<dim> &x) {
   std::vector<std::pair<Tensor<1, dim>, std::string>> found;
-  if constexpr (dim == 2)
-    for (const Plate &plate : scene.plates)
-      if (plate.side == side) {
-        if (plate.is_pushed)
-          found.emplace_back(plate.direction, "move along " + vector_text(plate.direction));
-        if (plate.drifts)
-          found.emplace_back(plate.across(), "move along " + vector_text(plate.across()));
-        if (plate.turns)
-          found.emplace_back(plate.displacement({0., 0., 1.}, x), "turn");
+  for (const Plate<dim> &plate : scene.plates)
+    for (unsigned int k = 0; k < n_rigid_motions<dim> && plate.side == side; ++k)
+      if (plate.drives(k)) {
+        const Tensor<1, dim> v = plate.displacement(plate.unit_motions()[k], x);
+        found.emplace_back(v, k < dim ? "move along " + vector_text(v) : "turn");
       }
   return found;
 }

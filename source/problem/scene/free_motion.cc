@@ -1,52 +1,45 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Generalised displacements: the motions of plates and pins.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/problem/scene/free_motion.h>
 
 #include <deal.II/lac/vector.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace Signorini {
 namespace {
 /** The motions of all plates, travels and rotations times the size of the body, or of a body. */
 using Coordinates = dealii::Vector<double>;
 
-Coordinates coordinates_of(const std::vector<PlateMotion> &motions, const double size) {
-  Coordinates x(3 * motions.size());
-  for (std::size_t p = 0; p < motions.size(); ++p) {
-    x[3 * p] = motions[p].travel;
-    x[3 * p + 1] = motions[p].drift;
-    x[3 * p + 2] = size * motions[p].rotation;
+template <int dim>
+Coordinates coordinates_of(const std::vector<PlateMotion<dim>> &motions, const double size) {
+  std::vector<double> x;
+  for (PlateMotion<dim> motion : motions) {
+    x.push_back(motion.travel);
+    for (unsigned int k = dim; k < n_rigid_motions<dim>; ++k) {
+      x.push_back(component(motion.drift, k - dim));
+      x.push_back(size * component(motion.rotation, k - dim));
+    }
   }
-  return x;
+  return Coordinates(x.begin(), x.end());
 }
 
-/** Returns a basis of the same span: first all translations that lie in it, then the motion that
- * turns the body. */
-std::vector<RigidMotion> translations_first(std::vector<RigidMotion> motions) {
-  // Motions of several bodies are separate already.
-  if (motions.empty() || motions.front().bodies.size() > 1)
-    return motions;
-  const auto rotation = [](const RigidMotion &motion) { return motion.bodies[0].rotation; };
-  const auto turning =
-    std::max_element(motions.begin(), motions.end(), [&](const auto &a, const auto &b) {
-      return std::abs(rotation(a)) < std::abs(rotation(b));
-    });
-  if (turning->is_translation())
-    return motions;
-  std::iter_swap(turning, motions.end() - 1);
-  const RigidMotion &last = motions.back();
-  for (std::size_t i = 0; i + 1 < motions.size(); ++i)
-    motions[i] = combine({motions[i], last}, {1., -rotation(motions[i]) / rotation(last)});
-  return motions;
+template <int dim>
+Coordinates coordinates_of(const RigidMotion<dim> &motion) {
+  std::vector<double> x;
+  for (BodyMotion<dim> body : motion.bodies) {
+    x.insert(x.end(), body.translation.begin_raw(), body.translation.end_raw());
+    for (unsigned int k = dim; k < n_rigid_motions<dim>; ++k)
+      x.push_back(component(body.rotation, k - dim));
+  }
+  return Coordinates(x.begin(), x.end());
 }
 
 /** Returns the scene with contact sides that can neither open nor close, with friction nor slide.
  */
-Scene<2> with_sliding_contact(Scene<2> scene) {
-  for (const ContactCondition<2> &contact : scene.contacts)
+template <int dim>
+Scene<dim> with_sliding_contact(Scene<dim> scene) {
+  for (const ContactCondition<dim> &contact : scene.contacts)
     scene.boundary[contact.side].role =
       scene.contact_law.has_tangential_part() ? Role::clamped : Role::roller;
   return scene;
@@ -69,38 +62,43 @@ bool extend(std::vector<Coordinates> &basis, Coordinates x) {
 }
 
 /** Returns the motions of the plates when their bodies move as wholes. */
-std::vector<PlateMotion> follow(const RigidMotion &rigid, const Scene<2> &scene) {
-  std::vector<PlateMotion> motions;
-  motions.reserve(scene.plates.size());
-  for (const Plate &plate : scene.plates) {
-    const BodyMotion &body = rigid.bodies[scene.geometry.body_of_side(plate.side)];
-    motions.push_back({plate.is_pushed ? body.velocity(plate.centre) * plate.direction : 0.,
-                       plate.drifts ? body.velocity(plate.centre) * plate.across() : 0.,
-                       plate.turns ? body.rotation / body.size : 0.});
+template <int dim>
+std::vector<PlateMotion<dim>> follow(const RigidMotion<dim> &rigid, const Scene<dim> &scene) {
+  std::vector<PlateMotion<dim>> motions;
+  for (const Plate<dim> &plate : scene.plates) {
+    const BodyMotion<dim> &body = rigid.bodies[scene.geometry.body_of_side(plate.side)];
+    const Tensor<1, dim> v = body.velocity(plate.centre);
+    const auto across = plate.across();
+    const auto units = plate.unit_motions();
+    PlateMotion<dim> &motion = motions.emplace_back();
+    motion.travel = plate.is_pushed ? v * plate.direction : 0.;
+    for (unsigned int k = 1; k < dim && plate.drifts; ++k)
+      motion.add(v * across[k - 1], units[k]);
+    if (plate.turns)
+      motion.rotation += 1. / body.size * body.rotation;
   }
   return motions;
 }
 
 /** Returns the motions in which one plate moves in one way and all others rest. */
-std::vector<FreeMotion> single_motions(const std::vector<Plate> &plates, const double size) {
-  std::vector<FreeMotion> motions;
+template <int dim>
+std::vector<FreeMotion<dim>> single_motions(const std::vector<Plate<dim>> &plates,
+                                            const double size) {
+  std::vector<FreeMotion<dim>> motions;
   for (std::size_t p = 0; p < plates.size(); ++p) {
-    const auto add = [&](const PlateMotion &motion) {
-      motions.push_back({std::vector<PlateMotion>(plates.size()), {}});
-      motions.back().plates[p] = motion;
-    };
-    if (plates[p].is_pushed)
-      add({1., 0., 0.});
-    if (plates[p].drifts)
-      add({0., 1., 0.});
-    if (plates[p].turns)
-      add({0., 0., 1. / size});
+    const auto units = plates[p].unit_motions();
+    for (unsigned int k = 0; k < units.size(); ++k)
+      if (plates[p].drives(k)) {
+        motions.push_back({std::vector<PlateMotion<dim>>(plates.size()), {}});
+        motions.back().plates[p].add(k < dim ? 1. : 1. / size, units[k]);
+      }
   }
   return motions;
 }
 } // namespace
 
-double FreeMotion::work_of_plates(const std::vector<Plate> &plates_of_scene) const {
+template <int dim>
+double FreeMotion<dim>::work_of_plates(const std::vector<Plate<dim>> &plates_of_scene) const {
   AssertDimension(plates.size(), plates_of_scene.size());
   double work = 0.;
   for (std::size_t p = 0; p < plates.size(); ++p)
@@ -108,40 +106,43 @@ double FreeMotion::work_of_plates(const std::vector<Plate> &plates_of_scene) con
   return work;
 }
 
-FreeMotionBasis free_motions(const Scene<2> &scene) {
-  FreeMotionBasis motions;
+template <int dim>
+FreeMotionBasis<dim> free_motions(const Scene<dim> &scene) {
+  FreeMotionBasis<dim> motions;
   std::vector<Coordinates> rigid_motions, plate_motions;
   const double size = scene.geometry.diameter();
-  const auto add = [&](const RigidMotion &rigid, std::vector<FreeMotion> &kind) {
-    Coordinates x(3 * rigid.bodies.size());
-    for (std::size_t b = 0; b < rigid.bodies.size(); ++b)
-      for (unsigned int k = 0; k < 3; ++k)
-        x[3 * b + k] = k < 2 ? rigid.bodies[b].translation[k] : rigid.bodies[b].rotation;
-    if (!extend(rigid_motions, x))
+  const auto add = [&](const RigidMotion<dim> &rigid, std::vector<FreeMotion<dim>> &kind) {
+    if (!extend(rigid_motions, coordinates_of(rigid)))
       return;
     kind.push_back({follow(rigid, scene), rigid});
     extend(plate_motions, coordinates_of(kind.back().plates, size));
   };
-  for (const RigidMotion &rigid : free_rigid_motions(with_sliding_contact(scene), Plates::released))
+  for (const RigidMotion<dim> &rigid :
+       free_rigid_motions(with_sliding_contact(scene), Plates::released))
     add(rigid, motions.neutral);
-  // Pure translations are exact on all meshes, and their balance is that of forces.
-  for (const RigidMotion &rigid : translations_first(free_rigid_motions(scene, Plates::released)))
+  // Pure translations, which come first, are exact on all meshes, and their balance is that of
+  // forces.
+  for (const RigidMotion<dim> &rigid : free_rigid_motions(scene, Plates::released))
     add(rigid, motions.resisted);
-  for (const FreeMotion &single : single_motions(scene.plates, size))
+  for (const FreeMotion<dim> &single : single_motions(scene.plates, size))
     if (extend(plate_motions, coordinates_of(single.plates, size)))
       motions.resisted.push_back(single);
   return motions;
 }
 
-std::vector<PlateMotion> combine_plates(const std::vector<FreeMotion> &motions,
-                                        const std::vector<double> &q, const std::size_t n_plates) {
-  std::vector<PlateMotion> sum(n_plates);
+template <int dim>
+std::vector<PlateMotion<dim>> combine_plates(const std::vector<FreeMotion<dim>> &motions,
+                                             const std::vector<double> &q,
+                                             const std::size_t n_plates) {
+  std::vector<PlateMotion<dim>> sum(n_plates);
   for (std::size_t j = 0; j < motions.size(); ++j)
-    for (std::size_t p = 0; p < n_plates; ++p) {
-      sum[p].travel += q[j] * motions[j].plates[p].travel;
-      sum[p].drift += q[j] * motions[j].plates[p].drift;
-      sum[p].rotation += q[j] * motions[j].plates[p].rotation;
-    }
+    for (std::size_t p = 0; p < n_plates; ++p)
+      sum[p].add(q[j], motions[j].plates[p]);
   return sum;
 }
+
+template struct FreeMotion<2>;
+template struct FreeMotion<3>;
+INSTANTIATE_FUNCTION(free_motions);
+INSTANTIATE_FUNCTION(combine_plates);
 } // namespace Signorini

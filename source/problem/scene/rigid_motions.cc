@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The kernel of A, found from the boundary conditions alone: no finite elements.
 
+#include <signorini/base/instantiate.h>
 #include <signorini/base/message.h>
 #include <signorini/base/text.h>
 #include <signorini/problem/scene/contact_pair.h>
@@ -11,27 +12,24 @@
 #include <deal.II/lac/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <optional>
 #include <sstream>
 
 namespace Signorini {
 namespace {
-/** The translations and rotations of a body as a whole. */
-template <int dim>
-constexpr unsigned int n_rigid_motions = dim *(dim + 1) / 2;
-
 /** Returns the velocity of a translation along an axis or, behind these, of a rotation, in 3-D
  * about an axis. */
 template <int dim>
 Tensor<1, dim> rigid_velocity(const unsigned int k, const Tensor<1, dim> &x) {
   if (k < dim)
     return Point<dim>::unit_vector(k);
-  if constexpr (dim == 2)
-    return Tensor<1, 2>({-x[1], x[0]});
-  else
-    return cross_product_3d(Point<3>::unit_vector(k - 3), x);
+  Rotation<dim> omega = {};
+  component(omega, k - dim) = 1.;
+  return cross(omega, x);
 }
 
 /** The sum of r r^T over conditions r.motion = 0 on translations and rotations times the size of
@@ -85,125 +83,183 @@ public:
   double size;
 };
 
-/** Adds the conditions of a side, as a contact one of it where there is one; two points suffice for
- * a segment, three for a circle. */
-void add_side_conditions(const Scene<2> &scene, const unsigned int number,
-                         const ContactCondition<2> &contact, Conditions<2> &conditions) {
-  const Geometry<2> &geometry = scene.geometry;
-  const Side<2> &side = geometry.sides[number];
-  std::optional<unsigned int> other;
-  if (contact.opposite)
-    other = geometry.body_of_side(*contact.opposite);
+/** Returns points of a side with the directions of a contact; two suffice for a segment, three for
+ * a circle. */
+std::vector<SurfacePoint<2>> contact_points(const Side<2> &side,
+                                            const ContactCondition<2> &contact) {
+  std::vector<SurfacePoint<2>> points;
   for (unsigned int k = 0; k < side.n_pieces(); ++k)
     for (const double share : {0., 1. / 3., 2. / 3., 1.}) {
       const double s = share * side.piece(k).length();
       const Point<2> x = side.piece(k).point(s);
-      conditions.forbid(scene.boundary[number].role, x,
-                        contact.directions.at(side.start_of(k) + s, x, side.piece(k).normal(s)),
-                        1. / side.n_pieces(), geometry.body_of_side(number), other);
+      points.push_back(
+        {x, contact.directions.at(side.start_of(k) + s, x, side.piece(k).normal(s))});
     }
+  return points;
+}
+std::vector<SurfacePoint<3>> contact_points(const Side<3> &side,
+                                            const ContactCondition<3> &contact) {
+  std::vector<SurfacePoint<3>> points = side.samples(2);
+  for (auto &[x, m] : points)
+    m = contact.directions.at(x, m);
+  return points;
+}
+
+/** Adds the conditions of a side, as a contact one of it where there is one. */
+template <int dim>
+void add_side_conditions(const Scene<dim> &scene, const unsigned int number,
+                         const ContactCondition<dim> &contact, Conditions<dim> &conditions) {
+  const Geometry<dim> &geometry = scene.geometry;
+  std::optional<unsigned int> other;
+  if (contact.opposite)
+    other = geometry.body_of_side(*contact.opposite);
+  const std::vector<SurfacePoint<dim>> points = contact_points(geometry.sides[number], contact);
+  for (const auto &[x, m] : points)
+    conditions.forbid(scene.boundary[number].role, x, m, 4. / points.size(),
+                      geometry.body_of_side(number), other);
 }
 
 /** Adds the conditions of a side, in each of its contacts. */
-void add_side_conditions(const Scene<2> &scene, const unsigned int number,
-                         Conditions<2> &conditions) {
-  for (const ContactCondition<2> &contact : scene.contacts)
+template <int dim>
+void add_side_conditions(const Scene<dim> &scene, const unsigned int number,
+                         Conditions<dim> &conditions) {
+  for (const ContactCondition<dim> &contact : scene.contacts)
     if (contact.side == number)
       add_side_conditions(scene, number, contact, conditions);
   if (!scene.has_contact_on(number))
-    add_side_conditions(scene, number, {}, conditions);
-}
-
-void add_side_conditions(const Side<3> &side, const Role role, Conditions<3> &conditions) {
-  for (const SurfacePoint<3> &point : side.samples(2))
-    conditions.forbid(role, point.x, point.n, 1. / side.faces().size());
+    add_side_conditions<dim>(scene, number, {}, conditions);
 }
 
 /** Adds the conditions of a plate on its body, which moves as a whole. */
-void add_plate_conditions(const Plate &plate, const unsigned int body, Conditions<2> &conditions) {
-  if (!plate.drifts)
-    conditions.forbid_velocity(plate.centre, plate.across(), 1., body);
+template <int dim>
+void add_plate_conditions(const Plate<dim> &plate, const unsigned int body,
+                          Conditions<dim> &conditions) {
+  for (const Tensor<1, dim> &across : plate.across())
+    if (!plate.drifts)
+      conditions.forbid_velocity(plate.centre, across, 1., body);
   if (!plate.is_pushed)
     conditions.forbid_velocity(plate.centre, plate.direction, 1., body);
-  if (!plate.turns)
-    conditions.matrix(3 * body + 2, 3 * body + 2) += 1.;
+  constexpr unsigned int n = n_rigid_motions<dim>;
+  for (unsigned int k = n * body + dim; k < n * (body + 1) && !plate.turns; ++k)
+    conditions.matrix(k, k) += 1.;
 }
 
-/** Returns a point or a direction rounded for messages: no 1e-17. */
-std::string rounded_text(Tensor<1, 2> x) {
-  for (unsigned int d = 0; d < 2; ++d)
-    x[d] = std::round(x[d] * 1e4) / 1e4;
+/** Returns a point or a direction rounded for messages: no 1e-17. @param size that of the body, 1
+ * of directions. */
+template <int dim>
+std::string rounded_text(Tensor<1, dim> x, const double size = 1.) {
+  const double scale = 1e4 * std::pow(10., -std::floor(std::log10(size)));
+  for (unsigned int d = 0; d < dim; ++d)
+    x[d] = std::round(x[d] * scale) / scale;
   return vector_text(x);
 }
 
-/** Returns the point that does not move, as text. */
-std::string pole(const BodyMotion &motion) {
+/** Returns "(1, 2)", the point that does not move. */
+std::string pole(const BodyMotion<2> &motion) {
   const double omega = motion.rotation / motion.size;
-  return rounded_text(motion.centre - cross_product_2d(motion.translation) / omega);
+  return rounded_text<2>(motion.centre - cross_product_2d(motion.translation) / omega, motion.size);
+}
+/** Returns "the line through (0, 0, 1) along (1, 0, 0)", with the motion along it if there is one.
+ */
+std::string pole(const BodyMotion<3> &motion) {
+  constexpr double negligible = 1e-6;
+  const Tensor<1, 3> omega = motion.rotation / motion.size, &t = motion.translation;
+  const double pitch = omega * t / omega.norm_square();
+  return "the line through " +
+         rounded_text<3>(motion.centre + cross_product_3d(omega, t) / omega.norm_square(),
+                         motion.size) +
+         " along " + rounded_text<3>(omega / omega.norm()) +
+         (std::abs(pitch) > negligible * motion.size
+            ? " (by " + number_text(2. * numbers::PI * pitch) + " along it in each turn)"
+            : "");
+}
+
+/** Returns "clockwise about (1, 2)". */
+std::string turning(const BodyMotion<2> &motion) {
+  return std::string(motion.rotation > 0. ? "counter-clockwise" : "clockwise") + " about " +
+         pole(motion);
+}
+std::string turning(const BodyMotion<3> &motion) {
+  return "about " + pole(motion);
 }
 } // namespace
 
-Tensor<1, 2> BodyMotion::velocity(const Point<2> &x) const {
-  const Tensor<1, 2> arm = (x - centre) / size;
-  return translation + rotation * Tensor<1, 2>({-arm[1], arm[0]});
+template <int dim>
+Tensor<1, dim> BodyMotion<dim>::velocity(const Point<dim> &x) const {
+  return translation + cross(rotation, (x - centre) / size);
 }
 
-double BodyMotion::speed() const {
-  return std::max(translation.norm(), std::abs(rotation));
+template <int dim>
+double BodyMotion<dim>::speed() const {
+  return std::max(translation.norm(), size_of(rotation));
 }
 
 namespace {
-bool is_translation(const BodyMotion &motion) {
-  return std::abs(motion.rotation) < 1e-6 * motion.translation.norm();
+template <int dim>
+bool is_translation(const BodyMotion<dim> &motion) {
+  return size_of(motion.rotation) < 1e-6 * motion.translation.norm();
 }
 
 /** Returns the texts of all bodies that move. */
-std::string join_parts(const RigidMotion &motion, const std::string &before_body,
-                       const std::function<std::string(const BodyMotion &)> &text_of) {
+template <int dim>
+std::string join_parts(const RigidMotion<dim> &motion, const std::string &before_body,
+                       const std::function<std::string(const BodyMotion<dim> &)> &text_of) {
   double fastest = 0.;
-  for (const BodyMotion &part : motion.bodies)
+  for (const BodyMotion<dim> &part : motion.bodies)
     fastest = std::max(fastest, part.speed());
   std::vector<std::string> texts;
-  for (const BodyMotion &part : motion.bodies)
+  for (const BodyMotion<dim> &part : motion.bodies)
     if (part.speed() > 1e-6 * fastest)
       texts.push_back(text_of(part) +
                       (part.name.empty() ? "" : before_body + "'" + part.name + "'"));
   return join(texts, " and ");
 }
+
+/** Returns x or -x, of which the first component that is not zero is positive. */
+template <int dim>
+Tensor<1, dim> without_sign(const Tensor<1, dim> &x) {
+  for (unsigned int d = 0; d < dim; ++d)
+    if (std::abs(x[d]) > 1e-6 * x.norm())
+      return x[d] < 0. ? -x : x;
+  return x;
+}
 } // namespace
 
-bool RigidMotion::is_translation() const {
-  return std::all_of(bodies.begin(), bodies.end(), [](const BodyMotion &part) {
+template <int dim>
+bool RigidMotion<dim>::is_translation() const {
+  return std::all_of(bodies.begin(), bodies.end(), [](const BodyMotion<dim> &part) {
     return part.speed() == 0. || Signorini::is_translation(part);
   });
 }
 
-std::string RigidMotion::name() const {
-  return join_parts(*this, " of ", [](const BodyMotion &part) {
-    if (!Signorini::is_translation(part))
-      return "the rotation about " + pole(part);
-    const Tensor<1, 2> t = part.translation / part.translation.norm();
-    const double sign = (std::abs(t[0]) > 1e-6 ? t[0] : t[1]) < 0 ? -1. : 1.;
-    return "the translation along " + rounded_text(sign * t);
+template <int dim>
+std::string RigidMotion<dim>::name() const {
+  return join_parts<dim>(*this, " of ", [](const BodyMotion<dim> &part) {
+    return Signorini::is_translation(part)
+             ? "the translation along " +
+                 rounded_text(without_sign(part.translation / part.translation.norm()))
+             : "the rotation about " + pole(part);
   });
 }
 
-std::string RigidMotion::direction() const {
-  return join_parts(*this, ", of ", [](const BodyMotion &part) {
-    if (!Signorini::is_translation(part))
-      return std::string(part.rotation > 0. ? "counter-clockwise" : "clockwise") + " about " +
-             pole(part);
-    return "along " + rounded_text(part.translation / part.translation.norm());
+template <int dim>
+std::string RigidMotion<dim>::direction() const {
+  return join_parts<dim>(*this, ", of ", [](const BodyMotion<dim> &part) {
+    return Signorini::is_translation(part)
+             ? "along " + rounded_text(part.translation / part.translation.norm())
+             : turning(part);
   });
 }
 
-RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<double> &weights) {
+template <int dim>
+RigidMotion<dim> combine(const std::vector<RigidMotion<dim>> &motions,
+                         const std::vector<double> &weights) {
   AssertDimension(motions.size(), weights.size());
-  RigidMotion sum = motions.front();
+  RigidMotion<dim> sum = motions.front();
   for (std::size_t b = 0; b < sum.bodies.size(); ++b) {
-    BodyMotion &part = sum.bodies[b];
+    BodyMotion<dim> &part = sum.bodies[b];
     part.translation = 0.;
-    part.rotation = 0.;
+    part.rotation = {};
     for (std::size_t i = 0; i < motions.size(); ++i) {
       part.translation += weights[i] * motions[i].bodies[b].translation;
       part.rotation += weights[i] * motions[i].bodies[b].rotation;
@@ -214,44 +270,67 @@ RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<d
 
 namespace {
 /** Changes the columns of a matrix into a basis of their span in which each vector alone has a one
- * at some row: motions of one body each, where bodies move independently. */
-void separate(FullMatrix<double> &vectors) {
-  std::vector<bool> done(vectors.m(), false);
-  for (unsigned int k = 0; k < vectors.n(); ++k) {
-    unsigned int pivot = 0;
-    double largest = 0.;
+ * at some row: motions of one body each, where bodies move independently. These rows are rotations
+ * as far as possible, so that all translations in the span come first. */
+template <int dim>
+FullMatrix<double> separate(FullMatrix<double> vectors) {
+  constexpr unsigned int n_own = n_rigid_motions<dim>;
+  constexpr double negligible = 1e-6;
+  const unsigned int n = vectors.n();
+  // The rows of the columns; none at first.
+  std::vector<unsigned int> rows(n, vectors.m());
+  for (unsigned int step = 0; step < n; ++step) {
+    const auto find = [&](const bool among_rotations) {
+      std::array<unsigned int, 2> pivot = {};
+      double largest = 0.;
+      for (unsigned int k = 0; k < n; ++k)
+        for (unsigned int i = 0; i < vectors.m() && rows[k] == vectors.m(); ++i)
+          if ((i % n_own >= dim) == among_rotations && std::abs(vectors(i, k)) > largest) {
+            largest = std::abs(vectors(i, k));
+            pivot = {{i, k}};
+          }
+      return std::pair(largest, pivot);
+    };
+    auto [largest, pivot] = find(true);
+    if (largest < negligible)
+      pivot = find(false).second;
+    const auto [row, column] = pivot;
+    rows[column] = row;
+    const double factor = vectors(row, column);
     for (unsigned int i = 0; i < vectors.m(); ++i)
-      if (!done[i] && std::abs(vectors(i, k)) > largest) {
-        largest = std::abs(vectors(i, k));
-        pivot = i;
-      }
-    done[pivot] = true;
-    const double factor = vectors(pivot, k);
-    for (unsigned int i = 0; i < vectors.m(); ++i)
-      vectors(i, k) /= factor;
-    for (unsigned int l = 0; l < vectors.n(); ++l)
-      if (const double share = vectors(pivot, l); l != k)
+      vectors(i, column) /= factor;
+    for (unsigned int l = 0; l < n; ++l)
+      if (const double share = vectors(row, l); l != column)
         for (unsigned int i = 0; i < vectors.m(); ++i)
-          vectors(i, l) -= share * vectors(i, k);
+          vectors(i, l) -= share * vectors(i, column);
   }
+  std::vector<unsigned int> order(n);
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](const unsigned int k, const unsigned int l) {
+    return std::pair(rows[k] % n_own >= dim, rows[k]) < std::pair(rows[l] % n_own >= dim, rows[l]);
+  });
+  FullMatrix<double> basis(vectors.m(), n);
   // The work of loads must not be rounding relative to rounding.
   for (unsigned int i = 0; i < vectors.m(); ++i)
-    for (unsigned int k = 0; k < vectors.n(); ++k)
-      if (std::abs(vectors(i, k)) < 1e-10)
-        vectors(i, k) = 0.;
+    for (unsigned int k = 0; k < n; ++k)
+      if (const double entry = vectors(i, order[k]); std::abs(entry) >= 1e-10)
+        basis(i, k) = entry;
+  return basis;
 }
 } // namespace
 
-std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates plates) {
-  Conditions<2> conditions(scene.geometry);
+template <int dim>
+std::vector<RigidMotion<dim>> free_rigid_motions(const Scene<dim> &scene, const Plates plates) {
+  Conditions<dim> conditions(scene.geometry);
+  constexpr unsigned int n_own = n_rigid_motions<dim>;
   // A body of revolution is rigid along its axis only.
   const unsigned int n = conditions.matrix.m(), n_bodies = scene.geometry.n_bodies();
   if (scene.geometry.axisymmetric)
     for (unsigned int k = 0; k < n; ++k)
-      conditions.matrix(k, k) += k % 3 != 1 ? 1. : 0.;
+      conditions.matrix(k, k) += k % n_own != 1 ? 1. : 0.;
   std::vector<bool> is_released(scene.boundary.size(), false);
   if (plates == Plates::released)
-    for (const Plate &plate : scene.plates) {
+    for (const Plate<dim> &plate : scene.plates) {
       is_released[plate.side] = true;
       add_plate_conditions(plate, scene.geometry.body_of_side(plate.side), conditions);
     }
@@ -269,30 +348,28 @@ std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, const Plates 
   for (unsigned int k = 0; k < n_free; ++k)
     for (unsigned int i = 0; i < n; ++i)
       free(i, k) = vectors(i, k);
-  if (n_bodies > 1)
-    separate(free);
-  std::vector<RigidMotion> motions(n_free);
+  free = separate<dim>(free);
+  std::vector<RigidMotion<dim>> motions(n_free);
   for (unsigned int k = 0; k < n_free; ++k)
-    for (unsigned int b = 0; b < n_bodies; ++b)
-      motions[k].bodies.push_back({n_bodies > 1 ? scene.geometry.bodies[b].name : "",
-                                   Tensor<1, 2>({free(3 * b, k), free(3 * b + 1, k)}),
-                                   free(3 * b + 2, k), conditions.centres[b], conditions.size});
+    for (unsigned int b = 0; b < n_bodies; ++b) {
+      BodyMotion<dim> motion = {n_bodies > 1 ? scene.geometry.bodies[b].name : "",
+                                {},
+                                {},
+                                conditions.centres[b],
+                                conditions.size};
+      for (unsigned int d = 0; d < dim; ++d)
+        motion.translation[d] = free(n_own * b + d, k);
+      for (unsigned int d = dim; d < n_own; ++d)
+        component(motion.rotation, d - dim) = free(n_own * b + d, k);
+      motions[k].bodies.push_back(motion);
+    }
   return motions;
 }
 
-// Sides of a box are parallel to its axes: the motions that they leave free are spanned by
-// translations along the axes and rotations about axes through any point on the lines of symmetry
-// of the held sides.
-std::vector<std::string> free_rigid_motions(const Scene<3> &scene) {
-  Conditions<3> conditions(scene.geometry);
-  for (unsigned int i = 0; i < scene.boundary.size(); ++i)
-    add_side_conditions(scene.geometry.sides[i], scene.boundary[i].role, conditions);
-  std::vector<std::string> names;
-  for (unsigned int k = 0; k < 6; ++k)
-    if (conditions.matrix(k, k) < 1e-20)
-      names.push_back(k < 3 ? std::string("the translation along ") + "xyz"[k]
-                            : std::string("the rotation about the ") + "xyz"[k - 3] + "-axis");
-  return names;
-}
-
+template struct BodyMotion<2>;
+template struct BodyMotion<3>;
+template struct RigidMotion<2>;
+template struct RigidMotion<3>;
+INSTANTIATE_FUNCTION(combine);
+INSTANTIATE_FUNCTION(free_rigid_motions);
 } // namespace Signorini

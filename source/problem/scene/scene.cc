@@ -43,16 +43,15 @@ bool Scene<dim>::has_exact_pressure() const {
 }
 
 template <int dim>
-Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions) {
+Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion<dim>> &motions) {
   AssertDimension(motions.size(), scene.plates.size());
-  if constexpr (dim == 2)
-    for (std::size_t p = 0; p < scene.plates.size(); ++p)
-      scene.boundary[scene.plates[p].side].data = plate_displacement(scene.plates[p], motions[p]);
+  for (std::size_t p = 0; p < scene.plates.size(); ++p)
+    scene.boundary[scene.plates[p].side].data = plate_displacement(scene.plates[p], motions[p]);
   return scene;
 }
 
 template <int dim>
-Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions) {
+Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotion<dim>> &motions) {
   for (BoundaryCondition<dim> &condition : scene.boundary)
     if (condition.role == Role::displacement)
       condition.data = std::make_shared<const Functions::ZeroFunction<dim>>(dim);

@@ -40,8 +40,10 @@ std::string signed_percent(const double share) {
 std::string scaled_text(const double x, const double size) {
   return digits(rounded(x, size));
 }
-/** Returns "(0.25, 0)". */
+/** Returns "(0.25, 0)", of one number "0.25". */
 std::string scaled_text(const AnswerVector &x, const double size) {
+  if (x.size() == 1)
+    return scaled_text(x[0], size);
   std::vector<std::string> texts;
   for (const double component : x)
     texts.push_back(scaled_text(component, size));
@@ -113,17 +115,18 @@ public:
   }
 
   void add_plates() {
-    for (const auto &[side, plate, motion, force, cross_force, moment] : level_.motions.plates) {
-      std::string text = "travel " + scaled_text(motion.travel, size_) + " along " +
-                         scaled_text(plate.direction, 1.) + ", force " + scaled_text(force, scale_);
+    for (const PlateRecord &plate : level_.motions.plates) {
+      std::string text = "travel " + scaled_text(plate.travel, size_) + " along " +
+                         scaled_text(plate.direction, 1.) + ", force " +
+                         scaled_text(plate.force, scale_);
       if (plate.drifts)
-        text += ", drift " + scaled_text(motion.drift, size_) + " across, force " +
-                scaled_text(cross_force, scale_);
+        text += ", drift " + scaled_text(plate.drift, size_) + " across, force " +
+                scaled_text(plate.cross_force, scale_);
       if (plate.turns)
-        text += ", rotation " + scaled_text(motion.rotation, 1.) + " about " +
+        text += ", rotation " + scaled_text(plate.rotation, 1.) + " about " +
                 scaled_text(plate.centre, size_) + ", moment " +
-                scaled_text(moment, scale_ * size_);
-      add("Plate on " + side, text);
+                scaled_text(plate.moment, scale_ * size_);
+      add("Plate on " + plate.side, text);
     }
     for (const std::string &motion : level_.motions.undetermined)
       add("Undetermined", motion + ": nothing resists it, its size means nothing");
@@ -174,7 +177,8 @@ public:
     // A zone that is alone has the force and the peak of all contact.
     const std::vector<ContactZone> &zones = level_.answer.zones;
     for (std::size_t i = 0; i < zones.size(); ++i) {
-      add_zones("Contact zone", {zones[i]});
+      if (!in_space || zones.size() > 1)
+        add_zones("Contact zone", {zones[i]});
       if (zones.size() == 1)
         continue;
       const ContactForce &force = level_.answer.zone_forces[i];
@@ -271,6 +275,10 @@ private:
   }
   void add_zones(const std::string &label, const std::vector<ContactZone> &zones) {
     for (const auto &[start, end, length, contact] : zones) {
+      if (level_.answer.dimension == 3) {
+        add(label, level_.answer.contact_by_side[contact].side + ", area " + digits(length));
+        continue;
+      }
       const std::string side = start.at.side;
       const bool all_around = start.at.point.distance(end.at.point) < 1e-10 * length;
       add(label, (all_around ? "all around " + side

@@ -88,16 +88,21 @@ static void to_json(Json &json, const GrowthEdge &edge) {
   json["exponent"] = edge.exponent;
 }
 
+/** Returns one number alone, as the plane has it. */
+static Json number_or_vector(const AnswerVector &x) {
+  return x.size() == 1 ? Json(x[0]) : Json(x);
+}
+
 static void to_json(Json &json, const PlateRecord &plate) {
   json = {{"side", plate.side},
-          {"direction", AnswerVector(plate.plate.direction)},
-          {"travel", plate.motion.travel},
+          {"direction", plate.direction},
+          {"travel", plate.travel},
           {"force", plate.force},
-          {"drift", plate.motion.drift},
-          {"cross_force", plate.cross_force},
-          {"centre", AnswerVector(plate.plate.centre)},
-          {"rotation", plate.motion.rotation},
-          {"moment", plate.moment}};
+          {"drift", number_or_vector(plate.drift)},
+          {"cross_force", number_or_vector(plate.cross_force)},
+          {"centre", plate.centre},
+          {"rotation", number_or_vector(plate.rotation)},
+          {"moment", number_or_vector(plate.moment)}};
 }
 
 static void to_json(Json &json, const Penetration &penetration) {
@@ -140,7 +145,8 @@ Json with_trend(Json maximum, const Trend &trend) {
 Json zones_of(const Answer &answer) {
   Json zones = Json::array();
   for (std::size_t i = 0; i < answer.zones.size(); ++i) {
-    zones.push_back(answer.zones[i]);
+    zones.push_back(answer.dimension == 2 ? Json(answer.zones[i])
+                                          : Json({{"area", answer.zones[i].length}}));
     Json force = answer.zone_forces[i];
     force.erase("side");
     zones.back().update(force);

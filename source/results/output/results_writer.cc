@@ -134,7 +134,8 @@ std::string ResultsWriter::write_body(const std::string &name, const DisplacedBo
   return name + ".pvtu";
 }
 
-void ResultsWriter::write_case_fields(const BodyInContact<2> &solved, const unsigned int number) {
+template <int dim>
+void ResultsWriter::write_case_fields(const BodyInContact<dim> &solved, const unsigned int number) {
   if (!directory_.empty())
     write_body_in_contact("-case-" + Utilities::int_to_string(number, 6), "-cases", solved, {},
                           number, parameters_.output.vtu != VtuLevels::none);
@@ -270,4 +271,6 @@ void ResultsWriter::abandon() {
 
 template void ResultsWriter::write_fields(const LevelResult<2> &);
 template void ResultsWriter::write_fields(const LevelResult<3> &);
+template void ResultsWriter::write_case_fields(const BodyInContact<2> &, unsigned int);
+template void ResultsWriter::write_case_fields(const BodyInContact<3> &, unsigned int);
 } // namespace Signorini

@@ -83,7 +83,7 @@ void write_scene_json(std::ostream &stream, const Scene<2> &scene,
       if (first != nullptr && !first->data().directions.are_normals())
         side["directions"].push_back(AnswerVector(first->direction(samples.points[k])));
     }
-    for (const Plate &plate : scene.plates)
+    for (const Plate<2> &plate : scene.plates)
       if (plate.side == i)
         side["plate"] = {{"direction", AnswerVector(plate.direction)},
                          {"force", plate.is_pushed ? Json(plate.force) : Json(nullptr)},

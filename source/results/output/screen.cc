@@ -29,7 +29,7 @@ std::string describe_boundary(const Scene<dim> &scene) {
   std::vector<std::string> parts, plates;
   const auto has_plate = [&scene](const unsigned int side) {
     return std::any_of(scene.plates.begin(), scene.plates.end(),
-                       [side](const Plate &plate) { return plate.side == side; });
+                       [side](const Plate<dim> &plate) { return plate.side == side; });
   };
   for (const Role role : {Role::contact, Role::clamped, Role::roller, Role::displacement,
                           Role::traction, Role::free}) {

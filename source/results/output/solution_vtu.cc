@@ -88,6 +88,21 @@ private:
     }
   }
 
+  /** Returns the corners of all children of the parent of a cell, x running first: cells need not
+   * be halves of a box. */
+  static std::vector<Point<dim>> corners_of_children(const Cell &cell) {
+    std::vector<Point<dim>> corners;
+    for (unsigned int i = 0; i < std::lround(std::pow(3., dim)); ++i) {
+      unsigned int child = 0, vertex = 0;
+      for (unsigned int d = 0, position = i; d < dim; ++d, position /= 3) {
+        child |= (position % 3 == 2 ? 1U : 0U) << d;
+        vertex |= (position % 3 > 0 ? 1U : 0U) << d;
+      }
+      corners.push_back(cell->parent()->child(child)->vertex(vertex));
+    }
+    return corners;
+  }
+
   /** Adds a cell with the field u_h and the one of which strains are taken. */
   void add_cell(const Cell &cell, const unsigned int n, const CellEvaluator<dim> &u,
                 const unsigned int recovered) {
@@ -95,6 +110,7 @@ private:
     const Point<dim> middle = cell->center();
     const bool has_regions = !field_.scene.geometry.regions.empty();
     const double region = has_regions ? field_.scene.geometry.region_at(middle) : 0.;
+    const std::vector<Point<dim>> points = by_parents_ ? corners_of_children(cell) : u.points();
     fields_.resize(u.size());
     for (unsigned int q = 0; q < fields_.size(); ++q) {
       VtuFields &fields = fields_[q];
@@ -102,7 +118,7 @@ private:
       add_vector("displacement", u.value(q), fields);
       if (dim == 2 && is_recovered_)
         add_vector("recovered_displacement", u.value(q, recovered), fields);
-      add_stress(u.points()[q], middle, field_.sample(u, q, recovered).strain, fields);
+      add_stress(points[q], middle, field_.sample(u, q, recovered).strain, fields);
       if (has_regions)
         fields.emplace_back("region", region);
       if (!bound_.mesh.empty())
@@ -112,7 +128,7 @@ private:
       if (field_.space.max_element_degree() > 1)
         fields.emplace_back("degree", cell->get_fe().degree);
     }
-    cells_.add(n, u.points(), fields_);
+    cells_.add(n, points, fields_);
     if (cells_.cells.size() == (by_parents_ ? cells_per_piece / 4 : cells_per_piece))
       write_piece();
   }

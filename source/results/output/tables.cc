@@ -251,12 +251,28 @@ Columns<CaseResult> named_columns(const std::vector<CaseResult> &cases,
 /** Returns the columns: first the loads, then the answers, which an escape leaves empty. */
 Columns<CaseResult> case_columns(const std::vector<CaseResult> &cases) {
   using Case = CaseResult;
-  const auto of_plate = [](double PlateMotion::*const part) {
-    return [part](const Case &c) {
-      return c.plates.empty() ? std::nullopt : std::optional<double>(c.plates.front().*part);
-    };
-  };
   Columns<Case> columns;
+  const auto add_answer = [&](const std::string &name, const auto &value) {
+    const Column<Case> answer = {name, value};
+    columns.push_back({name, [answer](const Case &c) {
+                         return c.escape.empty() ? answer.value(c) : std::nullopt;
+                       }});
+  };
+  // A vector has a column for each component, a single number has one.
+  const auto add_vector = [&](const std::string &name, const auto &vector_of) {
+    std::size_t n = 0;
+    for (const Case &c : cases)
+      n = std::max(n, vector_of(c).size());
+    for (std::size_t k = 0; k < std::max<std::size_t>(n, 1); ++k)
+      add_answer(n > 1 ? name + "_" + "xyz"[k] : name, [vector_of, k](const Case &c) {
+        const AnswerVector x = vector_of(c);
+        return k < x.size() ? std::optional(x[k]) : std::nullopt;
+      });
+  };
+  const auto of_plate = [](AnswerVector PlateRecord::*const part) {
+    return
+      [part](const Case &c) { return c.plates.empty() ? AnswerVector() : c.plates.front().*part; };
+  };
   const auto add_factor = [&](const std::string &name) {
     for (const CaseFactor &factor : case_factors())
       if (factor.name == name)
@@ -265,22 +281,25 @@ Columns<CaseResult> case_columns(const std::vector<CaseResult> &cases) {
   };
   for (const char *const name : {"force", "weight", "travel", "gap", "shift x", "shift y"})
     add_factor(name);
-  for (const Column<Case> &answer :
-       Columns<Case>{{"contact_force_x", [](const Case &c) { return c.contact.force[0]; }},
-                     {"contact_force_y", [](const Case &c) { return c.contact.force[1]; }},
-                     {"contact_moment", [](const Case &c) { return c.contact.moment[0]; }},
-                     {"peak_pressure", &Case::peak_pressure},
-                     {"zone_length", &Case::zone_length},
-                     {"zones", &Case::n_zones},
-                     {"active", &Case::active},
-                     {"plate_travel", of_plate(&PlateMotion::travel)},
-                     {"plate_rotation", of_plate(&PlateMotion::rotation)},
-                     {"qp_iterations", &Case::iterations},
-                     {"kkt", &Case::kkt},
-                     {"plate_drift", of_plate(&PlateMotion::drift)}})
-    columns.push_back({answer.name, [answer](const Case &c) {
-                         return c.escape.empty() ? answer.value(c) : std::nullopt;
-                       }});
+  const bool in_space = std::any_of(cases.begin(), cases.end(),
+                                    [](const Case &c) { return c.contact.force.size() == 3; });
+  if (in_space)
+    add_factor("shift z");
+  add_vector("contact_force", [](const Case &c) { return c.contact.force; });
+  add_vector("contact_moment", [](const Case &c) { return c.contact.moment; });
+  add_answer("peak_pressure", [](const Case &c) { return std::optional(c.peak_pressure); });
+  add_answer(in_space ? "contact_area" : "zone_length",
+             [](const Case &c) { return std::optional(c.zone_length); });
+  if (!in_space)
+    add_answer("zones", [](const Case &c) { return std::optional<double>(c.n_zones); });
+  add_answer("active", [](const Case &c) { return std::optional<double>(c.active); });
+  add_answer("plate_travel", [](const Case &c) {
+    return c.plates.empty() ? std::nullopt : std::optional(c.plates.front().travel);
+  });
+  add_vector("plate_rotation", of_plate(&PlateRecord::rotation));
+  add_answer("qp_iterations", [](const Case &c) { return std::optional<double>(c.iterations); });
+  add_answer("kkt", [](const Case &c) { return std::optional(c.kkt); });
+  add_vector("plate_drift", of_plate(&PlateRecord::drift));
   add_factor("cross");
   columns.push_back({"estimate", &Case::estimate});
   for (const Column<Case> &column : named_columns(cases, reactions_of, "reaction_", ""))

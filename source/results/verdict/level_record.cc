@@ -23,19 +23,29 @@ Columns<LevelSizes> LevelSizes::columns() {
 }
 
 Columns<MotionRecord> MotionRecord::columns() {
-  const auto of_first = [](const std::function<double(const PlateRecord &)> &number) {
-    return [number](const MotionRecord &record) {
-      return record.plates.empty() ? std::nullopt
-                                   : std::optional<double>(number(record.plates.front()));
+  Columns<MotionRecord> columns;
+  const auto add = [&](const std::string &name, const auto &number_of) {
+    columns.push_back({name, [number_of](const MotionRecord &record) {
+                         return record.plates.empty() ? std::nullopt
+                                                      : number_of(record.plates.front());
+                       }});
+  };
+  const auto number = [](double PlateRecord::*const part) {
+    return [part](const PlateRecord &plate) { return std::optional(plate.*part); };
+  };
+  const auto in_plane = [](AnswerVector PlateRecord::*const part) {
+    return [part](const PlateRecord &plate) {
+      const AnswerVector &x = plate.*part;
+      return x.size() == 1 ? std::optional(x[0]) : std::nullopt;
     };
   };
-  return {
-    {"plate_travel", of_first([](const PlateRecord &plate) { return plate.motion.travel; })},
-    {"plate_drift", of_first([](const PlateRecord &plate) { return plate.motion.drift; })},
-    {"plate_rotation", of_first([](const PlateRecord &plate) { return plate.motion.rotation; })},
-    {"plate_force", of_first([](const PlateRecord &plate) { return plate.force; })},
-    {"plate_cross_force", of_first([](const PlateRecord &plate) { return plate.cross_force; })},
-    {"plate_moment", of_first([](const PlateRecord &plate) { return plate.moment; })}};
+  add("plate_travel", number(&PlateRecord::travel));
+  add("plate_drift", in_plane(&PlateRecord::drift));
+  add("plate_rotation", in_plane(&PlateRecord::rotation));
+  add("plate_force", number(&PlateRecord::force));
+  add("plate_cross_force", in_plane(&PlateRecord::cross_force));
+  add("plate_moment", in_plane(&PlateRecord::moment));
+  return columns;
 }
 
 CaseSummary summarise(const std::vector<CaseResult> &cases, const double seconds) {
@@ -99,18 +109,23 @@ void multiply_forces(const double thickness, LevelRecord &record, std::vector<Ca
     multiply_forces(thickness, *record.bound);
   answer.thickness = thickness;
   for (CaseResult &result : cases) {
-    result.contact.force *= thickness;
-    result.contact.moment *= thickness;
+    multiply(thickness, result.contact.force, result.contact.moment);
     for (auto &[name, force] : result.reactions)
       force *= thickness;
     multiply_tangential(result.tangential);
   }
 }
 
-void multiply_forces(const double thickness, std::vector<Plate> &plates) {
-  for (Plate &plate : plates)
-    multiply(thickness, plate.force, plate.cross_force, plate.moment);
+template <int dim>
+void multiply_forces(const double thickness, std::vector<Plate<dim>> &plates) {
+  for (Plate<dim> &plate : plates) {
+    plate.force *= thickness;
+    plate.cross_force *= thickness;
+    plate.moment *= thickness;
+  }
 }
+template void multiply_forces(double, std::vector<Plate<2>> &);
+template void multiply_forces(double, std::vector<Plate<3>> &);
 
 namespace {
 /** Returns the column of an estimated error divided by the true one. */

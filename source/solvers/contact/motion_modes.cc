@@ -19,17 +19,19 @@
 namespace Signorini {
 namespace {
 /** Returns the nodal values of a rigid motion. */
-Displacement interpolate(const RigidMotion &motion, const DisplacementSpace<2> &space) {
-  std::vector<FieldFunction<2>> velocities;
-  for (const BodyMotion &body : motion.bodies)
-    velocities.emplace_back([body](const Point<2> &x) { return body.velocity(x); });
+template <int dim>
+Displacement interpolate(const RigidMotion<dim> &motion, const DisplacementSpace<dim> &space) {
+  std::vector<FieldFunction<dim>> velocities;
+  for (const BodyMotion<dim> &body : motion.bodies)
+    velocities.emplace_back([body](const Point<dim> &x) { return body.velocity(x); });
   return velocities.size() == 1 ? interpolate_at_nodes(space, velocities.front())
                                 : interpolate_by_body(space, velocities);
 }
 
 /** Returns the values of the motion on plates, pins and other supports; zero elsewhere. */
-Displacement lift(const FreeMotion &motion, const DisplacementSpace<2> &space,
-                  const Scene<2> &scene) {
+template <int dim>
+Displacement lift(const FreeMotion<dim> &motion, const DisplacementSpace<dim> &space,
+                  const Scene<dim> &scene) {
   Displacement k = space.prescribed(with_only_plates_moved(scene, motion.plates));
   if (motion.rigid) {
     Displacement of_pins = space.zero();
@@ -46,10 +48,11 @@ Displacement lift(const FreeMotion &motion, const DisplacementSpace<2> &space,
 
 /** Returns the forces of a mode; empty where all of them are rounding: V^h contains the rigid
  * motion. */
-DualVector forces_of_mode(const DisplacedBody<2> &mode) {
+template <int dim>
+DualVector forces_of_mode(const DisplacedBody<dim> &mode) {
   constexpr double rounding = 10. * std::numeric_limits<double>::epsilon();
   const Displacement &z = mode.U;
-  const InternalForces<2> internal = internal_forces(mode);
+  const InternalForces<dim> internal = internal_forces(mode);
   DualVector sizes = internal.magnitudes;
   for (unsigned int i = 0; i < sizes.locally_owned_size(); ++i)
     sizes.local_element(i) *= z.local_element(i);
@@ -65,15 +68,17 @@ std::array<double, 2> product_of(const DualVector &b, const DualVector &c) {
 
 /** Returns the work of the forces on plates and of the loads in a motion with nodal values z, and
  * the sum of the absolute values of its terms. */
-std::array<double, 2> work_in(const FreeMotion &motion, const Displacement &z,
-                              const std::vector<Plate> &plates, const DualVector &loads) {
+template <int dim>
+std::array<double, 2> work_in(const FreeMotion<dim> &motion, const Displacement &z,
+                              const std::vector<Plate<dim>> &plates, const DualVector &loads) {
   const double by_plates = motion.work_of_plates(plates);
   const auto by_loads = product_of(z, loads);
   return {{by_plates + by_loads[0], std::abs(by_plates) + by_loads[1]}};
 }
 
 /** Returns k - A⁻¹ A k for the displacement k of a body. */
-Displacement extend(const DisplacedBody<2> &body, const StiffnessInverse &inverse) {
+template <int dim>
+Displacement extend(const DisplacedBody<dim> &body, const StiffnessInverse &inverse) {
   DualVector r = internal_forces(body).forces;
   r *= -1.;
   Displacement z = solve_homogeneous(inverse, body.space, body.space.condense(r));
@@ -82,31 +87,32 @@ Displacement extend(const DisplacedBody<2> &body, const StiffnessInverse &invers
 }
 
 /** Returns the modes of plates, and of a body that only contact holds. */
-MotionModes<2> modes_in_2d(const DisplacementSpace<2> &space, const Scene<2> &scene,
-                           const StiffnessInverse &inverse) {
-  MotionModes<2> modes;
-  const FreeMotionBasis basis = free_motions(scene);
+template <int dim>
+MotionModes<dim> modes_of(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                          const StiffnessInverse &inverse) {
+  MotionModes<dim> modes;
+  const FreeMotionBasis<dim> basis = free_motions(scene);
   modes.neutral = basis.neutral;
-  for (const FreeMotion &motion : modes.neutral)
+  for (const FreeMotion<dim> &motion : modes.neutral)
     modes.neutral_modes.push_back(interpolate(*motion.rigid, space));
   if (space.mesh().is_curved())
     modes.neutral_tolerance = 1e-3;
-  const auto add_mode = [&](const FreeMotion &motion, const bool undetermined) {
+  const auto add_mode = [&](const FreeMotion<dim> &motion, const bool undetermined) {
     const bool strains =
       !motion.rigid || (space.mesh().is_curved() && !motion.rigid->is_translation());
-    Displacement z = strains ? extend({space, scene, lift(motion, space, scene)}, inverse)
+    Displacement z = strains ? extend<dim>({space, scene, lift(motion, space, scene)}, inverse)
                              : interpolate(*motion.rigid, space);
-    DualVector forces = strains ? forces_of_mode({space, scene, z}) : DualVector();
+    DualVector forces = strains ? forces_of_mode<dim>({space, scene, z}) : DualVector();
     if (undetermined && forces.size() == 0)
       return;
     modes.motions.push_back(motion);
     modes.Z.push_back(std::move(z));
     modes.forces.push_back(std::move(forces));
   };
-  for (const FreeMotion &motion : basis.resisted)
+  for (const FreeMotion<dim> &motion : basis.resisted)
     add_mode(motion, false);
   // Where V^h lacks a rotation, a pin would take a part of the loads.
-  for (const FreeMotion &motion : modes.neutral)
+  for (const FreeMotion<dim> &motion : modes.neutral)
     add_mode(motion, true);
   const unsigned int k = modes.size();
   modes.K.reinit(k, k);
@@ -142,7 +148,7 @@ FullMatrix<double> MotionModes<dim>::couple(const Coupling &D) const {
 }
 
 template <int dim>
-MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates, const DualVector &loads,
+MotionWork MotionModes<dim>::work(const std::vector<Plate<dim>> &plates, const DualVector &loads,
                                   const Displacement &U_0) const {
   // Loads in balance do no work, which rounding must not turn into a force.
   constexpr double rounding = 1e-13;
@@ -159,7 +165,7 @@ MotionWork MotionModes<dim>::work(const std::vector<Plate> &plates, const DualVe
 }
 
 template <int dim>
-std::optional<unsigned int> MotionModes<dim>::driven_neutral(const std::vector<Plate> &plates,
+std::optional<unsigned int> MotionModes<dim>::driven_neutral(const std::vector<Plate<dim>> &plates,
                                                              const DualVector &loads) const {
   for (unsigned int j = 0; j < neutral.size(); ++j) {
     const auto [value, magnitude] = work_in(neutral[j], neutral_modes[j], plates, loads);
@@ -176,19 +182,19 @@ void MotionModes<dim>::add_to(Displacement &U, const dealii::Vector<double> &q) 
 }
 
 template <int dim>
-double MotionModes<dim>::work_of_plates(const std::vector<Plate> &plates,
+double MotionModes<dim>::work_of_plates(const std::vector<Plate<dim>> &plates,
                                         const dealii::Vector<double> &q) const {
   double work = 0.;
-  const std::vector<PlateMotion> moved = plate_motions(plates, q);
+  const std::vector<PlateMotion<dim>> moved = plate_motions(plates, q);
   for (std::size_t p = 0; p < plates.size(); ++p)
     work += plates[p].work(moved[p]);
   return work;
 }
 
 template <int dim>
-std::vector<PlateMotion> MotionModes<dim>::plate_motions(const std::vector<Plate> &plates,
-                                                         const dealii::Vector<double> &q) const {
-  std::vector<PlateMotion> sum =
+std::vector<PlateMotion<dim>> MotionModes<dim>::plate_motions(
+  const std::vector<Plate<dim>> &plates, const dealii::Vector<double> &q) const {
+  std::vector<PlateMotion<dim>> sum =
     combine_plates(motions, std::vector<double>(q.begin(), q.end()), plates.size());
   for (std::size_t p = 0; p < plates.size(); ++p)
     sum[p].travel += plates[p].travel;
@@ -198,24 +204,20 @@ std::vector<PlateMotion> MotionModes<dim>::plate_motions(const std::vector<Plate
 template <int dim>
 MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                                    const StiffnessInverse &inverse) {
-  if constexpr (dim == 2)
-    if (!scene.plates.empty() || scene.is_held_by_contact)
-      return modes_in_2d(space, scene, inverse);
-  return MotionModes<dim>();
+  return !scene.plates.empty() || scene.is_held_by_contact ? modes_of(space, scene, inverse)
+                                                           : MotionModes<dim>();
 }
 
-template struct MotionModes<2>;
-template struct MotionModes<3>;
-INSTANTIATE_FUNCTION(make_motion_modes);
-
-std::string text_of_escape(const RigidMotion &motion, const bool opens) {
+template <int dim>
+std::string text_of_escape(const RigidMotion<dim> &motion, const bool opens) {
   if (!opens)
-    return "it slides";
+    return dim == 2 || motion.is_translation() ? "it slides" : "it turns";
   return motion.is_translation() ? "it lifts off" : "it tips over";
 }
 
-RigidMotion rigid_part(const MotionModes<2> &modes, const dealii::Vector<double> &v) {
-  std::vector<RigidMotion> rigid;
+template <int dim>
+RigidMotion<dim> rigid_part(const MotionModes<dim> &modes, const dealii::Vector<double> &v) {
+  std::vector<RigidMotion<dim>> rigid;
   std::vector<double> weights;
   for (unsigned int j = 0; j < modes.size(); ++j)
     if (modes.motions[j].rigid) {
@@ -233,4 +235,10 @@ bool opens(const FullMatrix<double> &B, const dealii::Vector<double> &v, const u
   return std::any_of(opening.begin(), opening.begin() + m,
                      [small](const double x) { return std::abs(x) > small; });
 }
+
+template struct MotionModes<2>;
+template struct MotionModes<3>;
+INSTANTIATE_FUNCTION(make_motion_modes);
+INSTANTIATE_FUNCTION(text_of_escape);
+INSTANTIATE_FUNCTION(rigid_part);
 } // namespace Signorini

@@ -28,20 +28,23 @@ struct PointMotions {
 };
 
 /** Returns the motions with forces at the ends of all pieces. */
-PointMotions with_forces_at_points(FreeMotions motions, const Discretization<2> &discretization,
-                                   const MotionModes<2> &modes) {
-  const ContactSurface<2> &surface = discretization.surface;
-  const std::vector<Point<1>> ends = {Point<1>(0.), Point<1>(1.)};
+template <int dim>
+PointMotions with_forces_at_points(FreeMotions motions, const Discretization<dim> &discretization,
+                                   const MotionModes<dim> &modes) {
+  const ContactSurface<dim> &surface = discretization.surface;
+  std::vector<Point<dim - 1>> ends;
+  for (unsigned int v = 0; v < GeometryInfo<dim - 1>::vertices_per_cell; ++v)
+    ends.push_back(GeometryInfo<dim - 1>::unit_cell_vertex(v));
   const unsigned int m = discretization.multipliers.n_multipliers(),
                      n = ends.size() * surface.pieces().size();
   const AdmissibleSet &K = discretization.K;
   const bool has_tangential_part = K.has_tangential_part();
-  TraceValues<2> traces(discretization.space);
+  TraceValues<dim> traces(discretization.space);
   motions.B.reinit(has_tangential_part ? 2 * n : n, modes.size());
   Vector s(n), f(n);
   for (std::size_t i = 0; i < surface.pieces().size(); ++i) {
-    const Piece<2> &piece = surface.pieces()[i];
-    const SurfaceRule<2> rule = surface.at(piece, ends);
+    const Piece<dim> &piece = surface.pieces()[i];
+    const SurfaceRule<dim> rule = surface.at(piece, ends);
     for (unsigned int j = 0; j < modes.size(); ++j) {
       const auto z = traces.displacement(surface, piece, rule, modes.Z[j]);
       for (std::size_t e = 0; e < ends.size(); ++e) {
@@ -70,7 +73,8 @@ double typical_stiffness(const FreeMotions &motions) {
 
 /** Returns whether forces at points of the contact boundary can balance the loads, and those in the
  * middles of patches cannot. */
-bool points_balance(const Discretization<2> &discretization, const MotionModes<2> &modes,
+template <int dim>
+bool points_balance(const Discretization<dim> &discretization, const MotionModes<dim> &modes,
                     const FreeMotions &motions) {
   const PointMotions at_points = with_forces_at_points(motions, discretization, modes);
   const double stiffness = typical_stiffness(motions);
@@ -79,24 +83,28 @@ bool points_balance(const Discretization<2> &discretization, const MotionModes<2
 }
 
 /** Refuses loads that drive a motion along which contact sides slide. @throws InputError always. */
-[[noreturn]] void refuse_sliding(const Parameters &parameters, const RigidMotion &motion) {
+template <int dim>
+[[noreturn]] void refuse_sliding(const Parameters &parameters, const RigidMotion<dim> &motion) {
   throw InputError(parameters.boundary.where + ": the loads drive " + motion.name() +
                    " of the body, along which contact sides slide without friction; allowed: "
                    "loads in balance, or more sides that hold the body.");
 }
 
-/** Refuses a motion of the body that the pressing patches leave free, where no load works in
- * motions and only a negative gap presses. @throws InputError if there is such a motion. */
-void refuse_undetermined(const Parameters &parameters, const Discretization<2> &discretization,
-                         const LevelOperators<2> &operators, const FreeMotions &motions,
-                         const Vector &F, const Vector &P) {
+/** Returns a motion of the body that the pressing patches leave free, where no load works in
+ * motions and only a negative gap presses; none if there is none. */
+template <int dim>
+std::optional<RigidMotion<dim>> motion_left_free(const Parameters &parameters,
+                                                 const Discretization<dim> &discretization,
+                                                 const LevelOperators<dim> &operators,
+                                                 const FreeMotions &motions, const Vector &F,
+                                                 const Vector &P) {
   const unsigned int m = discretization.multipliers.n_multipliers();
   constexpr double rounding = 1e-10;
   const double touches = rounding * std::max(discretization.G.linfty_norm(), F.linfty_norm());
   // Loads in balance strain the body, wherever it comes to rest.
   if (!motions.b_magnitude.all_zero() ||
       std::none_of(F.begin(), F.begin() + m, [&](double F_k) { return F_k < -touches; }))
-    return;
+    return {};
   // A body that has lifted off keeps pressures of the size of rounding, or of the tolerance: its
   // KKT residual compares C_ii P_i with F. They hold nothing. Friction holds with its bound,
   // however little of it is needed.
@@ -112,16 +120,29 @@ void refuse_undetermined(const Parameters &parameters, const Discretization<2> &
       pressing_motions.B(i, j) = 0.;
   const auto neutral =
     ReducedMotions(pressing_motions, discretization.K, typical_stiffness(motions)).neutral;
-  if (!neutral.empty())
-    throw InputError(parameters.boundary.where +
-                     ": no load moves the body, and the pressure of the foundation, into which it "
-                     "begins, leaves " +
-                     rigid_part(operators.modes, neutral.front()).name() + " free" +
-                     (K.has_tangential_part()
-                        ? ", along which friction is too weak to hold it; allowed: "
-                          "more friction, "
-                        : "; allowed: ") +
-                     "loads that press the body onto the foundation, or more sides that hold it.");
+  return neutral.empty() ? std::nullopt
+                         : std::optional(rigid_part(operators.modes, neutral.front()));
+}
+
+/** Refuses a motion that the pressing patches leave free. @throws InputError always. */
+template <int dim>
+[[noreturn]] void refuse_undetermined(const Parameters &parameters, const RigidMotion<dim> &motion,
+                                      const bool has_friction) {
+  throw InputError(parameters.boundary.where +
+                   ": no load moves the body, and the pressure of the foundation, into which it "
+                   "begins, leaves " +
+                   motion.name() + " free" +
+                   (has_friction ? ", along which friction is too weak to hold it; allowed: "
+                                   "more friction, "
+                                 : "; allowed: ") +
+                   "loads that press the body onto the foundation, or more sides that hold it.");
+}
+
+/** Returns whether later levels may have other patches, which determine more motions. */
+template <int dim>
+bool is_refined_later(const Parameters &parameters, const Discretization<dim> &discretization) {
+  const DiscretizationParameters &given = parameters.discretization;
+  return given.strategy != Strategy::hp && discretization.mesh.level() < given.finest_level;
 }
 
 /** Returns whether there is friction, and a larger coefficient would balance the loads. */
@@ -142,17 +163,18 @@ bool larger_bound_could_hold(const AdmissibleSet &K, const FreeMotions &motions)
  * balance the loads, the mesh is too coarse, and the message says that.
  * @throws InputError always.
  */
+template <int dim>
 [[noreturn]] void refuse_escape(const Parameters &parameters,
-                                const Discretization<2> &discretization,
-                                const MotionModes<2> &modes, const FreeMotions &motions,
+                                const Discretization<dim> &discretization,
+                                const MotionModes<dim> &modes, const FreeMotions &motions,
                                 const Vector &v, const std::optional<Sliding> &sliding) {
-  const RigidMotion motion = rigid_part(modes, v);
+  const RigidMotion<dim> motion = rigid_part(modes, v);
   if (sliding) {
-    const RigidMotion along = rigid_part(modes, sliding->v);
+    const RigidMotion<dim> along = rigid_part(modes, sliding->v);
     // Forces of the whole body for a motion of unit size.
     double unit = 0.;
-    for (const BodyMotion &body : along.bodies)
-      unit = std::max({unit, body.translation.norm(), std::abs(body.rotation) / body.size});
+    for (const BodyMotion<dim> &body : along.bodies)
+      unit = std::max({unit, body.translation.norm(), size_of(body.rotation) / body.size});
     unit /= discretization.surface.scene().geometry.thickness;
     throw InputError(
       parameters.boundary.where + ": the body slides " + along.direction() +
@@ -209,7 +231,7 @@ ColumnProgress column_progress(const Progress &progress, const unsigned int n_co
  * one of them. */
 template <int dim>
 std::vector<std::string> undetermined_motions(const Parameters &parameters,
-                                              const std::vector<Plate> &plates,
+                                              const std::vector<Plate<dim>> &plates,
                                               const LevelOperators<dim> &operators) {
   const MotionModes<dim> &modes = operators.modes;
   std::vector<std::string> names;
@@ -217,7 +239,7 @@ std::vector<std::string> undetermined_motions(const Parameters &parameters,
     return names;
   if (const auto driven = modes.driven_neutral(plates, operators.system->loads))
     refuse_sliding(parameters, *modes.neutral[*driven].rigid);
-  for (const FreeMotion &motion : modes.neutral)
+  for (const FreeMotion<dim> &motion : modes.neutral)
     names.push_back(motion.rigid->name());
   return names;
 }
@@ -292,7 +314,8 @@ public:
       data.motions.B.vmult(B_q, contact.q);
       data.free.F -= B_q;
     }
-    contact.undetermined = undetermined;
+    contact.undetermined.insert(contact.undetermined.begin(), undetermined.begin(),
+                                undetermined.end());
     contact.data = std::move(data);
     contact.times = times;
     contact.linear = {operators.inverse->n_solves(), operators.inverse->max_residual(),
@@ -326,13 +349,18 @@ private:
       const MotionResult found =
         solve_dual_problem(operators.C, F, discretization.K, motions, start,
                            dual_options(parameters_.solver, is_unstable(discretization)));
-      if constexpr (dim == 2)
-        if (found.escape)
-          refuse_escape(parameters_, discretization, operators.modes, motions, *found.escape,
-                        found.sliding);
-      if constexpr (dim == 2)
-        if (operators.modes.size() > 0)
-          refuse_undetermined(parameters_, discretization, operators, motions, F, found.qp.P);
+      if (found.escape)
+        refuse_escape(parameters_, discretization, operators.modes, motions, *found.escape,
+                      found.sliding);
+      for (const Vector &v : found.neutral)
+        contact.undetermined.push_back(rigid_part(operators.modes, v).name());
+      if (operators.modes.size() > 0)
+        if (const auto left =
+              motion_left_free(parameters_, discretization, operators, motions, F, found.qp.P)) {
+          if (!is_refined_later(parameters_, discretization))
+            refuse_undetermined(parameters_, *left, discretization.K.has_tangential_part());
+          contact.undetermined.push_back(left->name());
+        }
       contact.q = found.q;
       contact.report = summary_of(found.qp, choice_.contact);
       contact.P = Multiplier(found.qp.P, discretization.K);

@@ -61,6 +61,18 @@ bool may_iterate(const Parameters &parameters, const Scene<dim> &scene) {
          scene.plates.empty() && !scene.is_held_by_contact &&
          !scene.contact_law.has_tangential_part() && !scene.geometry.axisymmetric;
 }
+
+/** Returns whether the dual problem of a body or a plate in space that moves freely is solved with
+ * columns of C by V-cycles: factors of large bodies in space take more time and memory. */
+template <int dim>
+bool solves_columns_by_cycles(const Parameters &parameters, const Scene<dim> &scene,
+                              const double n_unknowns) {
+  constexpr double fewest = 2e4;
+  return dim == 3 && n_unknowns >= fewest &&
+         (!scene.plates.empty() || scene.is_held_by_contact || !scene.load_cases.empty()) &&
+         parameters.solver.linear_solver == LinearSolver::automatic &&
+         parameters.discretization.element == Element::q1 && !parameters.output.compliance;
+}
 } // namespace
 
 template <int dim>
@@ -96,7 +108,7 @@ SolverChoice choose_solvers(const Parameters &parameters, const Scene<dim> &scen
                                          cycles_are_faster(scene.geometry, n_unknowns))
         ? ContactSolver::multigrid
         : ContactSolver::active_set;
-  if (choice.is_by_cycles())
+  if (choice.is_by_cycles() || solves_columns_by_cycles(parameters, scene, n_unknowns))
     choice.linear = LinearSolver::multigrid;
   return choice;
 }

@@ -104,15 +104,15 @@ void test_plates_and_cases(Checks &checks) {
   checks.near("forces and moments of the plate's body", total(forces.at(1)),
               {0.01288, 0.7 * 0.01288 - 0.0005}, 1e-10);
   checks.near("  and of the other one", total(forces.at(0))[0], 0.01688, 1e-10);
-  CaseSolver solver(level.discretization, level.scene, *solution.operators, {});
+  CaseSolver<2> solver(level.discretization, level.scene, *solution.operators, {});
   const CaseResult found = solver.solve(factors);
   const LevelSolution<2> own = OneLevel(under_a_plate(factors), 2).solve();
   checks.near("load case: P", distance(solver.contact().P.normal(), own.contact.P.normal()), 0.,
               1e-11);
-  const PlateMotion motion = own.record.motions.plates.at(0).motion;
+  const PlateRecord &plate = own.record.motions.plates.at(0);
   checks.near("load case: plate and force",
-              {found.plates.at(0).travel, found.plates.at(0).rotation, found.contact.force[1]},
-              {motion.travel, motion.rotation, own.record.answer.contact_force.resultant.force[1]},
+              {found.plates.at(0).travel, found.plates.at(0).rotation[0], found.contact.force[1]},
+              {plate.travel, plate.rotation[0], own.record.answer.contact_force.resultant.force[1]},
               1e-10);
 }
 

@@ -30,8 +30,8 @@ std::string block(const LoadCase &load_case) {
   return text.str();
 }
 
-CaseSolver make_solver(const OneLevel &level, const LevelSolution<2> &solution) {
-  return CaseSolver(level.discretization, level.scene, *solution.operators, {});
+CaseSolver<2> make_solver(const OneLevel &level, const LevelSolution<2> &solution) {
+  return CaseSolver<2>(level.discretization, level.scene, *solution.operators, {});
 }
 
 void compare(Checks &checks, const std::string &name, const std::string &foundation,
@@ -39,7 +39,7 @@ void compare(Checks &checks, const std::string &name, const std::string &foundat
   OneLevel level(block(LoadCase()) + foundation, 4);
   level.scene.load_cases = cases;
   const LevelSolution<2> solution = level.solve();
-  CaseSolver solver = make_solver(level, solution);
+  CaseSolver<2> solver = make_solver(level, solution);
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const std::string at = name + ", case " + std::to_string(i + 1);
     const CaseResult result = solver.solve(cases[i]);
@@ -47,13 +47,13 @@ void compare(Checks &checks, const std::string &name, const std::string &foundat
     checks.near(at + ": P", distance(solver.contact().P.normal(), own.contact.P.normal()), 0.,
                 1e-9);
     checks.near(at + ": U", relative_distance(solver.contact().U, own.contact.U), 0., 1e-9);
-    const PlateMotion motion = own.record.motions.plates.at(0).motion;
+    const PlateRecord &plate = own.record.motions.plates.at(0);
     const auto &force = own.record.answer.contact_force.resultant.force;
     const auto &peak = own.record.answer.peak_pressure;
     checks.near(at + ": numbers",
-                {result.plates.at(0).travel, result.plates.at(0).drift,
-                 result.plates.at(0).rotation, result.contact.force[0], result.contact.force[1]},
-                {motion.travel, motion.drift, motion.rotation, force[0], force[1]}, 1e-10);
+                {result.plates.at(0).travel, result.plates.at(0).drift[0],
+                 result.plates.at(0).rotation[0], result.contact.force[0], result.contact.force[1]},
+                {plate.travel, plate.drift[0], plate.rotation[0], force[0], force[1]}, 1e-10);
     NamedNumbers expected;
     for (const SideForce &reaction : own.record.answer.reactions)
       for (unsigned int d = 0; d < 2; ++d)

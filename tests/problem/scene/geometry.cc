@@ -21,7 +21,7 @@ using Point = dealii::Point<2>;
 
 std::string names_of_motions(const Scene<2> &scene) {
   std::string names;
-  for (const RigidMotion &motion : free_rigid_motions(scene))
+  for (const RigidMotion<2> &motion : free_rigid_motions(scene))
     names += (names.empty() ? "" : ", ") + motion.name();
   return names;
 }

@@ -81,7 +81,7 @@ def note_words(results, figure, name):
     save(results, figure, name)
 
 
-plot.Results.save = note_words
+plot.Results.save = plot.Scene.save = note_words
 plot.STYLE["savefig.dpi"] = 60
 
 
@@ -228,6 +228,20 @@ facts = draw("sphere")
 with open("sphere/answer.json", encoding="utf-8") as file:
     check("  the area of contact", abs(facts["area"]["bottom"] / json.load(file)["contact_area"] - 1) < 1e-5)
 check("  a zoomed view", len(facts["views"]["bottom"]) == 2)
+with open("roller.prm", "w", encoding="utf-8") as file:
+    file.write("set Dimension = 3\nsubsection Geometry\n set Shape = cylinder\n set Axis = y\n set Sector = quarter\n set Length = 0.5\nend\n"
+               "subsection Boundary\n set Contact = round\n set Rollers = left front back\n set Displacement = top: 0; 0; -0.01\nend\n"
+               "subsection Contact\n set Foundation = plane 0,0,-1 normal 0,0,1\nend\n"
+               "subsection Discretization\n set Coarsest level = 1\n set Finest level = 2\nend\n")
+check("a cylinder on a plane", run("roller.prm", "roller").returncode in (0, 2))
+facts = draw("roller")
+# Three cells of each end, two of the round side and of each plane of symmetry, in sixteen faces.
+check("  cells that bend meet their neighbours", facts["surface"] == 12 * 16)
+done = subprocess.run([program, f"{scenes}/space/sphere.prm", "--check", "--output", "shown"], capture_output=True, text=True, check=False)
+code, out, errors = draw_here("shown", "--scene", "--facts", "--format", "png")
+check("a scene in 3-D before it is solved", done.returncode == 0 and code == 0 and not errors)
+check("  all its sides", code == 0 and np.allclose(list(json.loads(out)["areas"].values()), np.ones(6)))
+check("  with their names and roles", "bottom: contact" in words["scene"] and "front: rollers" in words["scene"])
 check("friction", run(f"{scenes}/friction/k1.prm", "k1", "Discretization/Finest level=3", "Output/Inf-sup constant=false").returncode in (0, 2))
 facts = draw("k1")
 with open("k1/answer.json", encoding="utf-8") as file:

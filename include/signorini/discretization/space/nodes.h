@@ -45,6 +45,7 @@ template <int dim>
 Displacement interpolate_at_nodes(const DisplacementSpace<dim> &space, const Function<dim> &u);
 
 /** Returns the same for functions by body, of which bodies that touch have several at a point. */
-Displacement interpolate_by_body(const DisplacementSpace<2> &space,
-                                 const std::vector<FieldFunction<2>> &u);
+template <int dim>
+Displacement interpolate_by_body(const DisplacementSpace<dim> &space,
+                                 const std::vector<FieldFunction<dim>> &u);
 } // namespace Signorini

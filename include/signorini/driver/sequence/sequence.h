@@ -66,7 +66,8 @@ std::unique_ptr<Sequence<dim>> make_sequence(const StudyContext<dim> &context) {
 }
 
 /** A callback that gets the number of a load case, from one on, and its solution. */
-using CaseFields = std::function<void(unsigned int, const Solved<2> &)>;
+template <int dim>
+using CaseFields = std::function<void(unsigned int, const Solved<dim> &)>;
 
 /**
  * Solves the load cases of the scene on a level that is solved, on the last level with estimates of
@@ -74,7 +75,8 @@ using CaseFields = std::function<void(unsigned int, const Solved<2> &)>;
  * @param use_fields is called on the last level for each case whose fields are wanted, as soon as
  * it is solved.
  */
-std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Scene<2> &scene,
-                                         LevelResult<2> &level, const CaseFields &use_fields,
+template <int dim>
+std::vector<CaseResult> solve_load_cases(const Parameters &parameters, const Scene<dim> &scene,
+                                         LevelResult<dim> &level, const CaseFields<dim> &use_fields,
                                          const Progress &progress);
 } // namespace Signorini

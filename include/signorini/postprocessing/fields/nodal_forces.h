@@ -55,19 +55,9 @@ template <int dim>
 NodalForces nodal_forces(const BodyInContact<dim> &body, const DualVector &loads,
                          const Coupling &D);
 
-/** The force and the moment that act on the body through a plate (per thickness). */
-struct PlateForce {
-  /** The force along the plate's direction. */
-  double force = 0.;
-  /** The force across it. */
-  double cross_force = 0.;
-  /** The moment about the plate's centre, counter-clockwise. */
-  double moment = 0.;
-};
-
 /** Returns the force and the moment of every plate of the scene: the work of NodalForces::residual
  * on its motions. A node at the end of the plate belongs to the plate. */
 template <int dim>
-std::vector<PlateForce> plate_forces(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                                     const NodalForces &forces);
+std::vector<PlateForce<dim>> plate_forces(const DisplacementSpace<dim> &space,
+                                          const Scene<dim> &scene, const NodalForces &forces);
 } // namespace Signorini

@@ -3,8 +3,8 @@
 
 #include <signorini/base/dealii.h>
 #include <signorini/discretization/space/discretization.h>
-#include <signorini/discretization/space/resultant.h>
 #include <signorini/postprocessing/quantities/friction.h>
+#include <signorini/postprocessing/quantities/plate_record.h>
 #include <signorini/postprocessing/quantities/probe_report.h>
 #include <signorini/postprocessing/quantities/side_forces.h>
 #include <signorini/problem/scene/scene.h>
@@ -29,16 +29,16 @@ struct CaseResult {
    * other members are set. */
   std::string escape;
   /** The contact force on the body (force, moment about the origin; per thickness). */
-  Resultant<2> contact;
+  SideForce::Total contact;
   /** The largest pressure, positive in compression (force/area). */
   double peak_pressure = 0.;
-  /** The length of all contact zones together (length). */
+  /** The length of all contact zones together (length), in space the area that presses. */
   double zone_length = 0.;
   unsigned int n_zones = 0;
   /** The number of multipliers that press. */
   unsigned int active = 0;
-  /** The motions of the plates, one for each. */
-  std::vector<PlateMotion> plates;
+  /** The plates and their motions, without forces. */
+  std::vector<PlateRecord> plates;
   /** Friction, if the scene has it; in steps its dissipation is that since the beginning. */
   std::optional<TangentialSummary> tangential;
   /** The estimated relative error in the energy norm, where it is wanted. */
@@ -65,6 +65,7 @@ struct CaseResult {
  * With friction, cases may be steps of a history. All that friction remembers is the slip Σ W_t
  * since the beginning, m numbers that are added to G_t: stick means that the slip does not change.
  */
+template <int dim>
 class CaseSolver {
 public:
   /**
@@ -72,8 +73,8 @@ public:
    * @param discretization, scene, operators those of the level; they must outlive the object.
    * @param are_steps whether each case goes on from the slip of the one before.
    */
-  CaseSolver(const Discretization<2> &discretization, const Scene<2> &scene,
-             const LevelOperators<2> &operators, const DualSolverOptions &options,
+  CaseSolver(const Discretization<dim> &discretization, const Scene<dim> &scene,
+             const LevelOperators<dim> &operators, const DualSolverOptions &options,
              bool are_steps = false);
   CaseSolver(const CaseSolver &) = delete;
   CaseSolver &operator=(const CaseSolver &) = delete;
@@ -83,6 +84,8 @@ public:
 
   /** Returns U, P and q of the last case, U by one more solve. Collective. */
   ContactSolution contact() const;
+  /** Returns the motions of the plates in the last case. */
+  std::vector<PlateMotion<dim>> plate_motions() const;
   /** Returns the reactions of the last case, whose displacement is given. */
   std::vector<std::pair<std::string, double>> reactions(const Displacement &U) const;
 
@@ -115,15 +118,15 @@ private:
    */
   CaseResult solve_dual(const LoadCase &load_case);
 
-  const Discretization<2> &discretization_;
-  const Scene<2> &scene_;
-  const LevelOperators<2> &operators_;
+  const Discretization<dim> &discretization_;
+  const Scene<dim> &scene_;
+  const LevelOperators<dim> &operators_;
   DualSolverOptions options_;
   bool are_steps_;
   FullMatrix<double> B_;
   dealii::Vector<double> G_;
   std::vector<LoadResponse> responses_;
-  ReactionFunctionals reactions_;
+  ReactionFunctionals<dim> reactions_;
   LoadCase last_;
   Multiplier P_;
   dealii::Vector<double> q_;

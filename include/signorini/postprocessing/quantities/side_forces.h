@@ -79,6 +79,10 @@ std::vector<ContactForce> contact_forces(const MultiplierSpace<dim> &multipliers
 std::vector<ContactForce> zone_forces(const MultiplierSpace<2> &multipliers,
                                       const Multiplier &multiplier,
                                       const std::vector<ContactZone> &zones);
+/** Returns the same in space. */
+std::vector<ContactForce> zone_forces(const MultiplierSpace<3> &multipliers,
+                                      const Multiplier &multiplier,
+                                      const std::vector<PressedArea> &areas);
 
 /**
  * Returns the reaction of every clamped, prescribed and roller side: the sum of
@@ -96,10 +100,11 @@ std::vector<SideForce> reactions(const DisplacementSpace<dim> &space, const Scen
 
 /** The forces of reactions() as functionals of the solution, each r(u) = a(u, v) - f(v) - ∫ p_H v.n
  * with a fixed v in the space without essential conditions: for many loads on one body. */
+template <int dim>
 class ReactionFunctionals {
 public:
   /** Integrates a(., v) on the cells beside held sides. */
-  ReactionFunctionals(const DisplacementSpace<2> &space, const Scene<2> &scene);
+  ReactionFunctionals(const DisplacementSpace<dim> &space, const Scene<dim> &scene);
 
   /** Returns the components of all held sides, "left_x", ... (force per thickness).
    * @param forces loads and contact forces at all degrees of freedom. */

@@ -30,21 +30,27 @@ struct LoadCase {
   /** Factor of the forces across the direction of plates. */
   double cross = 1.;
   /** The shift of the foundation, in addition to Contact/Foundation position (length). */
-  double shift_x = 0., shift_y = 0.;
+  double shift_x = 0., shift_y = 0., shift_z = 0.;
   /** Whether its fields are written. */
   bool has_fields = false;
 
-  Tensor<1, 2> shift() const {
-    return Tensor<1, 2>({shift_x, shift_y});
+  template <int dim>
+  Tensor<1, dim> shift() const {
+    Tensor<1, dim> shift;
+    for (unsigned int d = 0; d < dim; ++d)
+      shift[d] = d == 0 ? shift_x : d == 1 ? shift_y : shift_z;
+    return shift;
   }
 };
 
 /** Returns the scene of a load case, without its exact solution. @param scene must have a
  * foundation of obstacles if the shift is not zero. */
-Scene<2> scene_of_case(Scene<2> scene, const LoadCase &load_case);
+template <int dim>
+Scene<dim> scene_of_case(Scene<dim> scene, const LoadCase &load_case);
 
 /** Returns the plates with the forces and travels of a load case. */
-std::vector<Plate> plates_of_case(std::vector<Plate> plates, const LoadCase &load_case);
+template <int dim>
+std::vector<Plate<dim>> plates_of_case(std::vector<Plate<dim>> plates, const LoadCase &load_case);
 
 /** The kinds of load of a scene. */
 enum class LoadKind { force, weight, travel, cross };
@@ -65,8 +71,10 @@ const std::vector<CaseFactor> &case_factors();
 
 /** Returns the scene with one kind of load; all others are zero, and forces do not act on plates.
  */
-Scene<2> with_only(Scene<2> scene, LoadKind kind);
+template <int dim>
+Scene<dim> with_only(Scene<dim> scene, LoadKind kind);
 
 /** Returns whether the scene has loads of this kind. */
-bool has_load(const Scene<2> &scene, LoadKind kind);
+template <int dim>
+bool has_load(const Scene<dim> &scene, LoadKind kind);
 } // namespace Signorini

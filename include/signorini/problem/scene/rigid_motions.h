@@ -2,58 +2,63 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/problem/scene/rotation.h>
 #include <signorini/problem/scene/scene.h>
 
 #include <string>
 #include <vector>
 
 namespace Signorini {
-/** A rigid velocity field t + omega (-(y - y0), x - x0) in 2-D, of size one on a body. */
+/** A rigid velocity field t + omega × (x - x0), of size one on a body. */
+template <int dim>
 struct BodyMotion {
   /** The name of the body; empty if there is only one. */
   std::string name;
   /** The translation t. */
-  Tensor<1, 2> translation;
+  Tensor<1, dim> translation;
   /** The rotation as omega L. */
-  double rotation = 0.;
-  /** The centre (x0, y0) of the box around the body. */
-  Point<2> centre;
+  Rotation<dim> rotation = {};
+  /** The centre x0 of the box around the body. */
+  Point<dim> centre;
   /** The diameter L of the whole geometry (length). */
   double size = 1.;
 
   /** Returns the velocity at a point. */
-  Tensor<1, 2> velocity(const Point<2> &x) const;
+  Tensor<1, dim> velocity(const Point<dim> &x) const;
   /** Returns the larger one of |t| and |omega L|. */
   double speed() const;
 };
 
 /** The motions of all bodies. */
+template <int dim>
 struct RigidMotion {
-  std::vector<BodyMotion> bodies;
+  std::vector<BodyMotion<dim>> bodies;
 
   bool is_translation() const;
-  /** Returns "the translation along (0, 1)" or "the rotation about (1, 2)", with the names of
-   * bodies if there are several. */
+  /** Returns "the translation along (0, 1)" or "the rotation about (1, 2)", in space "about the
+   * line through (0, 0, 1) along (1, 0, 0)", with the names of bodies if there are several. */
   std::string name() const;
-  /** Returns "along (0, -1)" or "clockwise about (1, 2)": the direction counts. */
+  /** Returns "along (0, -1)" or "clockwise about (1, 2)": the direction counts. In space a body
+   * turns counter-clockwise for those who look against the line. */
   std::string direction() const;
 };
 
 /** Returns the sum of weights times motions of the same bodies. */
-RigidMotion combine(const std::vector<RigidMotion> &motions, const std::vector<double> &weights);
+template <int dim>
+RigidMotion<dim> combine(const std::vector<RigidMotion<dim>> &motions,
+                         const std::vector<double> &weights);
 
 /** The state of plates that a force or a moment drives: they are held, or move as the force lets
  * them. */
 enum class Plates { held, released };
 
 /**
- * Returns the rigid motions that clamped, prescribed and roller sides leave free; A is singular
- * exactly if there are any with plates held. (Contact sides do not hold: they may open.)
+ * Returns a basis of the rigid motions that clamped, prescribed and roller sides leave free, first
+ * all translations among them; A is singular exactly if there are any with plates held. Those of
+ * bodies that move independently move one body each. (Contact sides do not hold: they may open.)
  */
-std::vector<RigidMotion> free_rigid_motions(const Scene<2> &scene, Plates plates = Plates::held);
-
-/** Returns the names of the rigid motions that clamped, prescribed and roller sides of a box leave
- * free: "the translation along x", "the rotation about the y-axis". */
-std::vector<std::string> free_rigid_motions(const Scene<3> &scene);
+template <int dim>
+std::vector<RigidMotion<dim>> free_rigid_motions(const Scene<dim> &scene,
+                                                 Plates plates = Plates::held);
 
 } // namespace Signorini

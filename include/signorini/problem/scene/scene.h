@@ -118,9 +118,9 @@ struct Scene {
   std::vector<BoundaryCondition<dim>> boundary;
   /** The contacts, by side; those of one side in the order in which they are given. */
   std::vector<ContactCondition<dim>> contacts;
-  /** The sides that rigid plates move (2-D only). Their role is displacement; their data is the
+  /** The sides that rigid plates move. Their role is displacement; their data is the
    * given part of the motion, and all of it once it is known (with_plates_moved()). */
-  std::vector<Plate> plates;
+  std::vector<Plate<dim>> plates;
   /** Whether rigid motions are left that contact alone can stop. Then single degrees of freedom are
    * pinned while the system is solved, and the motions are unknowns of the dual problem. */
   bool is_held_by_contact = false;
@@ -154,10 +154,10 @@ struct Scene {
 /** Returns the scene with the displacements of the moved plates as prescribed displacements. @param
  * motions one for each plate. */
 template <int dim>
-Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions);
+Scene<dim> with_plates_moved(Scene<dim> scene, const std::vector<PlateMotion<dim>> &motions);
 
 /** Returns the same scene with all other prescribed displacements set to zero. */
 template <int dim>
-Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotion> &motions);
+Scene<dim> with_only_plates_moved(Scene<dim> scene, const std::vector<PlateMotion<dim>> &motions);
 
 } // namespace Signorini

@@ -34,7 +34,8 @@ public:
   void write_fields(const LevelResult<dim> &level);
 
   /** Writes solution-case-NNNNNN.vtu and contact-case-NNNNNN.csv of a load case. */
-  void write_case_fields(const BodyInContact<2> &solved, unsigned int number);
+  template <int dim>
+  void write_case_fields(const BodyInContact<dim> &solved, unsigned int number);
   /** Writes cases.csv. */
   void write_cases(const std::vector<CaseResult> &cases);
 

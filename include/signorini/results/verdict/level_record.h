@@ -9,6 +9,7 @@
 #include <signorini/postprocessing/quantities/answer.h>
 #include <signorini/postprocessing/quantities/case_solver.h>
 #include <signorini/postprocessing/quantities/friction.h>
+#include <signorini/postprocessing/quantities/plate_record.h>
 #include <signorini/problem/parameters/options.h>
 #include <signorini/problem/scene/scene.h>
 #include <signorini/results/verdict/exact_errors.h>
@@ -52,25 +53,13 @@ struct LevelSizes {
   static Columns<LevelSizes> columns();
 };
 
-/** The position of a plate, and the forces that hold it there. */
-struct PlateRecord {
-  std::string side;
-  Plate plate;
-  PlateMotion motion;
-  /** The force on the body through the plate along and across its direction, and the moment about
-   * its centre. They come from the nodal forces, also if they are given. */
-  double force = 0.;
-  double cross_force = 0.;
-  double moment = 0.;
-};
-
 /** The free motions, and how far they have moved. */
 struct MotionRecord {
   std::vector<PlateRecord> plates;
   /** Rigid motions that neither loads nor contact determine; they are zero. */
   std::vector<std::string> undetermined;
 
-  /** Returns the columns of the first plate. */
+  /** Returns the columns of the first plate; vectors in space have none. */
   static Columns<MotionRecord> columns();
 };
 
@@ -133,7 +122,8 @@ void multiply_forces(double thickness, LevelRecord &record, std::vector<CaseResu
 /** The same for the energies and the force of a bound. */
 void multiply_forces(double thickness, ErrorBound &bound);
 /** The same for the forces and moments that drive plates. */
-void multiply_forces(double thickness, std::vector<Plate> &plates);
+template <int dim>
+void multiply_forces(double thickness, std::vector<Plate<dim>> &plates);
 
 /**
  * Returns the names of the columns on whose positions in convergence.csv programs rely. Other

@@ -28,7 +28,7 @@ struct MotionWork {
  * is its own z_j (on curved cells up to the part of a rotation that V^h lacks). */
 template <int dim>
 struct MotionModes {
-  std::vector<FreeMotion> motions;
+  std::vector<FreeMotion<dim>> motions;
   /** The complete nodal values z_j. */
   std::vector<Displacement> Z;
   /** The forces (a(z_j, φ_i))_i; empty where they vanish: for rigid motions that V^h contains. */
@@ -37,7 +37,7 @@ struct MotionModes {
   FullMatrix<double> K;
   /** The rigid motions that no contact resists, and their nodal values. Those that V^h lacks, and
    * so resists a little, are among the motions above; the others stay zero. */
-  std::vector<FreeMotion> neutral;
+  std::vector<FreeMotion<dim>> neutral;
   std::vector<Displacement> neutral_modes;
 
   /** The tolerance of the work of balanced loads on a neutral motion, relative to its terms: the
@@ -54,20 +54,21 @@ struct MotionModes {
    * condensed) less a(z_j, u_0).
    * @param U_0 complete nodal values.
    */
-  MotionWork work(const std::vector<Plate> &plates, const DualVector &loads,
+  MotionWork work(const std::vector<Plate<dim>> &plates, const DualVector &loads,
                   const Displacement &U_0) const;
   /** Returns the number of the first neutral motion that the forces on plates and the loads f_i
    * drive, within rounding and the part of a rotation that curved cells lack; none if they are in
    * balance. */
-  std::optional<unsigned int> driven_neutral(const std::vector<Plate> &plates,
+  std::optional<unsigned int> driven_neutral(const std::vector<Plate<dim>> &plates,
                                              const DualVector &loads) const;
   /** Adds Σ_j q_j z_j to U. */
   void add_to(Displacement &U, const dealii::Vector<double> &q) const;
   /** Returns the motions of the plates with q, without the given part. */
-  std::vector<PlateMotion> plate_motions(const std::vector<Plate> &plates,
-                                         const dealii::Vector<double> &q) const;
+  std::vector<PlateMotion<dim>> plate_motions(const std::vector<Plate<dim>> &plates,
+                                              const dealii::Vector<double> &q) const;
   /** Returns the work of the forces on plates, which loads do not contain. */
-  double work_of_plates(const std::vector<Plate> &plates, const dealii::Vector<double> &q) const;
+  double work_of_plates(const std::vector<Plate<dim>> &plates,
+                        const dealii::Vector<double> &q) const;
 };
 
 /** Computes the modes: one solve for each mode that strains the body. Collective. */
@@ -75,12 +76,14 @@ template <int dim>
 MotionModes<dim> make_motion_modes(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
                                    const StiffnessInverse &inverse);
 
-/** Returns "it slides", "it tips over" or "it lifts off": the motion of a body that nothing stops.
- */
-std::string text_of_escape(const RigidMotion &motion, bool opens);
+/** Returns "it slides", "it tips over", "it lifts off" or, in space, "it turns": the motion of a
+ * body that nothing stops. */
+template <int dim>
+std::string text_of_escape(const RigidMotion<dim> &motion, bool opens);
 
 /** Returns the rigid motion of a body in a combination of modes. */
-RigidMotion rigid_part(const MotionModes<2> &modes, const dealii::Vector<double> &v);
+template <int dim>
+RigidMotion<dim> rigid_part(const MotionModes<dim> &modes, const dealii::Vector<double> &v);
 
 /** Returns whether the motion v leaves contact somewhere; otherwise it slides.
  * @param m the number of pressures, which are the first rows of B; those of friction follow. */
