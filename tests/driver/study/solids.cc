@@ -96,8 +96,21 @@ void test_references(Checks &checks) {
   }
 }
 
+/** Cubes that rollers hold on three sides, compressed by 2 %: p_H = -0.02, J = 2e-4. At the edges
+ * of these sides no tetrahedron has faces on both. */
+void test_compression(Checks &checks) {
+  for (const std::string mesh : {"tetrahedra", "distorted_cube"}) {
+    checks.about(mesh);
+    const StudyResult<3> result = solve_mesh(
+      mesh, "Boundary/Contact=top\nBoundary/Rollers=left front bottom\nContact/Gap=-0.02\n", 1, 2);
+    checks.that("equations hold", result.verdict.equations_hold());
+    checks.near("J", last(result, "energy"), 2e-4, 1e-13);
+    for (const double p : result.pressure.P)
+      checks.near("p_H", p, -0.02, 1e-10);
+  }
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {test_references});
+  return run_tests(argc, argv, {test_references, test_compression});
 }
