@@ -101,6 +101,7 @@ sed -e 's/set Shape = .*/set Shape = rectangle/' -e 's/set File .*/set Upper rig
 cat >solid.geo <<'GEO'
 SetFactory("OpenCASCADE");
 Box(1) = {0, 0, 0, 1, 1, 1};
+Mesh.MeshSizeMin = 0.5;
 e = 0.001;
 Physical Surface("bottom") = Surface In BoundingBox {-e, -e, -e, 1 + e, 1 + e, e};
 Physical Surface("top") = Surface In BoundingBox {-e, -e, 1 - e, 1 + e, 1 + e, 1 + e};
@@ -162,7 +163,7 @@ check "two regions: the force of moduli that depend on x" \
 check "  the energy, too" close "$(value energy solved/regions | tr -d -)" "$(value energy solved/expressions | tr -d -)" 1e-9
 
 check "a cube of tetrahedra: force" close "$(value contact_force_n solved/solid)" 0.02 1e-9
-check "  largest pressure" close "$(value max_pressure solved/solid)" 0.02 1e-9
+check "  largest pressure" close "$(value max_pressure solved/solid)" 0.02 1e-7
 
 # refused NAME MESSAGE: of the last start.
 refused() {
