@@ -68,8 +68,8 @@ CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Sce
   , constant_(material_.is_constant())
   , kinks_(scene.law_kinks)
   , affine_values_(mesh_.unit_mapping(), space, kinks_, 2, flags_on(mesh_))
-  , values_(mesh_.unit_mapping(), space, kinks_, mesh_.is_axisymmetric() ? 3 : 4, flags_on(mesh_)) {
-}
+  , values_(mesh_.unit_mapping(), space, kinks_,
+            mesh_.is_axisymmetric() ? 3 : n_stiffness_points<dim>(constant_), flags_on(mesh_)) {}
 
 template <int dim>
 typename CellStiffness<dim>::Matrix CellStiffness<dim>::integrate(const CellIterator &cell) {

@@ -19,19 +19,19 @@ std::vector<Point<dim>> PairedPiece<dim>::points(const SurfaceRule<dim> &rule,
 
 template <int dim>
 double PairedPiece<dim>::turn_of_normals(const SurfaceRule<dim> &rule, const std::size_t q) const {
-  if constexpr (dim == 2) {
-    const Scene<2> &scene = surface_.scene();
-    const Point<2> &x = rule.points[q];
-    const Tensor<1, 2> &m = rule.directions[q], &n = rule.normals[q];
-    if (const auto &foundation = surface_.condition(piece_).foundation)
-      if (const auto of_obstacle =
-            foundation->normal_at_entry(Point<2>(x - scene.foundation_position), m))
-        return (m + *of_obstacle).norm();
+  const Scene<dim> &scene = surface_.scene();
+  const Point<dim> &x = rule.points[q];
+  const Tensor<1, dim> &m = rule.directions[q];
+  if (const auto &foundation = surface_.condition(piece_).foundation)
+    if (const auto of_obstacle =
+          foundation->normal_at_entry(Point<dim>(x - scene.foundation_position), m))
+      return (m + *of_obstacle).norm();
+  if constexpr (dim == 2)
     if (const auto side = pair().other_side()) {
       const Side<2> &other = scene.geometry.sides[*side];
+      const Tensor<1, 2> &n = rule.normals[q];
       return (n + other.normal(other.arc_length(other.across(x, n)))).norm();
     }
-  }
   return 0.;
 }
 

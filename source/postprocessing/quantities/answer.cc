@@ -75,15 +75,16 @@ std::optional<Penetration> max_penetration(const DisplacedBody<dim> &body,
 }
 
 /** Returns Answer::turn_of_normals, at the middles of the pieces. */
-static double turn_of_normals(const MultiplierSpace<2> &multipliers, const Pressure &P) {
-  const ContactSurface<2> &surface = multipliers.surface();
+template <int dim>
+double turn_of_normals(const MultiplierSpace<dim> &multipliers, const Pressure &P) {
+  const ContactSurface<dim> &surface = multipliers.surface();
   double turn = 0.;
-  for (const Piece<2> &piece : surface.pieces()) {
-    const SurfaceRule<2> middle = surface.at(piece, {Point<1>(0.5)});
+  for (const Piece<dim> &piece : surface.pieces()) {
+    const SurfaceRule<dim> middle = surface.at(piece, QMidpoint<dim - 1>().get_points());
     if (multipliers.value(P, piece.patch, middle.on_side[0]) < pressing_threshold(P))
-      turn = std::max(turn, PairedPiece<2>(surface, piece).turn_of_normals(middle, 0));
+      turn = std::max(turn, PairedPiece<dim>(surface, piece).turn_of_normals(middle, 0));
   }
-  return turn;
+  return Utilities::MPI::max(turn, surface.communicator());
 }
 
 Columns<Answer> Answer::columns() {
@@ -124,14 +125,18 @@ Answer compute_answer(const BodyInContact<dim> &body, const NodalForces &forces)
   if constexpr (dim == 2) {
     answer.zones = contact_zones(multipliers, multiplier.normal());
     answer.zone_forces = zone_forces(multipliers, multiplier, answer.zones);
+  } else {
+    const std::vector<PressedArea> areas = pressed_areas(multipliers, multiplier.normal());
+    for (const PressedArea &area : areas)
+      answer.zones.push_back(area.zone);
+    answer.zone_forces = zone_forces(multipliers, multiplier, areas);
   }
   answer.axisymmetric = scene.geometry.axisymmetric;
   if (answer.axisymmetric)
     remove_moments(answer);
   const std::vector<SingularEdge<dim>> edges = singular_edges(scene);
   answer.peak_pressure = describe_peak(body, edges);
-  if constexpr (dim == 2)
-    answer.turn_of_normals = turn_of_normals(multipliers, multiplier.normal());
+  answer.turn_of_normals = turn_of_normals(multipliers, multiplier.normal());
   answer.penetration = max_penetration(body, body.surface());
   answer.von_mises = largest_von_mises(body, edges);
   set_growth(edges, body, answer.von_mises.point, answer.von_mises);

@@ -153,4 +153,32 @@ std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
     }
   return zones;
 }
+
+std::vector<PressedArea> pressed_areas(const MultiplierSpace<3> &multipliers, const Pressure &P) {
+  const std::vector<Patch<3>> &patches = multipliers.surface().patches();
+  const std::vector<Neighbours<3>> neighbours = multipliers.surface().neighbours();
+  const double threshold = pressing_threshold(P);
+  std::vector<bool> is_left(patches.size());
+  for (unsigned int t = 0; t < patches.size(); ++t)
+    is_left[t] = P[t] < threshold;
+  std::vector<PressedArea> areas;
+  for (unsigned int first = 0; first < patches.size(); ++first) {
+    if (!is_left[first])
+      continue;
+    is_left[first] = false;
+    PressedArea &area = areas.emplace_back();
+    area.patches.push_back(first);
+    area.zone.contact = patches[first].contact;
+    for (std::size_t i = 0; i < area.patches.size(); ++i) {
+      area.zone.length += patches[area.patches[i]].measure;
+      for (const auto &pair : neighbours[area.patches[i]])
+        for (const auto &next : pair)
+          if (next && is_left[next->patch]) {
+            is_left[next->patch] = false;
+            area.patches.push_back(next->patch);
+          }
+    }
+  }
+  return areas;
+}
 } // namespace Signorini

@@ -169,6 +169,23 @@ std::vector<ContactForce> zone_forces(const MultiplierSpace<2> &multipliers,
   return forces;
 }
 
+std::vector<ContactForce> zone_forces(const MultiplierSpace<3> &multipliers,
+                                      const Multiplier &multiplier,
+                                      const std::vector<PressedArea> &areas) {
+  const ContactSurface<3> &surface = multipliers.surface();
+  std::vector<ContactForce> forces;
+  for (const PressedArea &area : areas) {
+    const std::set<unsigned int> patches(area.patches.begin(), area.patches.end());
+    const auto is_part = [&](const unsigned int patch) { return patches.count(patch) > 0; };
+    forces.push_back({force_of_pieces(surface.side(surface.patches()[area.patches.front()]).name(),
+                                      multipliers, multiplier, PairSide::first,
+                                      [&](const Piece<3> &piece) { return is_part(piece.patch); }),
+                      "", PairSide::first,
+                      peak_pressure<3>(multipliers, multiplier.normal(), {}, is_part)});
+  }
+  return forces;
+}
+
 namespace {
 /** A node that is held, by one or more sides. */
 template <int dim>

@@ -236,9 +236,12 @@ std::string convert_with_gmsh(const std::string &content, const std::string &end
   std::ofstream(folder.path / input, std::ios::binary) << content;
   std::vector<std::string> arguments = {"gmsh", input};
   const std::string mesh_option = dim == 2 ? "-2" : "-3";
-  if (is_shape)
+  if (is_shape) {
     arguments.insert(arguments.end(), {mesh_option, "-order", "2"});
-  else
+    // Tetrahedra at facets of more than 30 degrees would fold with all vertices on a round side.
+    if (dim == 3)
+      arguments.insert(arguments.end(), {"-clcurv", "12"});
+  } else
     arguments.emplace_back("-save");
   std::vector<std::string> options = {"Mesh.SaveAll 1", "Mesh.Binary 0"};
   // Algorithm 6, blossom and a division of all cells give quadrilaterals for every outline that was

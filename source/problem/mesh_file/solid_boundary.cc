@@ -97,7 +97,7 @@ std::vector<unsigned int> nodes_of(const SolidCell &cell, const unsigned int fac
 /** The ends of an edge, the smaller one first. */
 using EdgeEnds = std::pair<unsigned int, unsigned int>;
 
-EdgeEnds ends(const unsigned int a, const unsigned int b) {
+EdgeEnds edge_ends(const unsigned int a, const unsigned int b) {
   return std::minmax(a, b);
 }
 
@@ -125,8 +125,8 @@ void turn_outwards(const FileMesh<3> &mesh, SolidCell &cell) {
     cell.nodes[v] = before.nodes[mirror(v)];
   for (unsigned int e = 0; cell.is_quadratic && e < shape.edges.size(); ++e)
     for (unsigned int other = 0; other < shape.edges.size(); ++other)
-      if (ends(mirror(shape.edges[e][0]), mirror(shape.edges[e][1])) ==
-          ends(shape.edges[other][0], shape.edges[other][1]))
+      if (edge_ends(mirror(shape.edges[e][0]), mirror(shape.edges[e][1])) ==
+          edge_ends(shape.edges[other][0], shape.edges[other][1]))
         cell.nodes[n + e] = before.nodes[n + other];
 }
 
@@ -139,7 +139,7 @@ EdgeMiddles find_middles(const FileMesh<3> &mesh) {
     for (unsigned int e = 0; cell.is_quadratic && e < solid_shape(cell.n_corners).edges.size();
          ++e) {
       const auto [a, b] = solid_shape(cell.n_corners).edges[e];
-      middles[ends(cell.nodes[a], cell.nodes[b])] = cell.nodes[cell.n_corners + e];
+      middles[edge_ends(cell.nodes[a], cell.nodes[b])] = cell.nodes[cell.n_corners + e];
     }
   return middles;
 }
@@ -285,7 +285,7 @@ std::vector<BoundaryFace> find_boundary(const FileMesh<3> &mesh) {
     std::vector<Point<3>> corners;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const unsigned int a = nodes[i], b = nodes[(i + 1) % nodes.size()];
-      const auto middle = middles.find(ends(a, b));
+      const auto middle = middles.find(edge_ends(a, b));
       found.middles.push_back(middle == middles.end() ? mean_of({x(a), x(b)}) : x(middle->second));
       found.has_middle_nodes |= middle != middles.end();
       corners.push_back(x(a));

@@ -42,13 +42,12 @@ using Positions = std::vector<Point<3>>;
 /** Divides cells. */
 class CellSplitter {
 public:
-  explicit CellSplitter(const FileMesh<3> &mesh)
-    : mesh_(mesh) {
-    is_split_ = std::any_of(mesh.cells.begin(), mesh.cells.end(),
-                            [](const auto &cell) { return cell.n_corners != 8; });
+  explicit CellSplitter(const FileMesh<3> &mesh) {
+    const bool is_split = std::any_of(mesh.cells.begin(), mesh.cells.end(),
+                                      [](const auto &cell) { return cell.n_corners != 8; });
     for (unsigned int c = 0; c < mesh.cells.size(); ++c) {
       const auto &cell = mesh.cells[c];
-      if (is_split_)
+      if (is_split)
         split(cell);
       else
         pieces_.cells.push_back(
@@ -95,8 +94,6 @@ private:
     }
   }
 
-  const FileMesh<3> &mesh_;
-  bool is_split_;
   Pieces pieces_;
   std::map<std::vector<unsigned int>, unsigned int> number_;
 };

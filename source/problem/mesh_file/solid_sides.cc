@@ -24,7 +24,7 @@ constexpr double smooth_cosine = 0.866025;
 
 /** The share of the radius, or of a plane's extent, by which nodes may lie off a surface of a kind
  * that is given, and how well the nodes must tell it (SurfaceFit::condition). */
-constexpr double declared_surface_tolerance = 1e-3, min_condition = 1e-5;
+constexpr double declared_surface_tolerance = 1e-3, min_declared_condition = 1e-5;
 
 /** The share of the extent above which a motion of nodes is told. */
 constexpr double small_motion = 1e-8;
@@ -192,7 +192,7 @@ Surface declared_surface(const SurfaceSamples &samples, const Surface::Kind kind
   const auto box = BoundingBox<3>(samples.points).get_boundary_points();
   const double unit =
     kind == Surface::Kind::plane ? box.first.distance(box.second) : fit.surface.radius();
-  if (!(fit.condition >= min_condition))
+  if (!(fit.condition >= min_declared_condition))
     throw input_error(where, ": the nodes of the side ", quote(side), " lie on more than one ",
                       name, ", allowed: a finer mesh there, or faces.");
   if (!(fit.residual <= declared_surface_tolerance * unit) || !fit.follows_normals)

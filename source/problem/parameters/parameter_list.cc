@@ -112,12 +112,14 @@ void Declarations::declare_contact(ContactParameters &contact) {
   add("Contact/Foundation", contact.foundation,
       "Rigid things in place of the gap, separated by '|': plane x,y normal nx,ny; circle x,y "
       "radius r; circle x,y radius r inside (the body lies in a round hole); parabola x,y normal "
-      "nx,ny curvature k (with k < 0 it bends away from the body). Numbers may be formulas of the "
+      "nx,ny curvature k (with k < 0 it bends away from the body). In space: plane x,y,z normal "
+      "a,b,c; sphere x,y,z radius r [inside]; cylinder x,y,z axis a,b,c radius r [inside]. Numbers "
+      "may be formulas of the "
       "constants. Normals point towards the body and may have any length. 'bottom: circle ...' is "
       "for one contact side, others are for all that touch no other body. The gap is the distance "
       "along the direction of contact, at most ten diameters of the body.");
   add("Contact/Foundation position", contact.foundation_position,
-      "dx, dy by which the whole foundation is moved (length).");
+      "dx, dy (in space dx, dy, dz) by which the whole foundation is moved (length).");
   add("Contact/Direction", contact.direction,
       "The direction along which planes of a Foundation act. foundation: their own normal, so that "
       "without friction a plane exerts no force along itself, whatever the shape of the body. "

@@ -174,7 +174,8 @@ public:
     // A zone that is alone has the force and the peak of all contact.
     const std::vector<ContactZone> &zones = level_.answer.zones;
     for (std::size_t i = 0; i < zones.size(); ++i) {
-      add_zones("Contact zone", {zones[i]});
+      if (!in_space || zones.size() > 1)
+        add_zones("Contact zone", {zones[i]});
       if (zones.size() == 1)
         continue;
       const ContactForce &force = level_.answer.zone_forces[i];
@@ -271,6 +272,10 @@ private:
   }
   void add_zones(const std::string &label, const std::vector<ContactZone> &zones) {
     for (const auto &[start, end, length, contact] : zones) {
+      if (level_.answer.dimension == 3) {
+        add(label, level_.answer.contact_by_side[contact].side + ", area " + digits(length));
+        continue;
+      }
       const std::string side = start.at.side;
       const bool all_around = start.at.point.distance(end.at.point) < 1e-10 * length;
       add(label, (all_around ? "all around " + side

@@ -33,13 +33,14 @@ Columns<ForceRow> force_columns(const unsigned int dim) {
       return row.zone != nullptr ? std::optional<double>(value(row)) : std::nullopt;
     };
   };
-  Columns<Row> columns = {
-    {"zone", of_zone([](const Row &row) { return row.number; })},
-    {"start", of_zone([](const Row &row) { return row.zone->start.at.arc_length; })},
-    {"end", of_zone([](const Row &row) { return row.zone->end.at.arc_length; })},
-    {"length", of_zone([](const Row &row) { return row.zone->length; })}};
-  if (dim == 3)
-    columns.clear();
+  Columns<Row> columns = {{"zone", of_zone([](const Row &row) { return row.number; })}};
+  if (dim == 2) {
+    columns.push_back(
+      {"start", of_zone([](const Row &row) { return row.zone->start.at.arc_length; })});
+    columns.push_back({"end", of_zone([](const Row &row) { return row.zone->end.at.arc_length; })});
+  }
+  columns.push_back(
+    {dim == 2 ? "length" : "area", of_zone([](const Row &row) { return row.zone->length; })});
   const auto force = [](const Row &row) { return &row.force.resultant.force; };
   const auto moment = [](const Row &row) { return &row.force.resultant.moment; };
   const auto through = [](const Row &row) {

@@ -140,7 +140,8 @@ Json with_trend(Json maximum, const Trend &trend) {
 Json zones_of(const Answer &answer) {
   Json zones = Json::array();
   for (std::size_t i = 0; i < answer.zones.size(); ++i) {
-    zones.push_back(answer.zones[i]);
+    zones.push_back(answer.dimension == 2 ? Json(answer.zones[i])
+                                          : Json({{"area", answer.zones[i].length}}));
     Json force = answer.zone_forces[i];
     force.erase("side");
     zones.back().update(force);

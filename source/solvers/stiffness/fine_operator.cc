@@ -18,8 +18,6 @@
 
 namespace Signorini {
 namespace {
-constexpr unsigned int n_points_of_assembly = 4;
-
 template <int dim>
 using BlockCells = std::vector<typename DoFHandler<dim>::active_cell_iterator>;
 
@@ -174,7 +172,7 @@ private:
   /** Integrates all stored matrices with the moduli at each point. */
   void integrate_matrices() {
     constexpr std::size_t stride = Operator::n_moduli * n_lanes;
-    const QGauss<dim> gauss(n_points_of_assembly);
+    const QGauss<dim> gauss(n_stiffness_points<dim>(scene_.material->is_constant()));
     std::vector<double> moduli(gauss.size() * stride);
     for (std::size_t batch = 0; batch < K_.grid->n_batches(); ++batch)
       if (!K_.is_shared(batch)) {
@@ -246,7 +244,7 @@ CellOperator<dim, double> make_fine_operator(const DisplacementSpace<dim> &space
                                                  v, 0, cells[cell]->active_fe_index())) /
                                                dim);
                                            }),
-    n_points_of_assembly);
+    n_stiffness_points<dim>(scene.material->is_constant()));
   agree(space.mesh().communicator(), [&]() { MatrixFiller<dim>(space, scene, cells, K).fill(); });
   return K;
 }

@@ -71,12 +71,19 @@ struct Box {
     , G(assemble_gap(multipliers, scene.contacts, 3)) {}
   Box(const Box &) = delete;
 
-  /** The values of p at the centres of the patches: of a product of linear functions the means. */
+  /** The values of p at the middles of the patches, in x and y: of a product of linear functions the
+   * means. */
   Signorini::Pressure at_centres(const std::function<double(const dealii::Point<2> &)> &p) const {
     Signorini::Pressure P(multipliers.n_multipliers());
     for (unsigned int tau = 0; tau < P.size(); ++tau)
-      P[tau] = p(surface.patches()[tau].centre());
+      P[tau] = p(at(tau, surface.patches()[tau].centre()));
     return P;
+  }
+
+  /** The x and y of a point of a patch. */
+  dealii::Point<2> at(const unsigned int patch, const dealii::Point<2> &s) const {
+    const dealii::Point<3> x = surface.point(surface.patches()[patch], s);
+    return {x[0], x[1]};
   }
 
   /** The box displaced and pressed. */

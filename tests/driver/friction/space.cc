@@ -87,7 +87,7 @@ void test_patch(Checks &checks) {
        {std::tuple("coulomb", "coefficient=0.3", "0.05; 0.02; 7"),
         {"coulomb", "coefficient=sqrt(0.05^2+0.02^2)/0.375", "0.07; 0.028; 0"},
         {"tresca", "bound=sqrt(0.05^2+0.02^2)", "0.1; 0.04; 0"}})
-    for (const std::string ratio : {"2", "3"}) {
+    for (const std::string ratio : {"2", "4"}) {
       const SpaceLevel level(
         patch, 2,
         {std::string("Contact/Friction=") + law, std::string("Contact/Friction ") + bound,

@@ -11,13 +11,23 @@
 
 namespace Signorini {
 /**
+ * Returns the number of Gauss points per direction for elements of degree one whose edges are not
+ * parallel. With a constant tensor two in space keep the patch test exact: ∇φ dx has the degree
+ * three in each coordinate of a trilinear map.
+ */
+template <int dim>
+unsigned int n_stiffness_points(const bool has_constant_moduli) {
+  return dim == 3 && has_constant_moduli ? 2 : 4;
+}
+
+/**
  * Integrates a(φ_j, φ_i)/E on one cell, with the unit of stiffness E of stiffness_unit().
  *
  * For elements of degree p, p + 1 Gauss points per direction are exact for a constant tensor on a
- * parallelogram or parallelepiped; p + 3 are taken otherwise, and p + 2 in bodies of revolution,
- * where only u_x v_x / x is no polynomial. With a constant tensor, cells of one
- * shape share a matrix, which in 2-D does not depend on their size: on a mesh of
- * squares it is integrated once per degree.
+ * parallelogram or parallelepiped; otherwise n_stiffness_points() + p - 1 are taken, and p + 2 in
+ * bodies of revolution, where only u_x v_x / x is no polynomial. With a constant tensor, cells of
+ * one shape share a matrix, which in 2-D does not depend on their size: on a mesh of squares it is
+ * integrated once per degree.
  */
 template <int dim>
 class CellStiffness {

@@ -37,7 +37,7 @@ struct Answer {
   std::vector<SideForce> reactions;
   /** The peak pressure; empty if nothing presses. */
   std::optional<PeakPressure> peak_pressure;
-  /** The contact zones, for 2-D only. */
+  /** The contact zones. */
   std::vector<ContactZone> zones;
   /** Their forces, in the same order. */
   std::vector<ContactForce> zone_forces;

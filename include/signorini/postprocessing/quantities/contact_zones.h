@@ -28,10 +28,11 @@ struct ZoneEnd {
   double uncertainty = 0.;
 };
 
-/** A part of a side that is pressed: a run of pressing patches, or with polynomials of nodes. */
+/** A part of a side that is pressed: a run of pressing patches, or with polynomials of nodes; in
+ * space patches that share edges, which have no ends. */
 struct ContactZone {
   ZoneEnd start, end;
-  /** The length from start to end along the side. */
+  /** The length from start to end along the side; in space the area. */
   double length = 0.;
   /** The number of the contact in Scene::contacts. */
   unsigned int contact = 0;
@@ -53,6 +54,15 @@ struct ContactZone {
 std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,
                                        const std::vector<NodeState> &states,
                                        const Pressure &P = Pressure());
+
+/** A zone in space and its patches. */
+struct PressedArea {
+  ContactZone zone;
+  std::vector<unsigned int> patches;
+};
+
+/** Returns the pressed areas, contact after contact, in the order of their first patches. */
+std::vector<PressedArea> pressed_areas(const MultiplierSpace<3> &multipliers, const Pressure &P);
 
 /** Returns the contact zones of a pressure. */
 inline std::vector<ContactZone> contact_zones(const MultiplierSpace<2> &multipliers,

@@ -79,6 +79,10 @@ std::vector<ContactForce> contact_forces(const MultiplierSpace<dim> &multipliers
 std::vector<ContactForce> zone_forces(const MultiplierSpace<2> &multipliers,
                                       const Multiplier &multiplier,
                                       const std::vector<ContactZone> &zones);
+/** Returns the same in space. */
+std::vector<ContactForce> zone_forces(const MultiplierSpace<3> &multipliers,
+                                      const Multiplier &multiplier,
+                                      const std::vector<PressedArea> &areas);
 
 /**
  * Returns the reaction of every clamped, prescribed and roller side: the sum of
