@@ -24,17 +24,17 @@ struct Reference {
   double energy, peak, area;
 };
 
-/** Solves a scene, one entry a line, on a mesh of this folder. */
+/** Solves a scene, one entry a line, on a mesh of this folder or of the parts of the scenes. */
 StudyResult<3> solve_mesh(const std::string &mesh, const std::string &scene,
                           const unsigned int coarsest, const unsigned int finest) {
+  const std::string folder =
+    mesh == "plate_on_pin" ? SOURCE_DIR "/prm/parts/" : SOURCE_DIR "/tests/driver/study/solids/";
   std::vector<std::string> overrides =
-    levels(coarsest, finest,
-           {"Geometry/Shape=file",
-            "Geometry/File=" SOURCE_DIR "/tests/driver/study/solids/" + mesh + ".msh"});
+    levels(coarsest, finest, {"Geometry/Shape=file", "Geometry/File=" + folder + mesh + ".msh"});
   std::istringstream lines(scene);
   for (std::string line; std::getline(lines, line);)
     overrides.push_back(line);
-  return solve<3>("Dimension = 3\n", overrides);
+  return solve<3>("set Dimension = 3\n", overrides);
 }
 
 dealii::Tensor<1, 3> vector(const double x, const double y, const double z) {
