@@ -52,11 +52,13 @@ def names_damaged_file(read):
 
 @names_damaged_file
 def read_csv(path):
-    """Returns the columns of a table: arrays of numbers, NaN where a field is empty, or of words."""
+    """Returns the columns of a table: arrays of numbers, NaN where a field is empty, or of words, such as names of sides."""
     with open(path, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     def column(name):
         texts = [row[name] for row in rows]
+        if name in ("side", "with"):
+            return np.array(texts)
         try:
             return np.array([float(text) if text else np.nan for text in texts])
         except ValueError:

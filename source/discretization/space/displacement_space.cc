@@ -12,8 +12,11 @@
 #include <deal.II/numerics/vector_tools_constraints.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <set>
+#include <vector>
 
 namespace Signorini {
 namespace {
@@ -50,6 +53,87 @@ void fix_corners_of_rollers(const DoFHandler<2> &dofs, const Scene<2> &scene,
   }
 }
 
+/** A node on rollers: its degrees of freedom, and orthonormal directions that are held. */
+struct RollerNode {
+  std::array<types::global_dof_index, 3> dofs;
+  std::vector<Tensor<1, 3>> held;
+
+  /** Holds a normal as far as it is not held. */
+  void hold(Tensor<1, 3> normal) {
+    constexpr double smallest_turn = 1e-6;
+    for (const Tensor<1, 3> &known : held)
+      normal -= (normal * known) * known;
+    if (normal.norm() > smallest_turn)
+      held.push_back(normal / normal.norm());
+  }
+};
+
+/** Returns the nodes on rollers by their first degree of freedom. */
+std::map<types::global_dof_index, RollerNode>
+roller_nodes(const Mesh<3> &mesh, const DoFHandler<3> &dofs, const Scene<3> &scene,
+             const std::set<types::boundary_id> &rollers) {
+  std::map<types::global_dof_index, RollerNode> nodes;
+  for (const auto &cell : dofs.active_cell_iterators())
+    for (const unsigned int f : cell->face_indices()) {
+      if (cell->is_artificial() || !cell->face(f)->at_boundary() ||
+          rollers.count(cell->face(f)->boundary_id()) == 0)
+        continue;
+      const Side<3> &side = scene.geometry.sides[cell->face(f)->boundary_id()];
+      const FiniteElement<3> &fe = cell->get_fe();
+      std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
+      cell->get_dof_indices(indices);
+      std::map<unsigned int, std::array<unsigned int, 3>> on_face;
+      for (unsigned int i = 0; i < indices.size(); ++i)
+        if (fe.has_support_on_face(i, f))
+          on_face[fe.system_to_component_index(i).second][fe.system_to_component_index(i).first] =
+            i;
+      for (const auto &entry : on_face) {
+        const std::array<unsigned int, 3> &of_node = entry.second;
+        const Point<3> x =
+          mesh.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(of_node[0]));
+        RollerNode &node = nodes[indices[of_node[0]]];
+        for (unsigned int c = 0; c < 3; ++c)
+          node.dofs[c] = indices[of_node[c]];
+        node.hold(side.normal_at(x));
+      }
+    }
+  return nodes;
+}
+
+/** Holds the normals of all rollers at their nodes. deal.II's function takes the mean of the
+ * normals of two sides where no cell has faces on both, as at edges of tetrahedra. */
+void hold_rollers(const Mesh<3> &mesh, const DoFHandler<3> &dofs, const Scene<3> &scene,
+                  const std::set<types::boundary_id> &rollers,
+                  AffineConstraints<double> &conditions) {
+  constexpr double rounding = 1e-13;
+  for (const auto &entry : roller_nodes(mesh, dofs, scene, rollers)) {
+    const RollerNode &node = entry.second;
+    const bool is_plane = node.held.size() == 1;
+    // One direction is held or one is free: all along it.
+    const Tensor<1, 3> along =
+      node.held.size() == 2 ? cross_product_3d(node.held[0], node.held[1]) : node.held[0];
+    unsigned int largest = 0;
+    for (unsigned int c = 1; c < 3; ++c)
+      if (std::abs(along[c]) > std::abs(along[largest]) + rounding)
+        largest = c;
+    const auto add = [&](const unsigned int c, const unsigned int other, const double factor) {
+      if (std::abs(factor) > rounding)
+        conditions.add_entry(node.dofs[c], node.dofs[other], factor);
+    };
+    for (unsigned int c = 0; c < 3; ++c) {
+      const bool is_bound = node.held.size() == 3 || (c == largest) == is_plane;
+      if (!is_bound || conditions.is_constrained(node.dofs[c]))
+        continue;
+      conditions.add_line(node.dofs[c]);
+      for (unsigned int other = 0; is_plane && other < 3; ++other)
+        if (other != c)
+          add(c, other, -along[other] / along[c]);
+      if (node.held.size() == 2)
+        add(c, largest, along[c] / along[largest]);
+    }
+  }
+}
+
 /** Returns the conditions of clamped, prescribed and roller sides for u_h. */
 template <int dim>
 AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh, const DoFHandler<dim> &dofs,
@@ -68,11 +152,13 @@ AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh, const DoFH
   }
   AffineConstraints<double> conditions = no_conditions(dofs);
   VectorTools::interpolate_boundary_values(mesh.mapping(), dofs, displacements, conditions);
-  if constexpr (dim == 2)
-    fix_corners_of_rollers(dofs, scene, conditions);
   // Where a roller meets a clamped or prescribed side, the entries above stay.
-  if (!rollers.empty())
+  if constexpr (dim == 3)
+    hold_rollers(mesh, dofs, scene, rollers, conditions);
+  else if (!rollers.empty()) {
+    fix_corners_of_rollers(dofs, scene, conditions);
     VectorTools::compute_no_normal_flux_constraints(dofs, 0, rollers, conditions, mesh.mapping());
+  }
   conditions.close();
   return conditions;
 }

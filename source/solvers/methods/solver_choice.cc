@@ -69,7 +69,7 @@ bool may_iterate(const Parameters &parameters, const Scene<dim> &scene) {
 template <int dim>
 bool solves_columns_by_cycles(const Parameters &parameters, const Scene<dim> &scene,
                               const double n_unknowns) {
-  constexpr double fewest = 1.5e5;
+  constexpr double fewest = 1e5;
   return dim == 3 && n_unknowns >= fewest &&
          (!scene.plates.empty() || scene.is_held_by_contact || !scene.load_cases.empty()) &&
          parameters.solver.linear_solver == LinearSolver::automatic &&

@@ -168,9 +168,7 @@ void test_torsion(Checks &checks) {
   const dealii::Vector<double> P = level.found.contact.P.values();
   const auto &multipliers = level.discretization.multipliers;
   const auto &surface = multipliers.surface();
-  const auto centre = [&](const unsigned int k) {
-    return surface.side(surface.patches()[k]).point(surface.patches()[k].centre());
-  };
+  const auto centre = [&](const unsigned int k) { return surface.middle(surface.patches()[k]).x; };
   const auto in_space = [&](const unsigned int k) {
     const dealii::Tensor<1, 3> n({0., 0., -1.});
     const auto q = level.tangential(P, k);

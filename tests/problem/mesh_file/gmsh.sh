@@ -97,6 +97,41 @@ PRM
 sed -e 's/set Shape = .*/set Shape = rectangle/' -e 's/set File .*/set Upper right = 2,1\n  set Cells = 4,2/' \
   -e 's/soft: 1 | hard: 5/x < 1 ? 1 : 5/' -e 's/soft: 0.4 | hard: 0.2/x < 1 ? 0.4 : 0.2/' regions.prm >expressions.prm
 
+# A cube of tetrahedra, which a gap of -0.02 compresses by 2 %.
+cat >solid.geo <<'GEO'
+SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 1, 1, 1};
+Mesh.MeshSizeMin = 0.5;
+e = 0.001;
+Physical Surface("bottom") = Surface In BoundingBox {-e, -e, -e, 1 + e, 1 + e, e};
+Physical Surface("top") = Surface In BoundingBox {-e, -e, 1 - e, 1 + e, 1 + e, 1 + e};
+Physical Surface("left") = Surface In BoundingBox {-e, -e, -e, e, 1 + e, 1 + e};
+Physical Surface("front") = Surface In BoundingBox {-e, -e, -e, 1 + e, e, 1 + e};
+GEO
+cat >solid.prm <<'PRM'
+set Dimension = 3
+subsection Geometry
+  set Shape     = file
+  set File      = solid.geo
+  set Mesh size = 1
+end
+subsection Material
+  set Young's modulus = 1
+  set Poisson's ratio = 0.3
+end
+subsection Boundary
+  set Contact = bottom
+  set Rollers = left front top
+end
+subsection Contact
+  set Gap = -0.02
+end
+subsection Discretization
+  set Coarsest level = 1
+  set Finest level   = 1
+end
+PRM
+
 # The reference, and the part in each format on level 2; "first" is text, which is read without Gmsh.
 scene reference file "$prm/parts/bracket.msh"
 parts=(step brep plain geo binary old triangles unv)
@@ -111,7 +146,7 @@ part triangles file triangles.msh
 part unv file part.unv
 part first file first_order.msh
 for name in unv first; do printf 'subsection Geometry\n  set Arcs = fillet\nend\n' >>"$name.prm"; done
-start "$PATH" solved reference.prm regions.prm expressions.prm "${parts[@]/%/.prm}"
+start "$PATH" solved reference.prm regions.prm expressions.prm solid.prm "${parts[@]/%/.prm}"
 check "parts in all formats, and two regions: exit code 0" [ $? -eq 0 ]
 check "the mesh of quadrilaterals has a force" close "$(value contact_force_n solved/reference)" 1216 0.002
 force=$(value contact_force_n solved/reference 2)
@@ -126,6 +161,9 @@ check "triangles: the run says that they are split" grep -qx solved/triangles sp
 check "two regions: the force of moduli that depend on x" \
   close "$(value contact_force_n solved/regions)" "$(value contact_force_n solved/expressions)" 1e-9
 check "  the energy, too" close "$(value energy solved/regions | tr -d -)" "$(value energy solved/expressions | tr -d -)" 1e-9
+
+check "a cube of tetrahedra: force" close "$(value contact_force_n solved/solid)" 0.02 1e-9
+check "  largest pressure" close "$(value max_pressure solved/solid)" 0.02 1e-7
 
 # refused NAME MESSAGE: of the last start.
 refused() {

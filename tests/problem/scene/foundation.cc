@@ -152,27 +152,87 @@ void test_gaps(Checks &checks) {
   const Side<2> arc = make_half_disc(R).sides[1], flat = make_half_disc(R).sides[0];
   const auto ground = std::make_shared<Foundation<2>>(
     std::vector<Obstacle<2>>{Obstacle<2>::plane(Point(0., -R), Vector({0., 5.}))}, largest);
-  const auto gap = foundation_gap(arc, ground, Vector({7., -h}));
+  const auto gap = foundation_gap<2>(arc, ground, Vector({7., -h}));
   for (double angle = 0.2; angle < 3.; angle += 0.1)
     checks.near("a half disc above a plane", gap->value(arc.point(R * angle)),
                 (R + h) / std::sin(angle) - R, 1e-13);
   checks.near("beside the arc as on it", gap->value(Point(0., -R - 1e-3)), h, 1e-14);
   checks.near("at most the largest gap", gap->value(arc.point(1e-4)), largest, 0.);
   checks.near("the flat side sees nothing",
-              foundation_gap(flat, ground, Vector())->value(Point(0., 0.)), largest, 0.);
+              foundation_gap<2>(flat, ground, Vector())->value(Point(0., 0.)), largest, 0.);
   // In a hole about its own centre the gap of a disc is the same everywhere; moved by e it is
   // e cos(theta) + sqrt(r² - e² sin²(theta)) - R.
   const Side<2> outer = make_ring(1., R).sides[1];
   const auto hole = std::make_shared<Foundation<2>>(
     std::vector<Obstacle<2>>{Obstacle<2>::circle(Point(0., 0.), R + h, Body::inside)}, largest);
   for (const double e : {0., 0.1}) {
-    const auto moved = foundation_gap(outer, hole, Vector({e, 0.}));
+    const auto moved = foundation_gap<2>(outer, hole, Vector({e, 0.}));
     for (double position = 0.; position < outer.length(); position += 0.1) {
       const Point x = outer.point(position);
       checks.near("a shaft in a hole", moved->value(x),
                   e * x[0] / R + std::sqrt(std::pow(R + h, 2) - std::pow(e * x[1] / R, 2)) - R,
                   1e-14);
     }
+  }
+}
+
+/** Things in space: where a line enters one, its distance from the centre or the axis is the
+ * radius, and that does not change with turns of everything. */
+void test_space(Checks &checks) {
+  using Point3 = dealii::Point<3>;
+  using Vector3 = dealii::Tensor<1, 3>;
+  const Point3 c(0.3, -0.2, 0.5);
+  const double r = 0.7;
+  const Vector3 axis({1., 2., -2.}), e = axis / 3., away({2., -2., -1.}); // away is across the axis
+  const auto ball = Obstacle<3>::circle(c, r, Body::outside),
+             socket = Obstacle<3>::circle(c, r, Body::inside),
+             bar = Obstacle<3>::cylinder(c, axis, r, Body::outside),
+             hole = Obstacle<3>::cylinder(c, axis, r, Body::inside),
+             ground = Obstacle<3>::plane(c, axis);
+  const auto across = [&](const Vector3 &v) { return v - (v * e) * e; };
+  RandomNumbers random(7);
+  for (unsigned int i = 0; i < 100; ++i) {
+    Vector3 n, d;
+    for (unsigned int k = 0; k < 3; ++k) {
+      n[k] = random();
+      d[k] = random();
+    }
+    n /= n.norm();
+    const Vector3 far = 2. * d / d.norm(), near = 0.3 * d / d.norm();
+    const double of_ball = *ball.distance(c + far, n), of_bar = *bar.distance(c + far, n),
+                 of_socket = *socket.distance(c + near, n), of_hole = *hole.distance(c + near, n);
+    if (ball.is_hit_by_line(c + far, n, 10.)) {
+      checks.near("a ball is met on its surface", (far + of_ball * n).norm(), r, 1e-12);
+      checks.that("ahead, on the near side", of_ball > 0. && (far + of_ball * n) * n < 0.);
+      checks.near("its normal",
+                  ((far + of_ball * n) / r - *ball.normal_at_entry(c + far, n)).norm(), 0., 1e-11);
+    } else
+      checks.near("beside a ball, the length of the tangent", of_ball,
+                  std::sqrt(far.norm_square() - r * r), 1e-12);
+    if (bar.is_hit_by_line(c + far, n, 10.))
+      checks.near("a bar is met on its surface", across(far + of_bar * n).norm(), r, 1e-10);
+    checks.near("a socket", (near + of_socket * n).norm(), r, 1e-13);
+    checks.near("a round hole", across(near + of_hole * n).norm(), r, 1e-11);
+    checks.that("both ahead", of_socket > 0. && of_hole > 0.);
+    if (const auto t = ground.distance(c + far, n); t && far * e > 0.)
+      checks.near("a plane", (far + *t * n) * e, 0., 1e-9 * (1. + std::abs(*t)));
+  }
+  checks.that("along its axis nothing meets a bar",
+              !bar.distance(c + away, e) && !bar.can_be_hit_along(e) && !hole.distance(c, -1. * e));
+  // A ball in a socket with another centre: as in the plane through both centres.
+  const Side<3> lower("ball", SurfacePart(Surface::sphere(Point3(), 1., Body::inside),
+                                          {{{Point3(-1., 0., 0.), Point3(0., 1., 0.),
+                                             Point3(0., -1., 0.), Point3(1., 0., 0.)}}}));
+  const auto above = std::make_shared<Foundation<3>>(
+    std::vector<Obstacle<3>>{Obstacle<3>::circle(Point3(0., 0., 0.05), 1.05, Body::inside)}, 10.);
+  const auto gap = foundation_gap<3>(lower, above, Vector3());
+  for (const double angle : {0., 0.4, 1., 1.5}) {
+    const Point3 x(std::sin(angle), 0., -std::cos(angle));
+    checks.near("a ball in a socket", gap->value(x),
+                -0.05 * std::cos(angle) +
+                  std::sqrt(1.05 * 1.05 - std::pow(0.05 * std::sin(angle), 2)) - 1.,
+                1e-14);
+    checks.near("beside the ball as on it", gap->value(Point3(0.98 * x)), gap->value(x), 1e-14);
   }
 }
 
@@ -184,7 +244,7 @@ void test_planes(Checks &checks) {
   const auto ground = std::make_shared<Foundation<2>>(
     std::vector<Obstacle<2>>{Obstacle<2>::plane(Point(0., -R), Vector({0., 5.}))}, largest);
   const ContactDirections<2> below(arc, *ground, Vector({0., -0.25}));
-  const auto height = foundation_gap(arc, ground, Vector({0., -0.25}), below);
+  const auto height = foundation_gap<2>(arc, ground, Vector({0., -0.25}), below);
   checks.that("one plane, one direction", below.changes().empty() && !below.are_normals());
   for (double s = 0.05; s < arc.length(); s += 0.1) {
     checks.near("along the plane's normal", (*below.at(s) - down).norm(), 0., 1e-15);
@@ -367,6 +427,6 @@ void test_facing(Checks &checks) {
 } // namespace
 
 int main() {
-  return run_tests({test_lines, test_digits, test_directions, test_gaps, test_planes,
+  return run_tests({test_lines, test_digits, test_directions, test_gaps, test_space, test_planes,
                     test_exact_fit, test_scenes, test_facing});
 }
