@@ -32,7 +32,7 @@ std::optional<double> error_of_case(const Parameters &parameters, const Solved<d
     // Cell matrices of high degrees cost more than all the rest of a case.
     if constexpr (dim == 2)
       if (is_graded)
-        return energy_distance(solved, {space, solved.scene, space.zero()});
+        return energy_distance(solved, {solved.space, solved.scene, solved.space.zero()});
     return internal_forces(solved).energy_norm;
   };
   const EnergyScale scale = {energy(), norm_of_rigid_motion(solved)};

@@ -63,7 +63,9 @@ bool may_iterate(const Parameters &parameters, const Scene<dim> &scene) {
 }
 
 /** Returns whether the dual problem of a body or a plate in space that moves freely is solved with
- * columns of C by V-cycles: factors of large bodies in space take more time and memory. */
+ * columns of C by V-cycles. Factors of a cube with 1.1e5 unknowns take 11 s and 1.5 GB, its 205
+ * pressing columns 31 s and 0.3 GB; the times grow like N² and N^{5/3}, the memory like N^{4/3} and
+ * N. */
 template <int dim>
 bool solves_columns_by_cycles(const Parameters &parameters, const Scene<dim> &scene,
                               const double n_unknowns) {

@@ -41,7 +41,7 @@ struct SolverChoice {
  *   width), or the linear solver is multigrid;
  *
  * else active set. That takes columns of C by V-cycles where a body or a plate in space moves
- * freely, or there are load cases, from 2e4 unknowns on.
+ * freely, or there are load cases, from 1e5 unknowns on.
  */
 template <int dim>
 SolverChoice choose_solvers(const Parameters &parameters, const Scene<dim> &scene,
