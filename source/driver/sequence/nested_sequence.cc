@@ -87,9 +87,9 @@ private:
     };
     const SolverParameters &solver = context_.parameters.solver;
     const bool by_cycles = problem.solvers.is_by_cycles();
-    if (by_cycles ? solver.contact_solver != ContactSolver::automatic
-                  : solver.linear_solver != LinearSolver::automatic ||
-                      !problem.solvers.is_matrix_free())
+    if (by_cycles
+          ? solver.contact_solver != ContactSolver::automatic
+          : solver.linear_solver != LinearSolver::automatic || !problem.solvers.is_matrix_free())
       return solve_with_choice();
     try {
       LevelSolution<dim> solution = solve_with_choice();

@@ -191,7 +191,7 @@ std::vector<SingularEdge<3>> singular_edges(const Scene<3> &scene) {
     return edges;
   const std::vector<Side<3>> &sides = scene.geometry.sides;
   for (const SolidEdge &edge : solid_edges(scene.geometry)) {
-    const Point<3> middle = edge.points(scene.geometry, 1).front();
+    const Point<3> middle = edge.point(scene.geometry, 0.5);
     const SymmetricTensor<4, 2> hooke =
       in_plane(scene.material->relative_hooke(middle), {{edge.tangent, edge.normal}});
     const double size =

@@ -44,13 +44,9 @@ EdgeOfFace edge_of(const Side<3> &side, const unsigned int number, const FaceCor
 }
 } // namespace
 
-std::vector<Point<3>> SolidEdge::points(const Geometry<3> &geometry, const unsigned int n) const {
-  std::vector<Point<3>> found;
-  for (unsigned int i = 0; i < n; ++i) {
-    const Point<3> x = ends[0] + (i + 0.5) / n * (ends[1] - ends[0]);
-    found.push_back(geometry.sides[sides[1]].project(geometry.sides[sides[0]].project(x)));
-  }
-  return found;
+Point<3> SolidEdge::point(const Geometry<3> &geometry, const double share) const {
+  const Point<3> x = ends[0] + share * (ends[1] - ends[0]);
+  return geometry.sides[sides[1]].project(geometry.sides[sides[0]].project(x));
 }
 
 std::vector<SolidEdge> solid_edges(const Geometry<3> &geometry) {

@@ -92,8 +92,8 @@ Tensor<1, 3> area_vector(const FaceCorners &corners, const Point<2> &xi) {
 }
 
 namespace {
-/** Returns the reference coordinates of the point of a bilinear face that is nearest to x, by Gauss'
- * and Newton's method. */
+/** Returns the reference coordinates of the point of a bilinear face that is nearest to x, by
+ * Gauss' and Newton's method. */
 Point<2> nearest_on(const FaceCorners &face, const Point<3> &x) {
   constexpr unsigned int n_steps = 8;
   Point<2> xi(0.5, 0.5);

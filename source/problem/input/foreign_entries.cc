@@ -52,6 +52,18 @@ void refuse_2d_entries(const Parameters &parameters) {
     throw error_at(ratio, "found '", ratio.value,
                    "' with Dimension = 3, allowed: 2 or more; in space the inf-sup constant of "
                    "H = h falls like h^2.");
+  unsigned int n_generations = 0;
+  while (1U << n_generations < ratio)
+    ++n_generations;
+  if (1U << n_generations != ratio)
+    throw error_at(ratio, "found '", ratio.value,
+                   "' with Dimension = 3, allowed: powers of two; patches in space are faces of "
+                   "coarser meshes.");
+  const Given<unsigned int> &coarsest = parameters.discretization.coarsest_level;
+  if (coarsest < n_generations)
+    throw error_at(coarsest, "found '", coarsest.value,
+                   "' with Dimension = 3, allowed: ", n_generations,
+                   " or more; patches in space are faces of coarser meshes.");
 }
 
 } // namespace Signorini

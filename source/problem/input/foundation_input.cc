@@ -121,8 +121,10 @@ Obstacle<2> ObstacleReader<2>::read(const std::string &text) const {
 template <>
 Obstacle<3> ObstacleReader<3>::read(const std::string &text) const {
   const auto [parts, form] = Phrase(text, "plane|sphere|cylinder|normal|axis|radius|inside");
-  if (form == "plane normal")
-    return Obstacle<3>::plane(point(parts[1]), direction(parts[2]));
+  if (form == "plane normal") {
+    const Point<3> x = point(parts[1]);
+    return Obstacle<3>::plane(x, direction(parts[2]));
+  }
   const bool is_inside = parts.back().word == "inside" && parts.back().text.empty();
   const Body body = is_inside ? Body::inside : Body::outside;
   if (form == (is_inside ? "sphere radius inside" : "sphere radius")) {

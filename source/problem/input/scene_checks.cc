@@ -3,8 +3,8 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/base/text.h>
-#include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/parameters/entry_error.h>
+#include <signorini/problem/parameters/parameters.h>
 #include <signorini/problem/scene/contact_pair.h>
 #include <signorini/problem/scene/functions.h>
 #include <signorini/problem/scene/scene.h>

@@ -54,8 +54,8 @@ meetings(const Geometry<3> &geometry) {
   std::vector<std::pair<Point<3>, std::array<unsigned int, 2>>> found;
   for (const SolidEdge &edge : solid_edges(geometry))
     if (edge.sides[0] != edge.sides[1])
-      for (const Point<3> &x : edge.points(geometry, 9))
-        found.emplace_back(x, edge.sides);
+      for (const double share : shares)
+        found.emplace_back(edge.point(geometry, share), edge.sides);
   return found;
 }
 

@@ -60,7 +60,11 @@ void forces(Checks &checks) {
   checks.near("peak, penetration, von Mises stress",
               {answer.peak_pressure->value, answer.penetration->value, answer.von_mises.value},
               {-sigma, 0., 0.4 * mu}, 1e-13);
-  checks.that("no zones in 3-D", answer.zones.empty() && answer.dimension == 3);
+  checks.that("one zone in space, of the whole side",
+              answer.zones.size() == 1 && answer.dimension == 3);
+  checks.near("its area and force",
+              {answer.zones[0].length, answer.zone_forces[0].resultant.force[2]},
+              {2., all.at("bottom").force[2]}, 1e-13);
 }
 
 /** -p = 1 + x at a bottom of 1 x 2: the force 3 acts at x = (1/2 + 1/3)/(3/2), y = 1. */

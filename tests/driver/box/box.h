@@ -71,8 +71,8 @@ struct Box {
     , G(assemble_gap(multipliers, scene.contacts, 3)) {}
   Box(const Box &) = delete;
 
-  /** The values of p at the middles of the patches, in x and y: of a product of linear functions the
-   * means. */
+  /** The values of p at the middles of the patches, in x and y: of a product of linear functions
+   * the means. */
   Signorini::Pressure at_centres(const std::function<double(const dealii::Point<2> &)> &p) const {
     Signorini::Pressure P(multipliers.n_multipliers());
     for (unsigned int tau = 0; tau < P.size(); ++tau)

@@ -19,8 +19,9 @@ struct SolidEdge {
    * outward normal. */
   Tensor<1, 3> tangent, normal;
 
-  /** Returns @p n points between the ends, on both sides. */
-  std::vector<Point<3>> points(const Geometry<3> &geometry, unsigned int n) const;
+  /** Returns the point of both sides next to that which divides the edge in the ratio share : 1 -
+   * share. */
+  Point<3> point(const Geometry<3> &geometry, double share) const;
 };
 
 /** Returns all edges of a body, in the order of the sides and their faces. */
