@@ -7,6 +7,7 @@
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/fe/mapping_q1.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/numerics/rtree.h>
@@ -75,6 +76,8 @@ struct CoarseSolid {
   std::vector<CellData<3>> cells;
   SubCellData boundary;
   std::vector<SurfaceManifold> manifolds;
+  /** Whether all cells have the same directions of their edges. */
+  bool is_orientable = true;
 };
 
 using Edge = std::pair<unsigned int, unsigned int>;
@@ -89,6 +92,37 @@ std::map<Edge, std::set<unsigned int>> sides_of_edges(const Solid &solid) {
   return sides;
 }
 
+/** Returns whether all edges of the mesh have directions with which those of a cell in each of its
+ * coordinates are parallel: of classes of edges, each with its direction relative to the class, no
+ * two edges in one class are to be parallel and antiparallel. */
+bool can_be_ordered(const std::vector<CellData<3>> &cells) {
+  std::map<Edge, std::pair<Edge, bool>> next;
+  /** Returns the representative of the class of an edge, and whether it runs against that. */
+  const auto class_of = [&next](Edge edge) {
+    bool against = edge.second < edge.first;
+    edge = std::minmax(edge.first, edge.second);
+    for (auto link = next.find(edge); link != next.end(); link = next.find(edge)) {
+      against = against != link->second.second;
+      edge = link->second.first;
+    }
+    return std::pair(edge, against);
+  };
+  for (const CellData<3> &cell : cells)
+    for (unsigned int v = 1; v < 8; ++v)
+      for (const unsigned int d : {1U, 2U, 4U}) {
+        // The edge along d that begins at v, and the first one along it.
+        if ((v & d) != 0)
+          continue;
+        const auto [first, first_against] = class_of({cell.vertices[0], cell.vertices[d]});
+        const auto [own, own_against] = class_of({cell.vertices[v], cell.vertices[v + d]});
+        if (first != own)
+          next[own] = {first, first_against != own_against};
+        else if (first_against != own_against)
+          return false;
+      }
+  return true;
+}
+
 CoarseSolid make_coarse_solid(const Solid &solid) {
   CoarseSolid coarse;
   coarse.vertices = solid.vertices;
@@ -96,6 +130,9 @@ CoarseSolid make_coarse_solid(const Solid &solid) {
     coarse.cells.emplace_back(vertices.size());
     std::copy(vertices.begin(), vertices.end(), coarse.cells.back().vertices.begin());
   }
+  coarse.is_orientable = can_be_ordered(coarse.cells);
+  if (coarse.is_orientable)
+    GridTools::consistently_order_cells(coarse.cells);
   std::map<std::set<unsigned int>, types::manifold_id> ids;
   // Means of points of planes lie on them.
   const auto id_of = [&](std::set<unsigned int> sides) {
@@ -328,6 +365,7 @@ Geometry<3> make_geometry(Solid solid) {
   geometry.star_shaped = false;
   geometry.inside = point_inside(solid, box.center());
   const auto coarse = std::make_shared<const CoarseSolid>(make_coarse_solid(solid));
+  geometry.can_be_shared = coarse->is_orientable;
   geometry.make_coarse_mesh = [coarse](Triangulation<3> &triangulation) {
     make_mesh(*coarse, triangulation);
   };

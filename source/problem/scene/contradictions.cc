@@ -55,7 +55,7 @@ meetings(const Geometry<3> &geometry) {
   for (const SolidEdge &edge : solid_edges(geometry))
     if (edge.sides[0] != edge.sides[1])
       for (const double share : shares)
-        found.emplace_back(edge.point(geometry, share), edge.sides);
+        found.push_back({edge.point(geometry, share), {{edge.sides[1], edge.sides[0]}}});
   return found;
 }
 

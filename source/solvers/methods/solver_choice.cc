@@ -118,10 +118,11 @@ SolverChoice choose_solvers(const Parameters &parameters, const Scene<dim> &scen
 template <int dim>
 bool is_shared(const Parameters &parameters, const Scene<dim> &scene, const SolverChoice &solvers,
                const unsigned int level, const unsigned int n_ranks) {
-  const bool scene_fits =
-    !scene.contact_law.has_tangential_part() && scene.load_cases.empty() && scene.plates.empty() &&
-    !scene.is_held_by_contact && scene.geometry.n_bodies() == 1 && !scene.has_pairs() &&
-    scene.geometry.distortion == 0. && !parameters.output.compliance && !parameters.output.lemmas;
+  const bool scene_fits = !scene.contact_law.has_tangential_part() && scene.load_cases.empty() &&
+                          scene.plates.empty() && !scene.is_held_by_contact &&
+                          scene.geometry.can_be_shared && scene.geometry.n_bodies() == 1 &&
+                          !scene.has_pairs() && scene.geometry.distortion == 0. &&
+                          !parameters.output.compliance && !parameters.output.lemmas;
   const bool solver_fits = solvers.is_matrix_free() || solvers.linear == LinearSolver::amesos_mumps;
   // Below its root a subtree has at least 4^dim cells.
   constexpr unsigned int min_depth = 2;

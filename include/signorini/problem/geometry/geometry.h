@@ -62,6 +62,9 @@ struct Geometry {
     make_guided_mesh;
   /** Whether cells are curved. */
   bool curved = false;
+  /** Whether ranks can share the mesh: p4est needs coarse cells in space whose edges have the same
+   * directions in all of them. */
+  bool can_be_shared = true;
   /** Whether the body is one of revolution: x is the distance from its axis, and integrals are
    * those over the whole circumference. For 2-D only. */
   bool axisymmetric = false;
