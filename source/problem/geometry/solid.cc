@@ -100,7 +100,8 @@ bool can_be_ordered(const std::vector<CellData<3>> &cells) {
   /** Returns the representative of the class of an edge, and whether it runs against that. */
   const auto class_of = [&next](Edge edge) {
     bool against = edge.second < edge.first;
-    edge = std::minmax(edge.first, edge.second);
+    if (against)
+      std::swap(edge.first, edge.second);
     for (auto link = next.find(edge); link != next.end(); link = next.find(edge)) {
       against = against != link->second.second;
       edge = link->second.first;

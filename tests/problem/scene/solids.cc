@@ -16,6 +16,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -315,8 +316,66 @@ void test_forest(Checks &checks) {
     checks.near("the areas on ranks",
                 sum(shared.areas.count(side) > 0 ? shared.areas.at(side) : 0.), area, 1e-13);
 }
+/** A ring of hexahedra whose square section turns by a number of right angles on its way round,
+ * with cells that begin at different corners. */
+Solid make_ring_of_cells(const unsigned int n_turns) {
+  constexpr unsigned int n = 8;
+  // The vertices of a section in the order of deal.II, and the same after a right angle.
+  const std::array<unsigned int, 4> turned = {{1, 3, 0, 2}};
+  Solid solid;
+  for (unsigned int k = 0; k < n; ++k)
+    for (unsigned int v = 0; v < 4; ++v) {
+      const double phi = 2. * PI * k / n, psi = 0.25 * phi * n_turns;
+      const double a = v % 2 == 0 ? -0.3 : 0.3, b = v < 2 ? -0.3 : 0.3;
+      const double out = 2. + std::cos(psi) * a - std::sin(psi) * b;
+      solid.vertices.emplace_back(out * std::cos(phi), out * std::sin(phi),
+                                  std::sin(psi) * a + std::cos(psi) * b);
+    }
+  for (unsigned int k = 0; k < n; ++k) {
+    std::array<unsigned int, 4> own = {{0, 1, 2, 3}}, next = own;
+    for (unsigned int i = 0; k + 1 == n && i < n_turns; ++i)
+      for (unsigned int &v : next)
+        v = turned[v];
+    std::array<unsigned int, 8> cell;
+    for (unsigned int v = 0; v < 4; ++v) {
+      // Along the ring from the higher section to the lower one, to the left of both.
+      cell[v] = 4 * ((k + 1) % n) + next[v];
+      cell[v + 4] = 4 * k + own[v];
+    }
+    // Some cells begin at the opposite corner of their first face.
+    if (k % 3 == 1)
+      cell = {{cell[3], cell[2], cell[1], cell[0], cell[7], cell[6], cell[5], cell[4]}};
+    solid.cells.push_back(cell);
+    constexpr unsigned int faces[][4] = {{0, 4, 2, 6}, {1, 3, 5, 7}, {0, 1, 4, 5}, {2, 6, 3, 7}};
+    for (const auto &face : faces)
+      solid.faces.push_back({{{cell[face[0]], cell[face[1]], cell[face[2]], cell[face[3]]}}, 0});
+  }
+  solid.sides = {{"skin", Surface::faces()}};
+  return solid;
+}
+
+/** Ranks share cells whose edges have the same directions: a ring that turns by a right angle has
+ * none, as a band of Moebius. */
+void test_directions_of_edges(Checks &checks) {
+  for (const unsigned int n_turns : {0U, 1U, 2U, 4U}) {
+    const Geometry<3> geometry = make_geometry(make_ring_of_cells(n_turns));
+    checks.about("a ring with " + std::to_string(n_turns) + " turns");
+    checks.that("ranks can share it", geometry.can_be_shared == (n_turns % 4 == 0));
+    Mesh mesh;
+    geometry.make_coarse_mesh(mesh);
+    unsigned int n_reversed = 0;
+    for (const auto &cell : mesh.active_cell_iterators())
+      for (const unsigned int l : cell->line_indices())
+        n_reversed += cell->line_orientation(l) ? 0 : 1;
+    checks.that("edges have one direction", (n_reversed == 0) == geometry.can_be_shared);
+    checks.that("no cell is turned inside out",
+                measure_solid(geometry, mesh).least_determinant > 0.);
+  }
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {test_shapes, test_rule, test_distances, test_regions, test_forest});
+  return run_tests(
+    argc, argv,
+    {test_shapes, test_rule, test_distances, test_regions, test_forest, test_directions_of_edges});
 }
