@@ -44,7 +44,7 @@ Numbers measure_solid(const Geometry<3> &geometry, const Mesh &mesh) {
   using namespace dealii;
   const MappingQ1<3> mapping;
   const FE_Nothing<3> nothing;
-  FEValues<3> corners(mapping, nothing, QTrapez<3>(), update_jacobians),
+  FEValues<3> corners(mapping, nothing, QTrapezoid<3>(), update_jacobians),
     cells(mapping, nothing, QGauss<3>(2), update_JxW_values);
   FEFaceValues<3> faces(mapping, nothing, QGauss<2>(2), update_JxW_values | update_normal_vectors);
   Numbers found;
