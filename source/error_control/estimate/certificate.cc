@@ -141,9 +141,10 @@ double support_error(const DisplacedBody<dim> &body) {
           rest[d] = U[face->vertex_dof_index(v, d, cell->active_fe_index())] - prescribed[d];
         auto &[displacement, rollers] = errors[face->vertex_index(v)];
         const Side<dim> &side = scene.geometry.sides[number];
-        // On straight sides the normal of a face is that at its middle.
+        // In the plane a straight side may end at the vertex; in space its surface goes on.
         if (rolls)
-          rollers = std::max(rollers, std::abs(rest * side.normal_at(face->center())));
+          rollers = std::max(
+            rollers, std::abs(rest * side.normal_at(dim == 2 ? face->center() : face->vertex(v))));
         else
           displacement = std::min(displacement.value_or(rest.norm()), rest.norm());
       }

@@ -156,9 +156,29 @@ void test_compression(Checks &checks) {
       checks.near("p_H", p, -0.02, 1e-10);
   }
 }
+
+/** A tube on rollers inside and at its ends is compressed from outside, plane strain: u_r = A (r -
+ * 1/r), p = λ 2A + 2μ A (1 + 1/4) outside. Nothing stops it from turning. */
+void test_tube(Checks &checks) {
+  checks.about("a tube on a round roller");
+  const StudyResult<3> result =
+    solve<3>("set Dimension = 3\n",
+             levels(1, 3,
+                    {"Geometry/Shape=tube", "Geometry/Radius=2", "Geometry/Inner radius=1",
+                     "Geometry/Length=0.5", "Boundary/Contact=outer",
+                     "Boundary/Rollers=bottom top inner", "Contact/Gap=-0.01"}));
+  checks.that("equations hold", result.verdict.equations_hold());
+  const double A = -0.01 / 1.5, lambda = 0.3 / (1.3 * 0.4), mu = 1. / 2.6;
+  const double exact = -A * (2. * lambda + 2.5 * mu);
+  std::vector<double> errors;
+  for (const LevelRecord &level : result.levels)
+    errors.push_back(std::abs(level.answer.peak_pressure->mean / exact - 1.));
+  checks.between("order of the pressure", std::log2(errors[1] / errors[2]), 1.8, 2.2);
+  checks.near("its error", errors[2], 0., 1e-3);
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv,
-                   {test_references, test_pads, test_force_and_travel, test_compression});
+  return run_tests(
+    argc, argv, {test_references, test_pads, test_force_and_travel, test_compression, test_tube});
 }
