@@ -87,6 +87,25 @@ struct OneLevel {
   Signorini::Discretization<2> discretization;
 };
 
+/** A level of a box in space that is solved, from entries and overrides. */
+struct SolvedBox {
+  SolvedBox(const std::string &text, const unsigned int level,
+            const std::vector<std::string> &overrides = {})
+    : parameters(Signorini::parse_parameters(
+        parameter_file("set Dimension = 3\nGeometry/Shape = box\n" + text), "test", overrides))
+    , scene(Signorini::make_scene<3>(parameters))
+    , discretization(parameters, scene, level, ranks_for(scene, level))
+    , found(Signorini::solve_level<3>({parameters, scene, choose_solvers(parameters, scene, level)},
+                                      discretization, Signorini::ContactStart(),
+                                      [](const std::string &) {})) {}
+  SolvedBox(const SolvedBox &) = delete;
+
+  Signorini::Parameters parameters;
+  Signorini::Scene<3> scene;
+  Signorini::Discretization<3> discretization;
+  Signorini::LevelSolution<3> found;
+};
+
 /** A displacement as a function of x. */
 using Field = Signorini::FieldFunction<2>::Field;
 

@@ -31,21 +31,17 @@ Ancestor ancestor_of(const ContactFace<3> &face, const unsigned int n_generation
   const auto *const end = children.end() - n_generations;
   // The directions of a face as deal.II orders them: y z, z x, x y.
   const unsigned int normal = face.face_no / 2, along[] = {(normal + 1) % 3, (normal + 2) % 3};
-  Ancestor ancestor = {
-    {face.identity.get_coarse_cell_id(), std::vector<std::uint8_t>(children.begin(), end)}};
+  Ancestor ancestor = {Signorini::ancestor_of(face.identity, n_generations)};
   for (const auto *child = end; child != children.end(); ++child)
     for (unsigned int d = 0; d < 2; ++d)
       ancestor.position[d] = 2 * ancestor.position[d] + ((*child >> along[d]) & 1U);
   return ancestor;
 }
 
-/** Returns the area of a face, exactly if its corners lie in a plane. */
-double area_of(const FaceCorners &corners) {
-  const QGauss<2> gauss(2);
-  double area = 0.;
-  for (unsigned int q = 0; q < gauss.size(); ++q)
-    area += gauss.weight(q) * area_vector(corners, gauss.point(q)).norm();
-  return area;
+/** Returns the outward unit normal of a bilinear face of a cell. */
+Tensor<1, 3> normal_of(const FaceCorners &corners, const unsigned int face_no, const Point<2> &xi) {
+  const Tensor<1, 3> n = (face_no % 2 == 0 ? -1. : 1.) * area_vector(corners, xi);
+  return n / n.norm();
 }
 } // namespace
 
@@ -118,11 +114,9 @@ SurfaceRule<3> ContactSurface<3>::at(const Piece<3> &piece,
   const Side<3> &side = this->side(patches_[piece.patch]);
   SurfaceRule<3> rule;
   rule.on_face = positions;
-  const double sign = face.face_no % 2 == 0 ? -1. : 1.;
   for (const Point<2> &xi : positions) {
     rule.points.push_back(side.project(point_on(face.vertices, xi)));
-    const Tensor<1, 3> n = sign * area_vector(face.vertices, xi);
-    rule.normals.push_back(n / n.norm());
+    rule.normals.push_back(normal_of(face.vertices, face.face_no, xi));
   }
   set_coordinates(piece, rule);
   complete(piece, rule);
@@ -148,58 +142,42 @@ Point<3> ContactSurface<3>::point(const Patch<3> &patch, const Point<2> &s) cons
 template <>
 SurfacePoint<3> ContactSurface<3>::middle(const Patch<3> &patch) const {
   const Point<3> x = point(patch, patch.centre());
-  if (side(patch).surface().has_normals())
-    return {x, side(patch).normal_at(x)};
-  const Tensor<1, 3> n =
-    (patch.face.face_no % 2 == 0 ? -1. : 1.) * area_vector(patch.face.corners, patch.centre());
-  return {x, n / n.norm()};
+  return {x, side(patch).surface().has_normals()
+               ? side(patch).normal_at(x)
+               : normal_of(patch.face.corners, patch.face.face_no, patch.centre())};
 }
 
 template <>
 std::vector<Neighbours<3>> ContactSurface<3>::neighbours() const {
-  // The corners at which the coordinates s_d = 0 and 1 begin, in pairs.
-  constexpr unsigned int edges[2][2][2] = {{{0, 2}, {1, 3}}, {{0, 1}, {2, 3}}};
-  const auto less = [](const Point<3> &a, const Point<3> &b) {
-    return std::lexicographical_compare(a.begin_raw(), a.end_raw(), b.begin_raw(), b.end_raw());
-  };
-  using Edge = std::pair<Point<3>, Point<3>>;
-  const auto edge_of = [&](const unsigned int patch, const unsigned int d, const unsigned int end) {
-    const FaceCorners &corners = patches_[patch].face.corners;
-    Edge edge(corners[edges[d][end][0]], corners[edges[d][end][1]]);
-    if (less(edge.second, edge.first))
-      std::swap(edge.first, edge.second);
-    return edge;
+  /** A patch at an edge, and the direction across the edge. */
+  using PatchAtEdge = std::pair<unsigned int, unsigned int>;
+  const auto corner = [&](const unsigned int patch, const unsigned int edge,
+                          const unsigned int end) -> const Point<3> & {
+    return patches_[patch].face.corners[edges_of_face[edge][end]];
   };
   const auto width = [&](const unsigned int patch, const unsigned int d) {
-    const auto [a, b] = edge_of(patch, d, 0);
-    const auto [A, B] = edge_of(patch, d, 1);
-    return (0.5 * ((A - a) + (B - b))).norm();
+    return (0.5 * ((corner(patch, 2 * d + 1, 0) - corner(patch, 2 * d, 0)) +
+                   (corner(patch, 2 * d + 1, 1) - corner(patch, 2 * d, 1))))
+      .norm();
   };
-  const auto before = [&](const auto &a, const auto &b) {
-    if (a.first != b.first)
-      return a.first < b.first;
-    if (a.second.first != b.second.first)
-      return less(a.second.first, b.second.first);
-    return less(a.second.second, b.second.second);
+  const auto key_of = [&](const unsigned int patch, const unsigned int edge) {
+    return std::pair(patches_[patch].contact,
+                     edge_key(corner(patch, edge, 0), corner(patch, edge, 1)));
   };
-  // The patches at an edge with the directions across it, by contact.
-  std::map<std::pair<unsigned int, Edge>, std::vector<std::pair<unsigned int, unsigned int>>,
-           decltype(before)>
-    patches_at(before);
+  std::map<std::pair<unsigned int, EdgeKey>, std::vector<PatchAtEdge>> patches_at;
   for (unsigned int patch = 0; patch < patches_.size(); ++patch)
-    for (unsigned int d = 0; d < 2; ++d)
-      for (unsigned int end = 0; end < 2; ++end)
-        patches_at[{patches_[patch].contact, edge_of(patch, d, end)}].emplace_back(patch, d);
+    for (unsigned int edge = 0; edge < 4; ++edge)
+      patches_at[key_of(patch, edge)].emplace_back(patch, edge / 2);
   std::vector<Neighbours<3>> all(patches_.size());
   for (unsigned int patch = 0; patch < patches_.size(); ++patch)
-    for (unsigned int d = 0; d < 2; ++d)
-      for (unsigned int end = 0; end < 2; ++end)
-        for (const auto &[other, across] :
-             patches_at.at({patches_[patch].contact, edge_of(patch, d, end)}))
-          if (other != patch) {
-            const double ratio = width(other, across) / width(patch, d);
-            all[patch][d][end] = {other, end == 0 ? -ratio : 1., end == 0 ? 0. : 1. + ratio};
-          }
+    for (unsigned int edge = 0; edge < 4; ++edge)
+      for (const auto &[other, across] : patches_at.at(key_of(patch, edge)))
+        if (other != patch) {
+          const double ratio = width(other, across) / width(patch, edge / 2);
+          const bool is_before = edge % 2 == 0;
+          all[patch][edge / 2][edge % 2] = {other, is_before ? -ratio : 1.,
+                                            is_before ? 0. : 1. + ratio};
+        }
   return all;
 }
 } // namespace Signorini

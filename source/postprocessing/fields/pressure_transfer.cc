@@ -62,10 +62,7 @@ using FaceIdentity = std::pair<CellId, unsigned int>;
 
 /** Returns the identity of the face of a patch, or of an ancestor of it. */
 FaceIdentity ancestor_of(const Patch<3> &patch, const unsigned int n_generations) {
-  const auto children = patch.face.cell.get_child_indices();
-  return {CellId(patch.face.cell.get_coarse_cell_id(),
-                 std::vector<std::uint8_t>(children.begin(), children.end() - n_generations)),
-          patch.face.face_no};
+  return {Signorini::ancestor_of(patch.face.cell, n_generations), patch.face.face_no};
 }
 
 /** Returns the patches by the identities of their faces and of all ancestors of these. */

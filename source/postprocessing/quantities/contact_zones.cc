@@ -158,14 +158,14 @@ std::vector<PressedArea> pressed_areas(const MultiplierSpace<3> &multipliers, co
   const std::vector<Patch<3>> &patches = multipliers.surface().patches();
   const std::vector<Neighbours<3>> neighbours = multipliers.surface().neighbours();
   const double threshold = pressing_threshold(P);
-  std::vector<bool> is_left(patches.size());
+  std::vector<bool> remains(patches.size());
   for (unsigned int t = 0; t < patches.size(); ++t)
-    is_left[t] = P[t] < threshold;
+    remains[t] = P[t] < threshold;
   std::vector<PressedArea> areas;
   for (unsigned int first = 0; first < patches.size(); ++first) {
-    if (!is_left[first])
+    if (!remains[first])
       continue;
-    is_left[first] = false;
+    remains[first] = false;
     PressedArea &area = areas.emplace_back();
     area.patches.push_back(first);
     area.zone.contact = patches[first].contact;
@@ -173,8 +173,8 @@ std::vector<PressedArea> pressed_areas(const MultiplierSpace<3> &multipliers, co
       area.zone.length += patches[area.patches[i]].measure;
       for (const auto &pair : neighbours[area.patches[i]])
         for (const auto &next : pair)
-          if (next && is_left[next->patch]) {
-            is_left[next->patch] = false;
+          if (next && remains[next->patch]) {
+            remains[next->patch] = false;
             area.patches.push_back(next->patch);
           }
     }

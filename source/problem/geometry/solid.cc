@@ -84,17 +84,16 @@ using Edge = std::pair<unsigned int, unsigned int>;
 
 /** Finds the sides on which edges lie. */
 std::map<Edge, std::set<unsigned int>> sides_of_edges(const Solid &solid) {
-  constexpr Edge ends[] = {{0, 1}, {2, 3}, {0, 2}, {1, 3}};
   std::map<Edge, std::set<unsigned int>> sides;
   for (const Solid::Face &face : solid.faces)
-    for (const auto &[first, second] : ends)
+    for (const auto &[first, second] : edges_of_face)
       sides[std::minmax(face.vertices[first], face.vertices[second])].insert(face.side);
   return sides;
 }
 
-/** Returns whether all edges of the mesh have directions with which those of a cell in each of its
- * coordinates are parallel: of classes of edges, each with its direction relative to the class, no
- * two edges in one class are to be parallel and antiparallel. */
+/** Returns whether edges can have directions so that the four edges along each coordinate of a cell
+ * are parallel. Edges that must be parallel form a class; the answer is no if an edge would be in a
+ * class with both directions. */
 bool can_be_ordered(const std::vector<CellData<3>> &cells) {
   std::map<Edge, std::pair<Edge, bool>> next;
   /** Returns the representative of the class of an edge, and whether it runs against that. */
@@ -216,9 +215,6 @@ private:
   RTree<std::pair<BoundingBox<3>, unsigned int>> boxes_;
 };
 
-/** The edges of a face in the order of deal.II: their ends. */
-constexpr std::array<unsigned int, 2> edges_of_face[] = {{{0, 2}}, {{1, 3}}, {{0, 1}}, {{2, 3}}};
-
 /** A face of the coarse mesh as it is: on its surface, with edges on the surfaces of two sides. */
 struct TrueFace {
   const Surface *surface;
@@ -266,17 +262,12 @@ struct TrueFace {
 
 /** Returns all faces of a body. */
 std::vector<TrueFace> true_faces(const Geometry<3> &geometry) {
-  using Ends = std::array<std::array<double, 3>, 2>;
-  const auto ends_of = [](const Point<3> &a, const Point<3> &b) {
-    const Ends ends = {{{{a[0], a[1], a[2]}}, {{b[0], b[1], b[2]}}}};
-    return ends[0] < ends[1] ? ends : Ends{{ends[1], ends[0]}};
-  };
-  std::map<Ends, std::vector<Surface>> bent;
+  std::map<EdgeKey, std::vector<Surface>> bent;
   for (const SolidEdge &edge : solid_edges(geometry)) {
     const Surface &first = geometry.sides[edge.sides[0]].surface(),
                   &second = geometry.sides[edge.sides[1]].surface();
     if (first.is_curved() || second.is_curved())
-      bent[ends_of(edge.ends[0], edge.ends[1])] = {first, second};
+      bent[edge_key(edge.ends[0], edge.ends[1])] = {first, second};
   }
   std::vector<TrueFace> faces;
   for (const Side<3> &side : geometry.sides)
@@ -284,7 +275,7 @@ std::vector<TrueFace> true_faces(const Geometry<3> &geometry) {
       faces.push_back({&side.surface(), &corners, {}});
       for (unsigned int i = 0; i < 4; ++i)
         if (const auto edge =
-              bent.find(ends_of(corners[edges_of_face[i][0]], corners[edges_of_face[i][1]]));
+              bent.find(edge_key(corners[edges_of_face[i][0]], corners[edges_of_face[i][1]]));
             edge != bent.end())
           faces.back().bent[i] = edge->second;
     }

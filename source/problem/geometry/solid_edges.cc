@@ -14,16 +14,6 @@ namespace Signorini {
 namespace {
 using PointPair = std::array<Point<3>, 2>;
 
-/** An order of pairs of points: those of the same edge are equal to the last digit. */
-struct PointsBefore {
-  bool operator()(const PointPair &a, const PointPair &b) const {
-    const auto numbers = [](const PointPair &p) {
-      return std::array<double, 6>{{p[0][0], p[0][1], p[0][2], p[1][0], p[1][1], p[1][2]}};
-    };
-    return numbers(a) < numbers(b);
-  }
-};
-
 /** An edge of one face. */
 struct EdgeOfFace {
   unsigned int side;
@@ -53,20 +43,18 @@ std::vector<SolidEdge> solid_edges(const Geometry<3> &geometry) {
   constexpr unsigned int corners_of_edges[4][2] = {{0, 1}, {0, 2}, {1, 3}, {2, 3}};
   // Faces that turn by less belong to one smooth side.
   constexpr double smooth = 1e-6;
-  std::map<PointPair, EdgeOfFace, PointsBefore> open;
+  std::map<EdgeKey, EdgeOfFace> open;
   std::vector<SolidEdge> found;
   for (unsigned int i = 0; i < geometry.sides.size(); ++i)
     for (const FaceCorners &face : geometry.sides[i].faces())
       for (const auto &corners : corners_of_edges) {
         PointPair ends = {{face[corners[0]], face[corners[1]]}};
-        if (PointsBefore()({{ends[1], ends[0]}}, ends))
+        if (lies_before(ends[1], ends[0]))
           std::swap(ends[0], ends[1]);
         const EdgeOfFace own = edge_of(geometry.sides[i], i, face, ends);
-        const auto other = open.find(ends);
-        if (other == open.end()) {
-          open.emplace(ends, own);
+        const auto [other, is_new] = open.emplace(edge_key(ends[0], ends[1]), own);
+        if (is_new)
           continue;
-        }
         const EdgeOfFace first = other->second;
         open.erase(other);
         const double cosine = std::clamp(first.tangent * own.tangent, -1., 1.);

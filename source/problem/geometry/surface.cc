@@ -91,6 +91,14 @@ Tensor<1, 3> area_vector(const FaceCorners &corners, const Point<2> &xi) {
                           (corners[2] - corners[0]) + xi[0] * mixed);
 }
 
+double area_of(const FaceCorners &corners) {
+  const QGauss<2> gauss(2);
+  double area = 0.;
+  for (unsigned int q = 0; q < gauss.size(); ++q)
+    area += gauss.weight(q) * area_vector(corners, gauss.point(q)).norm();
+  return area;
+}
+
 namespace {
 /** Returns the reference coordinates of the point of a bilinear face that is nearest to x, by
  * Gauss' and Newton's method. */

@@ -240,8 +240,8 @@ bool are_groups(std::vector<double> numbers, const unsigned int n, const double 
   return next == numbers.end();
 }
 
-/** The width of the places of points that count as one, for an extent of the points of one. */
-constexpr double same_place = 1e-4;
+/** The distance below which positions are equal, where the extent of all points is one. */
+constexpr double same_position = 1e-4;
 
 /** Returns whether points of a cylinder lie on at most @p n lines. */
 bool lie_on_lines(const std::vector<Point<3>> &points, const Round &cylinder,
@@ -255,9 +255,9 @@ bool lie_on_lines(const std::vector<Point<3>> &points, const Round &cylinder,
   // unless it is opposite to that one.
   const double end = numbers::PI * cylinder.radius;
   for (double &arc : arcs)
-    if (arc > end - same_place)
+    if (arc > end - same_position)
       arc -= 2. * end;
-  return are_groups(std::move(arcs), n, same_place);
+  return are_groups(std::move(arcs), n, same_position);
 }
 
 /** Returns points that are far from one another, five or fewer. */
@@ -293,7 +293,7 @@ bool lie_on_circles(const std::vector<Point<3>> &points, const unsigned int n) {
         std::vector<double> heights;
         for (const Point<3> &y : points)
           heights.push_back(y * normal);
-        if (are_groups(std::move(heights), n, same_place))
+        if (are_groups(std::move(heights), n, same_position))
           return true;
       }
   return false;

@@ -223,6 +223,16 @@ SurfaceKinds read_surface_kinds(const Given<std::string> &given) {
   return kinds;
 }
 
+/** Returns a body that is checked, with its distortion. @param made_by the entry to blame. */
+template <int dim>
+Geometry<dim> finished(Geometry<dim> geometry, const Entry &made_by,
+                       const GeometryParameters &given) {
+  check_size(geometry, made_by.where());
+  geometry.distortion = given.distortion;
+  geometry.where_distortion = given.distortion.where();
+  return geometry;
+}
+
 /** Reads the body of Shape = file. */
 Geometry<3> read_solid(const GeometryParameters &given) {
   SolidBody body =
@@ -261,10 +271,7 @@ Geometry<3> make_geometry(const GeometryParameters &given) {
                    to_text(Shape::ball), ", ", to_text(Shape::cylinder), ", ", to_text(Shape::tube),
                    ", ", to_text(Shape::file), ".");
   }
-  check_size(geometry, made_by->where());
-  geometry.distortion = given.distortion;
-  geometry.where_distortion = given.distortion.where();
-  return geometry;
+  return finished(std::move(geometry), *made_by, given);
 }
 
 Geometry<2> make_geometry_of_bodies(const Parameters &parameters) {
@@ -325,9 +332,6 @@ Geometry<2> make_geometry(const GeometryParameters &given) {
     break;
   }
   }
-  check_size(geometry, made_by->where());
-  geometry.distortion = given.distortion;
-  geometry.where_distortion = given.distortion.where();
-  return geometry;
+  return finished(std::move(geometry), *made_by, given);
 }
 } // namespace Signorini

@@ -39,10 +39,6 @@ const SolidShape &solid_shape(const unsigned int n_corners) {
   return shapes.at(n_corners);
 }
 
-bool lies_before(const Point<3> &a, const Point<3> &b) {
-  return std::tie(a[0], a[1], a[2]) < std::tie(b[0], b[1], b[2]);
-}
-
 Point<3> mean_of(std::vector<Point<3>> points) {
   std::sort(points.begin(), points.end(), lies_before);
   Point<3> sum;

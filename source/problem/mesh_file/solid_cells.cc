@@ -242,13 +242,13 @@ private:
     return n == 0 ? mean : mean + share * n * Tensor<1, 3>(mean_of(bends));
   }
 
-  /** Returns a point on surfaces; one that is there but for rounding stays. */
+  /** Returns a point on surfaces; one that lies on all of them but for rounding stays. */
   Point<3> projected(const Point<3> &x, const std::vector<Surface> &surfaces) const {
-    const bool is_there =
+    const bool is_on_all =
       std::all_of(surfaces.begin(), surfaces.end(), [&](const Surface &surface) {
         return x.distance(surface.project(x)) <= on_surface * size_;
       });
-    return is_there ? x : project_on_all(surfaces, x, size_);
+    return is_on_all ? x : project_on_all(surfaces, x, size_);
   }
 
   Positions x_;

@@ -42,10 +42,6 @@ struct SolidSides {
   std::string note;
 };
 
-/** Returns whether the first coordinate is less, of equal ones the second, of equal ones the third:
- * an order that does not depend on the file. */
-bool lies_before(const Point<3> &a, const Point<3> &b);
-
 /** Returns the mean of points; its digits do not depend on their order. */
 Point<3> mean_of(std::vector<Point<3>> points);
 

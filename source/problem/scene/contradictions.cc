@@ -44,7 +44,7 @@ std::vector<Point<2>> samples(const Side<2> &side) {
 
 std::vector<Point<3>> samples(const Side<3> &side) {
   std::vector<Point<3>> points;
-  for (const SurfacePoint<3> &point : side.samples(side.faces().size() > 50 ? 1 : 8))
+  for (const SurfacePoint<3> &point : side.samples())
     points.push_back(point.x);
   return points;
 }

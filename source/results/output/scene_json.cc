@@ -28,7 +28,7 @@ std::vector<SurfacePoint<2>> points_on(const Side<2> &side) {
   return found;
 }
 std::vector<SurfacePoint<3>> points_on(const Side<3> &side) {
-  return side.samples(side.faces().size() > 50 ? 1 : 8);
+  return side.samples();
 }
 } // namespace
 

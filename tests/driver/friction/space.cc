@@ -14,19 +14,13 @@ namespace {
 using Entries = std::vector<std::string>;
 
 /** A level in space that is solved. */
-struct SpaceLevel {
+struct SpaceLevel : SolvedBox {
   SpaceLevel(const std::string &text, const unsigned int level, const Entries &overrides = {})
-    : parameters(parse_parameters(
-        parameter_file("set Dimension = 3\nGeometry/Shape = box\n" + text), "test", overrides))
-    , scene(make_scene<3>(parameters))
-    , discretization(parameters, scene, level, MPI_COMM_WORLD)
-    , found(solve_level<3>({parameters, scene, choose_solvers(parameters, scene, 0)},
-                           discretization, ContactStart(), [](const std::string &) {}))
+    : SolvedBox(text, level, overrides)
     , m(found.contact.P.normal().size())
     , W(discretization.D.transpose_product(found.contact.U)) {
     W -= discretization.G;
   }
-  SpaceLevel(const SpaceLevel &) = delete;
 
   /** Returns the tangential part of (P_n, P_t) or of W on a patch. */
   dealii::Tensor<1, 2> tangential(const dealii::Vector<double> &v, const unsigned int k) const {
@@ -36,10 +30,6 @@ struct SpaceLevel {
     return discretization.K.at(found.contact.P.values())[m + k].upper;
   }
 
-  Parameters parameters;
-  Scene<3> scene;
-  Discretization<3> discretization;
-  LevelSolution<3> found;
   unsigned int m;
   dealii::Vector<double> W;
 };

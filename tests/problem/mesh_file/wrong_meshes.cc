@@ -10,13 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "changed_text.h"
 #include "tests.h"
 
 using namespace Signorini;
 
 namespace {
-using Changes = std::vector<std::pair<std::string, std::string>>;
-
 /** Two squares side by side. */
 const std::string version_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n"
                               "1 1 \"bottom\"\n1 2 \"top\"\n$EndPhysicalNames\n$Nodes\n6\n"
@@ -32,24 +31,9 @@ const std::string version_4 = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNa
                               "$EndNodes\n$Elements\n2 2 1 2\n1 3 1 1\n1 1 2\n2 1 3 1\n"
                               "2 1 2 3 4\n$EndElements\n";
 
-std::string change(std::string text, const Changes &changes) {
-  for (const auto &[from, to] : changes) {
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos)
-      throw std::runtime_error("the text has no " + from);
-    text.replace(at, from.size(), to);
-  }
-  return text;
-}
-
 Geometry<2> read(const std::string &text, const std::vector<std::string> &arcs = {}) {
   return make_geometry(read_gmsh<2>(text, "a.msh"), arcs, "a.prm:3: Geometry/Arcs");
 }
-
-struct WrongMesh {
-  Changes changes;
-  std::string message;
-};
 
 void check_table(Checks &checks, const std::string &text, const std::vector<WrongMesh> &table) {
   for (const WrongMesh &wrong : table)

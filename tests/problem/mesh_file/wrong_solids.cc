@@ -7,13 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "changed_text.h"
 #include "tests.h"
 
 using namespace Signorini;
 
 namespace {
-using Changes = std::vector<std::pair<std::string, std::string>>;
-
 /** Two cubes side by side. */
 const std::string version_2 =
   "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 \"bottom\"\n2 2 \"top\"\n"
@@ -30,24 +29,9 @@ const std::string version_4 =
   "0 0 1\n1 0 1\n1 1 1\n0 1 1\n$EndNodes\n$Elements\n2 2 1 2\n2 3 3 1\n1 1 2 3 4\n3 1 5 1\n"
   "2 1 2 3 4 5 6 7 8\n$EndElements\n";
 
-std::string change(std::string text, const Changes &changes) {
-  for (const auto &[from, to] : changes) {
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos)
-      throw std::runtime_error("the text has no " + from);
-    text.replace(at, from.size(), to);
-  }
-  return text;
-}
-
 SolidBody read(const std::string &text) {
   return make_solid(read_gmsh<3>(text, "a.msh"), {}, "a.prm:3: Geometry/Surfaces");
 }
-
-struct WrongMesh {
-  Changes changes;
-  std::string message;
-};
 
 /** Another cube, a little aside, on the face between the two. */
 const Changes third_cube = {

@@ -13,23 +13,6 @@ using namespace Signorini;
 namespace {
 using Entries = std::vector<std::string>;
 
-/** A level in space that is solved. */
-struct SpaceLevel {
-  SpaceLevel(const std::string &text, const unsigned int level, const Entries &overrides = {})
-    : parameters(parse_parameters(
-        parameter_file("set Dimension = 3\nGeometry/Shape = box\n" + text), "test", overrides))
-    , scene(make_scene<3>(parameters))
-    , discretization(parameters, scene, level, MPI_COMM_SELF)
-    , found(solve_level<3>({parameters, scene, choose_solvers(parameters, scene, level)},
-                           discretization, ContactStart(), [](const std::string &) {})) {}
-  SpaceLevel(const SpaceLevel &) = delete;
-
-  Parameters parameters;
-  Scene<3> scene;
-  Discretization<3> discretization;
-  LevelSolution<3> found;
-};
-
 void check_certificate(Checks &checks, const LevelRecord &record) {
   checks.near("KKT residual", record.dual.kkt, 0., 1e-11);
   checks.near("balance of motions", record.certificate.motion_balance, 0., 1e-10);
@@ -45,7 +28,7 @@ void test_block(Checks &checks) {
                             "Load/Body force = 0; 0; -1\nContact/Gap = 0\n";
   for (const std::string solver : {"automatic", "multigrid"}) {
     checks.about("block, " + solver);
-    const SpaceLevel level(block, 2, {"Solver/Linear solver=" + solver});
+    const SolvedBox level(block, 2, {"Solver/Linear solver=" + solver});
     const LevelRecord &record = level.found.record;
     const SideForce::Total &contact = record.answer.contact_force.resultant;
     checks.near("force", contact.force, {0., 0., 7.8}, 1e-10);
@@ -69,7 +52,7 @@ void test_plate(Checks &checks) {
            times(0.05) + "\nLoad/Plate moment = top: " + times(0.002) + ", " + times(-0.003) +
            ", 0\nContact/Gap = 0.1*((x-0.4)^2+(y-0.5)^2)\n";
   };
-  const SpaceLevel level(text(1.) + "Load cases/Cases = force 2\n", 2);
+  const SolvedBox level(text(1.) + "Load cases/Cases = force 2\n", 2);
   const auto check_forces = [&](const SideForce::Total &contact, const double factor) {
     // About the middle of the plate.
     const dealii::Tensor<1, 3> F({contact.force[0], contact.force[1], contact.force[2]}),
@@ -90,7 +73,7 @@ void test_plate(Checks &checks) {
   CaseSolver<3> solver(level.discretization, level.scene, *level.found.operators, {});
   const CaseResult found = solver.solve(level.scene.load_cases.at(0));
   check_forces(found.contact, 2.);
-  const PlateRecord twice = SpaceLevel(text(2.), 2).found.record.motions.plates.at(0);
+  const PlateRecord twice = SolvedBox(text(2.), 2).found.record.motions.plates.at(0);
   checks.near("load case: travel", found.plates.at(0).travel, twice.travel, 1e-10);
   checks.near("load case: rotation", found.plates.at(0).rotation, twice.rotation, 1e-10);
 }
@@ -108,11 +91,11 @@ void test_slabs(Checks &checks) {
     const std::string gap = "Boundary/Contact = bottom\nContact/Gap = 0.05*(x-0.4)^2\n";
     const OneLevel flat(gap + "Geometry/Cells = 2, 2\n" + plane, 2);
     const LevelSolution<2> expected = flat.solve();
-    const SpaceLevel slab(gap +
-                            "Geometry/Upper right = 1, 0.5, 1\nGeometry/Cells = 2, 1, 2\n"
-                            "Boundary/Rollers = front back\n" +
-                            space,
-                          2);
+    const SolvedBox slab(gap +
+                           "Geometry/Upper right = 1, 0.5, 1\nGeometry/Cells = 2, 1, 2\n"
+                           "Boundary/Rollers = front back\n" +
+                           space,
+                         2);
     const LevelRecord &record = slab.found.record;
     const auto &force = expected.record.answer.contact_force.resultant;
     const auto &found = record.answer.contact_force.resultant;
@@ -151,8 +134,7 @@ void test_escapes(Checks &checks) {
          "allowed: a vector x, y, z up to"},
         {"Boundary/Plates = top: 0, -1\nLoad/Plate force = top: 0.1\n",
          "allowed: a direction dx, dy, dz"}})
-    checks.throws<InputError>(words, words,
-                              [&, &loads = loads]() { SpaceLevel(block + loads, 1); });
+    checks.throws<InputError>(words, words, [&, &loads = loads]() { SolvedBox(block + loads, 1); });
 }
 } // namespace
 

@@ -41,6 +41,13 @@ CellId identity_of(const CellAccessor<dim, dim> &cell) {
           std::vector<std::uint8_t>(children.begin(), children.end())};
 }
 
+/** Returns the identity of the cell @p n_generations before. */
+inline CellId ancestor_of(const CellId &cell, const unsigned int n_generations) {
+  const auto children = cell.get_child_indices();
+  return {cell.get_coarse_cell_id(),
+          std::vector<std::uint8_t>(children.begin(), children.end() - n_generations)};
+}
+
 /**
  * The mesh T^h of one level, quadrilaterals or hexahedra, with T^{2h} as its parents.
  *

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -66,7 +67,7 @@ public:
     return body_;
   }
 
-  /** Returns the nearest point of the surface; of a centre or an axis any point. */
+  /** Returns the nearest point of the surface; a centre, and a point of the axis, itself. */
   Point<3> project(const Point<3> &x) const;
   /** Returns the unit normal out of the body at the nearest point of the surface, which has
    * normals. */
@@ -88,12 +89,35 @@ private:
 /** The corners of a face of the mesh, in the order of deal.II: (0,0), (1,0), (0,1), (1,1). */
 using FaceCorners = std::array<Point<3>, 4>;
 
+/** The corners at the ends of the edges of a face, in the order of deal.II: those on which the
+ * first coordinate is 0 and 1, then the second one. */
+constexpr std::array<unsigned int, 2> edges_of_face[] = {{{0, 2}}, {{1, 3}}, {{0, 1}}, {{2, 3}}};
+
+/** Returns whether the first coordinate is less, of equal ones the second, of equal ones the third.
+ */
+inline bool lies_before(const Point<3> &a, const Point<3> &b) {
+  return std::tie(a[0], a[1], a[2]) < std::tie(b[0], b[1], b[2]);
+}
+
+/** The coordinates of the ends of an edge: a key, equal to the last digit for faces that share the
+ * edge. */
+using EdgeKey = std::array<double, 6>;
+
+/** Returns the key of an edge, whatever its direction. */
+inline EdgeKey edge_key(const Point<3> &a, const Point<3> &b) {
+  const auto &[first, last] = lies_before(b, a) ? std::tie(b, a) : std::tie(a, b);
+  return {{first[0], first[1], first[2], last[0], last[1], last[2]}};
+}
+
 /** Returns the point of the bilinear face at the reference coordinates @p xi. */
 Point<3> point_on(const FaceCorners &corners, const Point<2> &xi);
 
 /** Returns dx/dxi_1 × dx/dxi_2 of the bilinear face: its norm is the surface element, and its
  * direction that of the normal, up to the sign. */
 Tensor<1, 3> area_vector(const FaceCorners &corners, const Point<2> &xi);
+
+/** Returns the area of the bilinear face, exactly if its corners lie in a plane (length²). */
+double area_of(const FaceCorners &corners);
 
 /**
  * A part of the boundary of a body in space: a surface, and faces of the coarse mesh on it, or
@@ -132,6 +156,11 @@ public:
   /** Returns points in a grid on every face, its edges included, @p n intervals in each direction,
    * on the surface. */
   std::vector<SurfacePoint<3>> samples(unsigned int n) const;
+  /** Returns points all over the side: eight intervals, or one where there are many faces. */
+  std::vector<SurfacePoint<3>> samples() const {
+    constexpr std::size_t many = 50;
+    return samples(faces_.size() > many ? 1 : 8);
+  }
   /** Returns the lengths of the edges of a rectangle, the first one along the edge from corner 0 to
    * corner 1; zeros where the part is none. */
   std::array<double, 2> rectangle() const;
