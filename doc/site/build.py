@@ -9,6 +9,8 @@ links lead to pages or to copies of files. A link that leads nowhere, and a numb
 stop the build.
 """
 import argparse
+import importlib.machinery
+import importlib.util
 import os
 import pathlib
 import re
@@ -89,6 +91,18 @@ def copy_documents(pages, scenes):
     copy(HERE / "tour.md", pages / "tour.md")
 
 
+def make_tour(program, pages, cache):
+    """Writes what the tour shows of the run that the gallery has made."""
+    loader = importlib.machinery.SourceFileLoader("gallery", str(ROOT / "scripts/gallery"))
+    gallery = importlib.util.module_from_spec(importlib.util.spec_from_loader("gallery", loader))
+    loader.exec_module(gallery)
+    scene = gallery.Scene("block_on_parabola")
+    _, record = scene.run(program, cache, program.read_bytes())
+    (pages / "tour").mkdir()
+    (pages / "tour/input.txt").write_text(scene.input + "\n", encoding="utf-8")
+    (pages / "tour/output.txt").write_text(record["output"].strip("\n") + "\n", encoding="utf-8")
+
+
 def make_tutorial(program, pages):
     """Makes the page of luo_liang.cc: the text of page.py inside a page of the site."""
     folder = pages / "luo_liang"
@@ -127,6 +141,7 @@ def main():
     scenes = {f"prm/{page.relative_to(pages / 'gallery').with_suffix('.prm').as_posix()}": page.relative_to(pages)
               for page in (pages / "gallery").rglob("*.md")}
     copy_documents(pages, scenes)
+    make_tour(program, pages, folder / "cache")
     (pages / "parameters.md").write_text(parameters.page(program), encoding="utf-8")
     examples.make_pages(ROOT / "python/examples", pages / "python", program, folder / "cache")
     if arguments.tutorial:
