@@ -219,16 +219,16 @@ public:
       add("Penetration", "at most " + text +
                            (!presses_at(*deepest)      ? " (where nothing presses)"
                             : level_.sizes.is_graded() ? ""
-                                                       : " (between the means)"));
+                                                       : " (zero in the mean over each patch)"));
   }
 
   void add_energy() {
     const ErrorBound bound = level_.bound.value_or(ErrorBound());
     add("Energy",
-        digits(level_.certificate.energy) + (bound.energy_lower && bound.energy_upper
-                                               ? " (exact: between " + digits(*bound.energy_lower) +
-                                                   " and " + digits(*bound.energy_upper) + ")"
-                                               : ""));
+        digits(level_.certificate.energy) +
+          (bound.energy_lower && bound.energy_upper
+             ? " (exact solution: " + interval_text(*bound.energy_lower, *bound.energy_upper) + ")"
+             : ""));
   }
 
   void add_load_cases() {
@@ -269,9 +269,10 @@ private:
     if (!*part.is_regular)
       return "this is one of at least two solutions (sign of the determinant)";
     if (!critical)
-      return "these zones are regular for every coefficient";
+      return "with these zones no other solution branches off, however large the coefficient";
     return (*critical < 1.5 ? "other solutions may exist: " : std::string()) +
-           "these zones lose uniqueness at " + digits(*critical) + " times the coefficient";
+           "with these zones another solution can branch off only at " + digits(*critical) +
+           " times the coefficient of friction";
   }
   void add_zones(const std::string &label, const std::vector<ContactZone> &zones) {
     for (const auto &[start, end, length, contact] : zones) {
