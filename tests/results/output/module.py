@@ -3,6 +3,7 @@
 without numpy.
 usage: module.py PROGRAM ROOT"""
 import csv
+import importlib.util
 import json
 import os
 import re
@@ -111,25 +112,30 @@ try:
 except signorini.DamagedFile as damaged:
     check("a damaged file is named", "contact-05.csv is damaged" in str(damaged))
 
-def succeeds(*command, **options):
-    done = subprocess.run([sys.executable, "-m", *command], capture_output=True, text=True, check=False, **options)
+def python(*arguments, **options):
+    """Starts this Python with its working directory at the root. Returns what it prints, None where it fails."""
+    done = subprocess.run([sys.executable, *arguments], cwd=root, capture_output=True, text=True, check=False, **options)
     if done.returncode != 0:
         print(done.stdout + done.stderr)
-    return done.returncode == 0
+    return done.stdout.strip() if done.returncode == 0 else None
 
 
+absolute = os.path.abspath("results/sweep/0.001")
+READ = f"""import sys; sys.modules['numpy'] = None
+import signorini
+assert not signorini.__file__.startswith({root!r})
+print(signorini.read({absolute!r}))"""
+wheel = python("-B", "-c", f"import sys; sys.path.insert(0, 'python'); import backend; print(backend.build_wheel({os.getcwd()!r}))")
+check("its wheel is made", wheel is not None and os.path.exists(wheel))
+shown = python("-c", READ, env={**os.environ, "PYTHONPATH": os.path.abspath(wheel)})
+check("  and reads a run without numpy", shown == repr(signorini.read(absolute)))
 # Packages of Debian that are no part of Python itself.
-has = {name: subprocess.run([sys.executable, "-m", name, "--version"], capture_output=True, check=False).returncode == 0
-       for name in ("pip", "mypy")}
-if has["pip"]:
-    check("pip installs it without a network", succeeds("pip", "install", "--no-index", "--target", "installed", root))
-    elsewhere = {**os.environ, "PYTHONPATH": os.path.abspath("installed")}
-    check("  and it reads a run, without numpy, too", subprocess.run(
-        [sys.executable, "-c", "import sys; sys.modules['numpy'] = None\nimport signorini\n"
-         f"assert signorini.__file__.startswith({os.getcwd()!r}); print(signorini.read('results/sweep/0.001'))"],
-        env=elsewhere, capture_output=True, check=False).returncode == 0)
-if has["mypy"]:
-    check("its types agree", succeeds("mypy", "--cache-dir", os.devnull, cwd=root))
+if importlib.util.find_spec("pip"):
+    installed = os.path.abspath("installed")
+    check("pip installs it without a network", python("-B", "-m", "pip", "install", "--no-index", "--target", installed, root) is not None and
+          python("-c", READ, env={**os.environ, "PYTHONPATH": installed}) == repr(signorini.read(absolute)))
+if importlib.util.find_spec("mypy"):
+    check("its types agree", python("-m", "mypy", "--cache-dir", os.devnull) is not None)
 
 print(f"{failures} failures")
 sys.exit(failures > 0)
