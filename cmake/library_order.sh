@@ -1,13 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: LGPL-2.1-or-later
-# Prints the files of all libraries that a library loads, itself too, in an order in which the loader finds names soon: one
-# that provides more of the look-ups of a start stands before others. An order decides which library provides a name that
-# several define. Libraries that define the same name therefore keep the order in which they are loaded without this one.
-# Inline functions and instances of templates do not count: they are weak names of C++, of which every copy is the same.
+# Prints the files of all libraries that a program loads, in an order in which the loader finds names soon: one that provides
+# more of the look-ups of a start stands before others. An order decides which library provides a name that several define.
+# Libraries that define the same name therefore keep the order in which this program loads them. Inline functions and
+# instances of templates do not count: they are weak names of C++, of which every copy is the same.
 # Prints nothing where the loader finds a library only by a path that another one names.
-# usage: library_order.sh LIBRARY
+# usage: library_order.sh PROGRAM
 set -eu
-libraries="$1 $(ldd "$1" | awk '$2 == "=>" { print $3 }')"
+libraries=$(ldd "$1" | awk '$2 == "=>" { print $3 }')
 folder=$(mktemp -d)
 trap 'rm -r "$folder"' EXIT
 LD_DEBUG=bindings LD_DEBUG_OUTPUT=$folder/bindings ldd -d "$1" >"$folder/loaded"
@@ -19,7 +19,7 @@ LD_DEBUG=bindings LD_DEBUG_OUTPUT=$folder/bindings ldd -d "$1" >"$folder/loaded"
   nm -A -D -P --defined-only --without-symbol-versions $libraries
 } | awk '
   $1 == "known" { known[$2] = 1; next }
-  $1 == "library" { if ($2 in known || !number) file[++number] = $2; else unknown = 1; next }
+  $1 == "library" { if ($2 in known) file[++number] = $2; else unknown = 1; next }
   $1 == "provides" { provides[$2] = $3; next }
   last[$2] != $1 { definers[$2] = definers[$2] (last[$2] = $1) }
   $3 !~ /[WVu]/ || $2 !~ /^_Z/ { decides[$2] = $3 }
