@@ -208,7 +208,7 @@ private:
 
   /** Factorises A in the order of the analysis. Both triangles are stored, so that a column of the
    * permuted matrix is one pass over a row of A. From one triangle CHOLMOD would permute A itself,
-   * which took an eighth of a run of graded meshes. */
+   * which takes as long as half of the factorisation. */
   void factorise(const Rows &A) {
     std::vector<int> position(n_), start = {0}, row;
     std::vector<double> value;
