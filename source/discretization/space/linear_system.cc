@@ -140,10 +140,11 @@ void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cel
 namespace {
 const UpdateFlags load_flags = update_values | update_quadrature_points | update_JxW_values;
 
-/** The loads of some cells: f_i of each, and the resultants by body. */
+/** The loads of some cells: f_i of one after the other, and the resultants by body. */
 template <int dim>
 struct ChunkLoads {
-  std::vector<std::pair<std::vector<types::global_dof_index>, dealii::Vector<double>>> cells;
+  std::vector<types::global_dof_index> indices;
+  std::vector<double> values;
   std::vector<Resultant<dim>> resultants;
 };
 
@@ -158,7 +159,7 @@ public:
     , face_values_(space.mesh().mapping(), space, scene.kinks, n_points, load_flags) {}
 
   /** Adds the loads of a cell to @p vector and to @p resultant. */
-  void add(const typename FaceValues<dim>::CellIterator &cell, dealii::Vector<double> &vector,
+  void add(const typename FaceValues<dim>::CellIterator &cell, const ArrayView<double> &vector,
            Resultant<dim> &resultant) {
     if (scene_.body_force != nullptr)
       add_force(cell_values_.reinit(cell), *scene_.body_force, "the body force", vector, resultant);
@@ -174,7 +175,7 @@ public:
 private:
   /** Adds Σ_q force(x_q).φ_i(x_q) dx_q to vector_i. */
   void add_force(const FEValuesBase<dim> &values, const Function<dim> &force, const char *name,
-                 dealii::Vector<double> &vector, Resultant<dim> &resultant) {
+                 const ArrayView<double> &vector, Resultant<dim> &resultant) {
     const std::vector<Point<dim>> &points = values.get_quadrature_points();
     force_.resize(points.size(), dealii::Vector<double>(dim));
     force.vector_value_list(points, force_);
@@ -188,8 +189,10 @@ private:
     }
     for (unsigned int i = 0; i < vector.size(); ++i) {
       const unsigned int component = values.get_fe().system_to_component_index(i).first;
+      // deal.II stores the values of a function at all points one behind the other.
+      const double *const value = &values.shape_value(i, 0);
       for (const unsigned int q : values.quadrature_point_indices())
-        vector[i] += force_[q][component] * values.shape_value(i, q);
+        vector[i] += force_[q][component] * value[q];
     }
   }
 
@@ -222,18 +225,22 @@ std::vector<Resultant<dim>> add_loads(const DisplacementSpace<dim> &space, const
     space,
     [&](const Cells<dim> &cells) {
       CellLoads<dim> cell_loads(space, scene, n_points);
-      ChunkLoads<dim> chunk = {{}, std::vector<Resultant<dim>>(n_bodies)};
+      ChunkLoads<dim> chunk = {{}, {}, std::vector<Resultant<dim>>(n_bodies)};
+      std::vector<types::global_dof_index> indices;
       for (const auto &cell : cells)
         if (scene.body_force != nullptr || cell->at_boundary()) {
-          chunk.cells.emplace_back(space.cell_dofs(cell), cell->get_fe().n_dofs_per_cell());
-          cell_loads.add(cell, chunk.cells.back().second,
+          const std::size_t first = chunk.values.size();
+          indices.resize(cell->get_fe().n_dofs_per_cell());
+          cell->get_dof_indices(indices);
+          chunk.indices.insert(chunk.indices.end(), indices.begin(), indices.end());
+          chunk.values.resize(chunk.indices.size());
+          cell_loads.add(cell, ArrayView<double>(&chunk.values[first], indices.size()),
                          chunk.resultants[scene.geometry.body_of(cell)]);
         }
       return chunk;
     },
     [&](const ChunkLoads<dim> &chunk) {
-      for (const auto &[indices, values] : chunk.cells)
-        loads.add(indices, values);
+      loads.add(chunk.indices.size(), chunk.indices.data(), chunk.values.data());
       for (unsigned int body = 0; body < n_bodies; ++body)
         resultants[body] += chunk.resultants[body];
     });
