@@ -16,10 +16,10 @@ import sys
 
 from solve_dual import is_singular, mmread, numpy, with_friction, without_friction
 
+ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
+sys.path.insert(0, ROOT + "/python")
 import signorini
 
-ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
-PROGRAM = os.path.abspath(os.environ.get("SIGNORINI", ROOT + "/build/release/source/signorini"))
 TABLE = ROOT + "/doc/measured/collection.csv"
 # Each problem: a scene of prm, and what differs from it.
 PROBLEMS = {
@@ -130,7 +130,7 @@ def make_rows(name, folder, wrong):
     scene, settings = PROBLEMS[name]
     settings = {"Output/Compliance": "true", "Output/VTU": "none", "Output/Inf-sup constant": "false", "Output/Errors": "false",
                 "Solver/Tolerated error": 9, **settings}
-    table = signorini.run(f"{ROOT}/prm/{scene}.prm", folder, settings, PROGRAM).table
+    table = signorini.run(f"{ROOT}/prm/{scene}.prm", folder, **settings).table
     for path in sorted(glob.glob(f"{folder}/C-*.mtx")):
         level = path[-6:-4]
         row = list(table["level"]).index(int(level))

@@ -7,8 +7,10 @@
 
 The program is build/release/source/signorini, or SIGNORINI in the environment; tests (preset release-tests) stand beside it."""
 import csv
+import os
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), "../python"))
 import signorini
 # Each of these registers its tables.
 import tables.answers

@@ -9,6 +9,8 @@ links lead to pages or to copies of files. A link that leads nowhere, and a numb
 stop the build.
 """
 import argparse
+import importlib.machinery
+import importlib.util
 import os
 import pathlib
 import re
@@ -32,32 +34,34 @@ MATHJAX = pathlib.Path("/usr/share/javascript/mathjax")
 # What one output of MathJax needs: 54 MB are others.
 OF_MATHJAX = ["MathJax.js", "config/TeX-AMS_CHTML.js", "jax/element", "jax/input/TeX", "jax/output/CommonHTML", "extensions",
               "fonts/HTML-CSS/TeX/woff"]
+# What stands for a file or a folder that is no page by itself.
+PAGES = {"README.md": "index.md", "source/luo_liang/luo_liang.cc": "luo_liang.md", "source/luo_liang": "luo_liang.md",
+         "python/examples": "python/index.md", "prm": "gallery/index.md"}
 LINK = re.compile(r"(\]\()([^)\s]+)(\))")
 
 
 def linked(text, page, pages, scenes):
     """Returns a document with the links of the site: those to scenes lead to their pages in the gallery, those to files to
     copies, those to folders become text."""
+    def to(target, anchor=""):
+        return f"]({os.path.relpath(pages / target, (pages / page.relative_to(ROOT)).parent)}{'#' + anchor if anchor else ''})"
+
     def link(match):
         target, _, anchor = match[2].partition("#")
         if not target or re.match(r"[a-z]+:", target):
             return match[0]
         path = (page.parent / target).resolve()
         name = path.relative_to(ROOT).as_posix()
-        if name == "README.md":
-            return f"]({os.path.relpath(pages / 'index.md', (pages / page.relative_to(ROOT)).parent)}{'#' + anchor if anchor else ''})"
-        if name in scenes:
-            return f"]({os.path.relpath(pages / scenes[name], (pages / page.relative_to(ROOT)).parent)})"
-        if name == "source/luo_liang/luo_liang.cc":
-            return f"]({os.path.relpath(pages / 'luo_liang.md', (pages / page.relative_to(ROOT)).parent)})"
+        if name in PAGES or name in scenes:
+            return to(PAGES.get(name) or scenes[name], anchor)
         if path.is_file():
             if path.suffix != ".md":
                 copy(path, pages / name)
             return match[0]
         if path.is_dir():
-            index = path / "README.md"
-            return f"]({target.rstrip('/')}/README.md)" if index in DOCUMENTS else "](" + os.path.relpath(
-                pages / "gallery/index.md", (pages / page.relative_to(ROOT)).parent) + ")" if name.startswith("prm") else "](@)"
+            if path / "README.md" in DOCUMENTS:
+                return to(f"{name}/README.md")
+            return to("gallery/index.md") if name.startswith("prm/") else "](@)"
         if page.name == "CHANGELOG.md":  # of a file that an older version had
             return "](@)"
         raise SystemExit(f"site: {page.relative_to(ROOT)} links to '{match[2]}', which does not exist: correct the link.")
@@ -82,11 +86,23 @@ def copy_documents(pages, scenes):
         target = pages / page.relative_to(ROOT)
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_text(text, encoding="utf-8")
-    # The README is the start page.
-    readme = (pages / "README.md").read_text(encoding="utf-8")
+    # The README is the start page; the site's own links stand below its title.
+    title, text = (pages / "README.md").read_text(encoding="utf-8").split("\n", 1)
     (pages / "README.md").unlink()
-    (pages / "index.md").write_text(readme + "\n" + (HERE / "index.md").read_text(encoding="utf-8"), encoding="utf-8")
+    (pages / "index.md").write_text(f"{title}\n\n{(HERE / 'index.md').read_text(encoding='utf-8')}{text}", encoding="utf-8")
     copy(HERE / "tour.md", pages / "tour.md")
+
+
+def make_tour(program, pages, cache):
+    """Writes what the tour shows of the run that the gallery has made."""
+    loader = importlib.machinery.SourceFileLoader("gallery", str(ROOT / "scripts/gallery"))
+    gallery = importlib.util.module_from_spec(importlib.util.spec_from_loader("gallery", loader))
+    loader.exec_module(gallery)
+    scene = gallery.Scene("block_on_parabola")
+    _, record = scene.run(program, cache, program.read_bytes())
+    (pages / "tour").mkdir()
+    (pages / "tour/input.txt").write_text(scene.input + "\n", encoding="utf-8")
+    (pages / "tour/output.txt").write_text(record["output"].strip("\n") + "\n", encoding="utf-8")
 
 
 def make_tutorial(program, pages):
@@ -96,8 +112,9 @@ def make_tutorial(program, pages):
     text = (folder / "index.html").read_text(encoding="utf-8")
     title, body = re.search(r"<h1[^>]*>(.*?)</h1>(.*)</body>", text, re.DOTALL).groups()
     body = body.replace('src="', 'src="luo_liang/').replace("\n\n", "\n&#10;")
-    (pages / "luo_liang.md").write_text(f"# {re.sub('<[^>]*>', '', title)}\n\n```{{raw}} html\n<div class=\"tutorial\">\n{body}\n</div>\n```\n",
-                                        encoding="utf-8")
+    title = re.sub("<[^>]*>", "", title)
+    (pages / "luo_liang.md").write_text(
+        f"# {title}\n\n```{{raw}} html\n<div class=\"tutorial\">\n{body}\n</div>\n```\n", encoding="utf-8")
     (folder / "index.html").unlink()
     shutil.copytree(folder, pages / "extra/luo_liang")
 
@@ -109,6 +126,20 @@ def copy_mathjax(static):
         (shutil.copytree if source.is_dir() else shutil.copyfile)(source, target)
 
 
+def synchronise(new, pages):
+    """Makes a folder equal to a new one; files that are the same keep their times, so that Sphinx reads the others only. Returns
+    whether files went."""
+    names = {path.relative_to(new) for path in new.rglob("*") if path.is_file()}
+    gone = [path for path in pages.rglob("*") if path.is_file() and path.relative_to(pages) not in names]
+    for path in gone:
+        path.unlink()
+    for name in names:
+        if not (pages / name).exists() or (pages / name).read_bytes() != (new / name).read_bytes():
+            copy(new / name, pages / name)
+    shutil.rmtree(new)
+    return bool(gone)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path)
@@ -117,16 +148,17 @@ def main():
     parser.add_argument("--reference", type=pathlib.Path, help="the folder of Doxygen's pages")
     arguments = parser.parse_args()
     program, folder = arguments.program.resolve(), arguments.folder.resolve()
-    pages = folder / "pages"
+    pages = folder / "new"
     shutil.rmtree(pages, ignore_errors=True)
     (pages / "static").mkdir(parents=True)
     (pages / "extra").mkdir()
-    if subprocess.run([sys.executable, ROOT / "scripts/gallery", program, pages / "gallery", "--cache", folder / "cache"],
-                      check=False).returncode:
+    gallery = [sys.executable, ROOT / "scripts/gallery", program, pages / "gallery", "--cache", folder / "cache"]
+    if subprocess.run(gallery, check=False).returncode:
         sys.exit(1)
     scenes = {f"prm/{page.relative_to(pages / 'gallery').with_suffix('.prm').as_posix()}": page.relative_to(pages)
               for page in (pages / "gallery").rglob("*.md")}
     copy_documents(pages, scenes)
+    make_tour(program, pages, folder / "cache")
     (pages / "parameters.md").write_text(parameters.page(program), encoding="utf-8")
     examples.make_pages(ROOT / "python/examples", pages / "python", program, folder / "cache")
     if arguments.tutorial:
@@ -141,8 +173,10 @@ def main():
     copy(HERE / "site.css", pages / "static/site.css")
     copy_mathjax(pages / "static")
     version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.split()[1].rstrip(",")
-    shutil.rmtree(folder / "html", ignore_errors=True)
-    done = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-j", "2", "-d", folder / "doctrees", pages, folder / "html"],
+    if synchronise(pages, folder / "pages"):
+        shutil.rmtree(folder / "html", ignore_errors=True)
+    done = subprocess.run([sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-j", "2", "-d", folder / "doctrees",
+                           folder / "pages", folder / "html"],
                           env={**os.environ, "SIGNORINI_VERSION": version}, check=False)
     if done.returncode == 0:
         print(f"The site is {folder / 'html/index.html'}")

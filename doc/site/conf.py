@@ -19,7 +19,8 @@ html_copy_source = html_show_sourcelink = html_show_copyright = html_show_sphinx
 highlight_language = "none"
 # MathJax 2 of Debian, copied beside the pages.
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML"
-mathjax2_config = {"showMathMenu": False, "messageStyle": "none", "tex2jax": {"processClass": "tex2jax_process|mathjax_process|math"},
+mathjax2_config = {"showMathMenu": False, "messageStyle": "none",
+                   "tex2jax": {"processClass": "tex2jax_process|mathjax_process|math"},
                    "CommonHTML": {"linebreaks": {"automatic": False}, "scale": 95}}
 
 

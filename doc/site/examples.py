@@ -82,10 +82,12 @@ def make_pages(folder, target, program, cache):
             subprocess.run([sys.executable, __file__, path, kept], env=environment, check=True, stdout=subprocess.DEVNULL)
         for picture in kept.glob("*.svg"):
             shutil.copyfile(picture, target / picture.name)
-        (target / f"{path.stem}.md").write_text(page(path, json.loads((kept / "cells.json").read_text(encoding="utf-8"))), encoding="utf-8")
+        results = json.loads((kept / "cells.json").read_text(encoding="utf-8"))
+        (target / f"{path.stem}.md").write_text(page(path, results), encoding="utf-8")
         names.append(path.stem)
-    (target / "index.md").write_text("# Python\n\nExamples that the site's build has run; [the manual](../doc/manual.md#in-python) "
-                                     "has the functions.\n\n```{toctree}\n" + "\n".join(names) + "\n```\n", encoding="utf-8")
+    (target / "index.md").write_text(
+        "# Python\n\nExamples that the site's build has run; [the manual](../doc/manual.md#in-python) has the functions.\n\n"
+        "```{toctree}\n" + "\n".join(names) + "\n```\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -7,8 +7,9 @@ import subprocess
 def page(program):
     """Returns the page: a heading for each subsection, an entry with its default and its meaning for each parameter."""
     text = subprocess.run([program, "--print-parameters"], capture_output=True, text=True, check=True).stdout
-    lines, help_text, depth = ["# Parameters", "", "All entries with their defaults, as `signorini --print-parameters` prints them; "
-                               "[the manual](doc/manual.md) has examples.", "", "## Before all subsections", ""], [], 0
+    lines = ["# Parameters", "", "All entries with their defaults, as `signorini --print-parameters` prints them; "
+             "[the manual](doc/manual.md) has examples.", "", "## Before all subsections", ""]
+    help_text, depth = [], 0
     for line in text.splitlines()[2:]:
         line = line.strip()
         if line.startswith("#"):

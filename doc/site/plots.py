@@ -63,8 +63,8 @@ def draw(path, target):
     axes.set(xlabel=x.strip("_"), ylabel=", ".join(columns) or "bound / error")
     axes.grid(True, color="#DDDDDD", lw=0.5)
     if len(curves) > 1:
-        axes.legend(fontsize="x-small" if len(curves) > 12 else "small", frameon=False, loc="center left", bbox_to_anchor=(1, 0.5),
-                    ncol=1 + len(curves) // 26)
+        axes.legend(fontsize="x-small" if len(curves) > 12 else "small", frameon=False, loc="center left",
+                    bbox_to_anchor=(1, 0.5), ncol=1 + len(curves) // 26)
     target.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(target, metadata={"Date": None})
     pyplot.close(figure)
@@ -72,7 +72,8 @@ def draw(path, target):
 
 def linked(text, folder, target):
     """Returns the page of the tables with links to them, and writes the page tables.md with all of them."""
-    page = ["# The tables", "", "The numbers of [Measured tables](README.md), which says what they mean and how they were measured.", ""]
+    page = ["# The tables", "",
+            "The numbers of [Measured tables](README.md), which says what they mean and how they were measured.", ""]
     names = sorted(path.stem for path in folder.glob("*.csv"))
     for name in names:
         page += [f"## {name}", ""]
@@ -82,4 +83,6 @@ def linked(text, folder, target):
         (target / f"{name}.csv").write_bytes((folder / f"{name}.csv").read_bytes())
         page += ["```{csv-table}", f":file: {name}.csv", ":header-rows: 1", "```", ""]
     (target / "tables.md").write_text("\n".join(page), encoding="utf-8")
-    return re.sub(r"`(\w+)\.csv`", lambda match: f"[{match[0]}](tables.md#{match[1].lower()})" if match[1] in names else match[0], text)
+    def link(match):
+        return f"[{match[0]}](tables.md#{match[1].lower()})" if match[1] in names else match[0]
+    return re.sub(r"(?<!\[)`(\w+)\.csv`", link, text)

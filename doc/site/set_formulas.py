@@ -10,11 +10,12 @@ import unicodedata
 GREEK = dict(zip("αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΦΨΩ", (
     "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon varphi chi psi omega "
     "Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega").split()))
-SIGNS = {"−": "-", "·": r"\cdot ", "≤": r"\le ", "≥": r"\ge ", "∫": r"\int ", "⟺": r"\iff ", "←": r"\leftarrow ", "→": r"\to ", "∓": r"\mp ", "⟨": r"\langle ", "⟩": r"\rangle ",
-         "∖": r"\setminus ", "∪": r"\cup ", "∩": r"\cap ", "∈": r"\in ", "∇": r"\nabla ", "∂": r"\partial ", "∞": r"\infty ",
-         "½": r"\tfrac12 ", "¼": r"\tfrac14 ", "¾": r"\tfrac34 ", "×": r"\times ", "±": r"\pm ", "≈": r"\approx ", "≠": r"\ne ",
-         "⊂": r"\subset ", "ℓ": r"\ell ", "∎": r"\blacksquare ", "√": r"\surd ", "‖": r"\|", "|||": r"|\!|\!|", "|": "|", "*": "^*",
-         "{": r"\{", "}": r"\}", "%": r"\%", "&": r"\&", "#": r"\#", "_": r"\_", "^": r"\hat{}", "...": r"\ldots ", "…": r"\ldots ",
+SIGNS = {"−": r"-", "·": r"\cdot ", "≤": r"\le ", "≥": r"\ge ", "∫": r"\int ", "⟺": r"\iff ", "←": r"\leftarrow ",
+         "→": r"\to ", "∓": r"\mp ", "⟨": r"\langle ", "⟩": r"\rangle ", "∖": r"\setminus ", "∪": r"\cup ", "∩": r"\cap ",
+         "∈": r"\in ", "∇": r"\nabla ", "∂": r"\partial ", "∞": r"\infty ", "½": r"\tfrac12 ", "¼": r"\tfrac14 ",
+         "¾": r"\tfrac34 ", "×": r"\times ", "±": r"\pm ", "≈": r"\approx ", "≠": r"\ne ", "⊂": r"\subset ", "ℓ": r"\ell ",
+         "∎": r"\blacksquare ", "√": r"\surd ", "‖": r"\|", "|||": r"|\!|\!|", "|": r"|", "*": r"^*", "{": r"\{",
+         "}": r"\}", "%": r"\%", "&": r"\&", "#": r"\#", "_": r"\_", "^": r"\hat{}", "...": r"\ldots ", "…": r"\ldots ",
          "<": r"\lt ", ">": r"\gt ", "⊗": r"\otimes ", "∑": r"\sum ", "⊥": r"\perp ", "°": r"^\circ ", "∘": r"\circ "}
 RAISED = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ᵀⁿᵏ", "0123456789+-Tnk"))
 LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₙₕᵢⱼₖₘₚₜₓ", "0123456789+-nhijkmptx"))
@@ -65,23 +66,22 @@ def tex(text, words=True):
         elif token.isspace():
             result += r"\quad " if len(token) > 1 else " "
         elif token in OPERATORS:
-            result += f"\\operatorname{{{token}}}" if token not in ("cos", "sin", "ln", "max", "min", "sup", "tan", "log", "exp", "arctan") else f"\\{token} "
+            result += f"\\operatorname{{{token}}}"
         elif token in DIFFERENTIALS:
             result += f"\\,{token} "
-        elif words and token.isalpha() and len(token) > 1 and (token.islower() or token[1:].islower() and len(token) > 3):
+        elif words and token.isalpha() and len(token) > 1 and (token.islower() or (token[1:].islower() and len(token) > 3)):
             result += f"\\text{{ {token} }}"
         elif token in SIGNS:
             result += SIGNS[token]
         else:
             result += token
-    return result.strip()
+    return re.sub(r" \} +\\text\{ ", " ", result).strip()
 
 
 def display(lines):
     """Returns the display of lines of formulas: columns are separated by two blanks, a number in brackets stands before a line."""
     width = min(len(line) - len(line.lstrip()) for line in lines)
     lines = [line[width:].rstrip() for line in lines]
-    # Words such as "a sum over the transition elements" keep their blanks.
     rows = [re.split(r" {2,}", line) for line in lines]
     if len(rows) == 1:
         return ["$$", r"\quad ".join(tex(cell) for cell in rows[0]), "$$"]
@@ -106,12 +106,13 @@ def is_formula(word):
     word = decomposed(word)
     names = re.findall(r"[A-Za-z]+", re.sub(r"[_^]\{[^}]*\}|[_^][A-Za-z0-9]+", " ", word))
     names = [name for name in names if name not in OPERATORS and name not in DIFFERENTIALS]
-    if any(len(name) > 2 or (len(name) == 2 and not OF_FORMULA.search(word)) for name in names) or re.search(r"[A-Za-z]{3,}_", word):
+    if any(len(name) > 2 or (len(name) == 2 and not OF_FORMULA.search(word)) for name in names):
         return False
-    if re.search(r"[\"“”;—–]|://", word):
+    if re.search(r"[A-Za-z]{3,}_|[\"“”;—–]|://", word):
         return False
     return bool(OF_FORMULA.search(word)) or (
-        len(names) > 0 and all(len(name) == 1 for name in names) and word not in ("a", "A", "I", "S", "W") and not re.search(r"[A-Z]\.|[A-Z]\d|\d[A-Za-z]|[A-Za-z][-.][A-Za-z]", word))
+        len(names) > 0 and all(len(name) == 1 for name in names) and word not in ("a", "A", "I", "S", "W")
+        and not re.search(r"[A-Z]\.|[A-Z]\d|\d[A-Za-z]|[A-Za-z][-.][A-Za-z]", word))
 
 
 def peel(run):
@@ -220,7 +221,8 @@ def set_page(text):
         indent = len(line) - len(line.lstrip())
         if indent >= 4 and line.strip() and not paragraph and (not result or result[-1] == ""):
             stop = i
-            while stop < len(lines) and (lines[stop].startswith("    ") or (not lines[stop].strip() and stop + 1 < len(lines) and lines[stop + 1].startswith("    "))):
+            while "".join(lines[stop:stop + 1]).startswith("    ") or (
+                    lines[stop:stop + 1] == [""] and "".join(lines[stop + 1:stop + 2]).startswith("    ")):
                 stop += 1
             block = lines[i:stop]
             if is_display([one for one in block if one.strip()]):

@@ -11,6 +11,7 @@ import signorini
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 PROGRAM = os.path.abspath(os.environ.get("SIGNORINI", ROOT + "/build/release/source/signorini"))
+os.environ["SIGNORINI"] = PROGRAM
 TABLES = {}
 # The results of runs, as long as this process lives.
 FOLDER = tempfile.TemporaryDirectory()
@@ -31,7 +32,7 @@ def table(*columns):
 def solve(scene, settings=None):
     """Returns the results of prm/SCENE.prm."""
     folder = f"{FOLDER.name}/{next(NUMBERS)}"
-    return signorini.run(f"{ROOT}/prm/{scene}.prm", folder, {"Output/VTU": "none", **(settings or {})}, PROGRAM)
+    return signorini.run(f"{ROOT}/prm/{scene}.prm", folder, **{"Output/VTU": "none", **(settings or {})})
 
 
 def measure(scene, settings=None):

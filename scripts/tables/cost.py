@@ -8,6 +8,7 @@ from unittest import mock
 
 import numpy as np
 import signorini
+from signorini.arrays import read_csv
 
 from tables.common import FOLDER, NUMBERS, PROGRAM, ROOT, WITHOUT_ERRORS, committed, levels, measure, number, power, table
 
@@ -25,7 +26,7 @@ def benchmark(*options):
     if done.returncode != 0:
         raise signorini.Refused(done.stderr.strip())
     def rows(name):
-        columns = signorini.read_csv(f"{folder}/{name}")
+        columns = read_csv(f"{folder}/{name}")
         return [dict(zip(columns, row)) for row in zip(*columns.values())]
     return rows
 

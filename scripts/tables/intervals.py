@@ -6,7 +6,7 @@ import pathlib
 import subprocess
 
 import signorini
-from tables.common import GRADED, PROGRAM, ROOT, FOLDER, table, target
+from tables.common import GRADED, ROOT, FOLDER, table, target
 
 NO_CASES = {"Load cases/Cases": "", "Load cases/Fields": ""}
 XI = math.sqrt(0.5)
@@ -65,7 +65,7 @@ def answers():
     for scene, error, settings, places, known in SCENES:
         report = " | ".join(place + " guaranteed" for place in places.split(" | "))
         run = signorini.run(f"{ROOT}/{scene}.prm", f"{FOLDER.name}/{scene.replace('/', '_')}",
-                            {"Output/VTU": "none", "Output/Report": report, **GRADED, **target(error), **settings}, PROGRAM)
+                            **{"Output/VTU": "none", "Output/Report": report, **GRADED, **target(error), **settings})
         found = list(intervals_of(run.answer))
         for name in set(known) - {name for name, _, _ in found}:
             if name != "contact force":
@@ -100,8 +100,8 @@ def errors_of_programs():
         pathlib.Path(folder).mkdir()
         subprocess.run(call + arguments.format(folder).split(), cwd=f"{ROOT}/scripts/decks", check=True, capture_output=True)
         file, = [name for name in ("deck.vtu", "deck_p0_000000.vtu", "beam.vtu") if (pathlib.Path(folder) / name).exists()]
-        signorini.run(f"{ROOT}/{scene}.prm", f"{folder}/results", {
-            "Output/VTU": "none", **GRADED, "Verify/File": f"{folder}/{file}"}, PROGRAM)
+        signorini.run(f"{ROOT}/{scene}.prm", f"{folder}/results", **{
+            "Output/VTU": "none", **GRADED, "Verify/File": f"{folder}/{file}"})
         found = json.loads((pathlib.Path(f"{folder}/results") / "verified.json").read_text(encoding="utf-8"))
         error, margin = found["relative"]["value"], found["relative"]["margin"]
         yield (scene.rsplit("/", 1)[-1], program, elements, f"{100 * error:.4f} %", f"{100 * margin:.1e} %",

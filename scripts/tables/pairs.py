@@ -3,7 +3,7 @@
 import math
 
 import signorini
-from tables.common import FOLDER, NUMBERS, PROGRAM, number, power, table
+from tables.common import FOLDER, NUMBERS, number, power, table
 
 RING = "0,0; arc 0,1 ccw; 1,1; 0.4,1; arc 0,1 cw; 0,0.6"
 MIRROR = "0,0; 0,-0.6; arc 0,-1 cw; 0.4,-1; 1,-1; arc 0,-1 ccw"
@@ -74,7 +74,7 @@ def graded_pairs():
         with open(scene, "w", encoding="utf-8") as file:
             file.write("subsection Geometry\n  set Bodies = a b\nend\n")
         settings = {"Material/Poisson's ratio": 0.3, "Output/VTU": "none", "Discretization/Target error": 1e-6}
-        run = signorini.run(scene, scene[:-4], {**settings, **{key: text for key, text in entries.items() if text}}, PROGRAM)
+        run = signorini.run(scene, scene[:-4], **{**settings, **{key: text for key, text in entries.items() if text}})
         table_of_run = run.table
         found = abs(run.answer["contact_by_side"][0]["force"][1])
         last = len(table_of_run["level"]) - 1

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iomanip>
 #include <sstream>
 
 namespace Signorini {
@@ -129,21 +128,6 @@ std::string text_with_margin(const double value, const double margin, const std:
                up = std::ceil((margin + std::abs(value - rounded)) / step) * step;
   std::ostringstream text;
   text << std::fixed << std::setprecision(places) << rounded << unit << " +- " << up << unit;
-  return text.str();
-}
-
-std::string interval_text(const double lower, const double upper) {
-  constexpr int most_digits = 12, fewest_digits = 4;
-  const double size = std::max(std::abs(lower), std::abs(upper));
-  if (!(size > 0.))
-    return "0 to 0";
-  const int first = static_cast<int>(std::floor(std::log10(size))),
-            length = upper > lower ? static_cast<int>(std::floor(std::log10(upper - lower))) : -400,
-            n_digits = std::clamp(first - length + 2, fewest_digits, most_digits);
-  const double steps = std::pow(10., n_digits - 1 - first);
-  std::ostringstream text;
-  text << std::setprecision(n_digits) << std::floor(lower * steps) / steps << " to "
-       << std::ceil(upper * steps) / steps;
   return text.str();
 }
 } // namespace Signorini

@@ -45,8 +45,4 @@ std::string join(const std::vector<std::string> &words, const std::string &separ
 /** Returns "0.834876 +- 0.000006": a number to the first digit of its margin, which is rounded up,
  * six digits at most. @param unit follows both: " %". */
 std::string text_with_margin(double value, double margin, const std::string &unit = "");
-
-/** Returns "-0.33023217 to -0.33023209": an interval rounded outward by at most a tenth of its
- * length, or to twelve digits. */
-std::string interval_text(double lower, double upper);
 } // namespace Signorini

@@ -50,16 +50,18 @@ std::string scaled_text(const AnswerVector &x, const double size) {
   return "(" + join(texts) + ")";
 }
 
-/** Returns "1.234567 +- 1.2e-06 at most (guaranteed)", with the digits that are known. */
-std::string interval_text(const BoundedValue &mean) {
-  if (!mean.error)
-    return digits(mean.value) + ": no interval, because " + mean.missing;
-  const double known = std::log10(std::abs(mean.value) / *mean.error);
+/** Returns "1.234567 +- 1.2e-06", with the digits that are known. */
+std::string bounded_text(const double value, const double error) {
+  const double known = std::log10(std::abs(value) / error);
   std::ostringstream text;
-  text << std::setprecision(known > 5. ? static_cast<int>(std::min(known, 13.)) + 2 : 6)
-       << mean.value << " +- " << std::setprecision(2) << 1.05 * *mean.error
-       << " at most (guaranteed)";
+  text << std::setprecision(known > 5. ? static_cast<int>(std::min(known, 13.)) + 2 : 6) << value
+       << " +- " << std::setprecision(2) << 1.05 * error;
   return text.str();
+}
+/** Returns "1.234567 +- 1.2e-06 at most (guaranteed)", or why there is no interval. */
+std::string interval_text(const BoundedValue &mean) {
+  return mean.error ? bounded_text(mean.value, *mean.error) + " at most (guaranteed)"
+                    : digits(mean.value) + ": no interval, because " + mean.missing;
 }
 
 /** Prints an answer; the size of the body decides which lengths are rounding. */
@@ -224,11 +226,13 @@ public:
 
   void add_energy() {
     const ErrorBound bound = level_.bound.value_or(ErrorBound());
-    add("Energy",
-        digits(level_.certificate.energy) +
-          (bound.energy_lower && bound.energy_upper
-             ? " (exact solution: " + interval_text(*bound.energy_lower, *bound.energy_upper) + ")"
-             : ""));
+    add("Energy", digits(level_.certificate.energy) +
+                    (bound.energy_lower && bound.energy_upper
+                       ? " (exact solution: " +
+                           bounded_text(0.5 * (*bound.energy_lower + *bound.energy_upper),
+                                        0.5 * (*bound.energy_upper - *bound.energy_lower)) +
+                           ")"
+                       : ""));
   }
 
   void add_load_cases() {

@@ -19,6 +19,8 @@ there/bin/signorini --version >stdout 2>stderr
 check "the program starts" [ $? -eq 0 ]
 check "  and knows its version" grep -qx "signorini $version" stdout
 check "  of the citation" grep -qx "version: $version" there/share/doc/signorini/CITATION.cff
+check "  of Debian's package" grep -q "^signorini ($version) " "$2/debian/changelog"
+check "  of the Python module" grep -qx "version = \"$version\"" there/share/signorini/pyproject.toml
 check "  and of the newest version's changes" [ "$(grep -m 1 '^## [0-9]' there/share/doc/signorini/CHANGELOG.md)" = "## $version" ]
 check "the program is stripped" [ "$(readelf -S there/bin/signorini | grep -c symtab)" -eq 0 ]
 there/bin/signorini there/share/signorini/prm/patch_test.prm --output results >stdout 2>stderr

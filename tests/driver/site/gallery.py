@@ -43,13 +43,14 @@ def start(*arguments):
 
 done = start("--check")
 check("all scenes exist and expect numbers " + done.stderr.strip(), done.returncode == 0)
-lines = [(path, line) for path in ROOT.glob("prm/**/*.prm") for line in re.findall(r"^# (Expect \S+ = .*\+-.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)]
-check(f"{len(lines)} expectations of all scenes can be read", len(lines) > 80 and not any(refusal(line) for _, line in lines))
+lines = [line for path in ROOT.glob("prm/**/*.prm")
+         for line in re.findall(r"^# (Expect \S+ = .*\+-.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)]
+check(f"{len(lines)} expectations of all scenes can be read", len(lines) > 80 and not any(map(refusal, lines)))
 
 done = start(PROGRAM, "pages", "--only", *CHEAP, "--without-pictures")
 check("the cheapest scenes have the numbers that they expect " + done.stderr.strip(), done.returncode == 0)
 pages = [pathlib.Path("pages", f"{name}.md") for name in CHEAP]
-check("each has a page with its numbers", all(page.exists() and "| computed | expected |" in page.read_text(encoding="utf-8") for page in pages))
+check("each has a page with its numbers", all("| computed | expected |" in page.read_text(encoding="utf-8") for page in pages))
 
 answer = {"force": [0., 2.], "zones": [{"length": 0.5}]}
 check("a value within its tolerance", refusal("Expect force = (0, 2.001) +- 0.1 % (a source)", answer) == "")

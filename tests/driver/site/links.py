@@ -18,7 +18,8 @@ LINK = re.compile(r"\]\(([^)\s]+)\)|src=\"([^\"]+)\"")
 # Pages that the build of the site makes: no file has them.
 MADE = {"gallery/index.md", "tour.md", "parameters.md", "python/index.md", "luo_liang.md", "index.md",
         *(f"gallery/{name}.md" for names in gallery.SCENES.values() for name in names),
-        *(f"gallery/{name}-{picture}.png" for names in gallery.SCENES.values() for name in names for picture in ("deformed", "pressure"))}
+        *(f"gallery/{name}-{picture}.png" for names in gallery.SCENES.values() for name in names
+          for picture in ("deformed", "pressure"))}
 
 
 def anchors(path):

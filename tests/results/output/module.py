@@ -1,24 +1,29 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The Python module: the example of the manual, tables and fields against the files; skipped (127) without numpy.
+"""The Python module: the example of the manual, tables and fields against the files, its wheel and its types; skipped (127)
+without numpy.
 usage: module.py PROGRAM ROOT"""
 import csv
+import importlib.util
 import json
 import os
 import re
+import subprocess
 import sys
 import textwrap
 
 program, root = map(os.path.realpath, sys.argv[1:3])
 sys.dont_write_bytecode = True
-sys.path.insert(0, os.path.join(root, "scripts"))
+sys.path.insert(0, os.path.join(root, "python"))
 try:
-    import signorini
+    import numpy as np
 except ImportError:  # the python3 found first may be another one than Debian's, which has the package
     if os.path.exists("/usr/bin/python3") and sys.executable != "/usr/bin/python3":
         os.execv("/usr/bin/python3", ["/usr/bin/python3", *sys.argv])
     print("SKIP there is no numpy (package python3-numpy)")
     sys.exit(127)
-import numpy as np
+import signorini
+import signorini.arrays
+import signorini.results
 
 os.environ["SIGNORINI"] = program
 failures = 0
@@ -57,9 +62,17 @@ check("fields at points", len(points) == len(fields["von_mises_stress"]) and cel
 check("displacements are vectors", fields["displacement"].shape == points.shape)
 check("another level", len(run.contact(level=4)["p_H"]) * 2 == len(contact["p_H"]))
 
-check("a run shows its force and its error", "certified\n  contact force (0, 1.19" in repr(run) and "\n  the error is " in repr(run))
+shown = repr(run)
+check("a run shows its force and its error", re.search(
+    r"certified\n  contact force \(0, 1\.19\d+\), per unit of thickness; error at most \S+ along the normal\n  peak pressure \S+ \(force/length², "
+    r"positive in compression\) on bottom, .*\n  the error is .* guaranteed", shown) is not None)
+entries = run.parameters
+check("it has the entries of its scene", "push=0.004" in entries["Constants/Values"].replace(" ", ""))
+check("  and says what forces refer to", [signorini.results.convention({**entries, **change}) for change in (
+    {"Geometry/Thickness": "10"}, {"Material/Plane state": "axisymmetric"}, {"Dimension": "3"})] ==
+      [", for the thickness 10", ", all around the axis", ""])
 points = [(point, repr(low)) for point, low in signorini.sweep(
-    "prm/pressed_plate.prm", "results/any", {"Material/Young's modulus": ["1/3"], "Discretization/Finest level": 3}, push=(0.002,))]
+    "prm/pressed_plate.prm", "results/any", push=(0.002,), **{"Material/Young's modulus": ["1/3"], "Discretization/Finest level": 3})]
 check("any entry is swept, expressions too; what has one value is set", len(points) == 1 and
       points[0][0] == {"push": 0.002, "Material/Young's modulus": "1/3"} and "results/any/0.002_1_3, level 3" in points[0][1])
 try:
@@ -71,16 +84,16 @@ step = np.linspace(0., 1., 9)
 x, y = (axis.ravel() for axis in np.meshgrid(2. * step, step))
 quads = [[9 * j + i, 9 * j + i + 1, 9 * j + i + 10, 9 * j + i + 9] for j in range(8) for i in range(8)]
 pushed = np.stack([0. * x, -0.002 * (1. - 0.2 * x)], axis=1)
-verified = signorini.verify("prm/pressed_plate.prm", np.stack([x, y], axis=1), quads, pushed, output="results/verified")
+verified = signorini.verify("prm/pressed_plate.prm", (np.stack([x, y], axis=1), quads, pushed), "results/verified")
 check("a displacement from arrays is verified", verified["guaranteed"] and verified["points"] == 81 and
       all(side["miss"]["value"] < 1e-12 for side in verified["sides"] if "miss" in side))
-points, corners, v, difference, error = signorini.read_verified("results/verified/verified.vtu")
+points, corners, v, difference, error = signorini.arrays.read_verified("results/verified/verified.vtu")
 check("  its cells are in a file", corners.shape == (64, 4) and abs(v[:, 1] + 0.002 * (1. - 0.2 * points[:, 0])).max() < 1e-12 and
       abs(np.sqrt((error**2).sum()) - verified["sum_of_cells"]) < 1e-12 and abs(difference).max() > 1e-3)
-again = signorini.verify("prm/pressed_plate.prm", "results/verified/verified.vtu", output="results/again")
+again = signorini.verify("prm/pressed_plate.prm", "results/verified/verified.vtu", "results/again")
 check("  a file of it has the same error", abs(again["distance"] - verified["distance"]) < 1e-9 * verified["distance"])
 try:
-    signorini.verify("prm/pressed_plate.prm", [[0., 0.]], [[0, 0]], [[0., 0.]])
+    signorini.verify("prm/pressed_plate.prm", ([[0., 0.]], [[0, 0]], [[0., 0.]]))
     check("rows that are no cells are refused", False)
 except ValueError as error:
     check("rows that are no cells are refused", "rows of 2 points" in str(error))
@@ -98,6 +111,31 @@ try:
     check("a damaged file is named", False)
 except signorini.DamagedFile as damaged:
     check("a damaged file is named", "contact-05.csv is damaged" in str(damaged))
+
+def python(*arguments, **options):
+    """Starts this Python with its working directory at the root. Returns what it prints, None where it fails."""
+    done = subprocess.run([sys.executable, *arguments], cwd=root, capture_output=True, text=True, check=False, **options)
+    if done.returncode != 0:
+        print(done.stdout + done.stderr)
+    return done.stdout.strip() if done.returncode == 0 else None
+
+
+absolute = os.path.abspath("results/sweep/0.001")
+READ = f"""import sys; sys.modules['numpy'] = None
+import signorini
+assert not signorini.__file__.startswith({root!r})
+print(signorini.read({absolute!r}))"""
+wheel = python("-B", "-c", f"import sys; sys.path.insert(0, 'python'); import backend; print(backend.build_wheel({os.getcwd()!r}))")
+check("its wheel is made", wheel is not None and os.path.exists(wheel))
+shown = python("-c", READ, env={**os.environ, "PYTHONPATH": os.path.abspath(wheel)})
+check("  and reads a run without numpy", shown == repr(signorini.read(absolute)))
+# Packages of Debian that are no part of Python itself.
+if importlib.util.find_spec("pip"):
+    installed = os.path.abspath("installed")
+    check("pip installs it without a network", python("-B", "-m", "pip", "install", "--no-index", "--target", installed, root) is not None and
+          python("-c", READ, env={**os.environ, "PYTHONPATH": installed}) == repr(signorini.read(absolute)))
+if importlib.util.find_spec("mypy"):
+    check("its types agree", python("-m", "mypy", "--cache-dir", os.devnull) is not None)
 
 print(f"{failures} failures")
 sys.exit(failures > 0)
