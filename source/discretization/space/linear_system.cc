@@ -302,10 +302,10 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
 
 template <int dim>
 LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
-                                           const Scene<dim> &scene, const unsigned int n_points) {
+                                           const Scene<dim> &scene, const unsigned int n_points,
+                                           const Displacement &k) {
   LinearSystem<dim> system = begin_system(space, scene, n_points, {});
-  // f = Tᵀ (loads - A k) with the prescribed displacements k, U = T U_free + k.
-  const Displacement k = space.prescribed(scene);
+  // f = Tᵀ (loads - A k), U = T U_free + k.
   if (k.linfty_norm() == 0.)
     return system;
   system.f -= space.condense(internal_forces(DisplacedBody(space, scene, k)).forces);
