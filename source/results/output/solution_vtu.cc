@@ -25,8 +25,8 @@ namespace {
 /** The most cells of a piece of the file: pieces bound the memory of writing, and some readers
  * (meshio) lose cells of a file of several. */
 constexpr std::size_t cells_per_piece = 65536;
-/** The most threads that make pieces: one takes 0.1 GB. */
-constexpr unsigned int max_threads = 4;
+/** The most threads that make pieces: one takes 0.3 GB. */
+constexpr unsigned int max_threads = 2;
 
 /** Returns whether the file shows a patch interpolation beside u_h. */
 template <int dim>
