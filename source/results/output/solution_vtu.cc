@@ -22,10 +22,11 @@
 
 namespace Signorini {
 namespace {
-/** The most cells of a piece of the file: pieces bound the memory of writing, and some readers
- * (meshio) lose cells of a file of several. */
-constexpr std::size_t cells_per_piece = 65536;
-/** The most threads that make pieces: one takes 0.1 GB. */
+/** Some readers (meshio) lose cells of a file of several pieces: up to so many cells are one. */
+constexpr std::size_t cells_in_one_piece = 65536;
+/** The cells of each of several pieces, which bound the memory of writing: one takes 0.1 GB. */
+constexpr std::size_t cells_per_piece = 16384;
+/** The most threads that make pieces. */
 constexpr unsigned int max_threads = 4;
 
 /** Returns whether the file shows a patch interpolation beside u_h. */
@@ -61,7 +62,10 @@ public:
         if (cell->is_locally_owned() && cell->active_fe_index() == number &&
             !(by_parents_ && cell->parent()->child_index(0) != cell->index()))
           cells.push_back(cell);
-    const std::size_t size = by_parents_ ? cells_per_piece / 4 : cells_per_piece;
+    const std::size_t weight = by_parents_ ? 4 : 1,
+                      size = (weight * cells.size() > cells_in_one_piece ? cells_per_piece
+                                                                         : cells_in_one_piece) /
+                             weight;
     VtuCells<dim> fields;
     produce_in_parallel<VtuPiece>(
       std::min(n_available_threads(), max_threads), (cells.size() + size - 1) / size,
