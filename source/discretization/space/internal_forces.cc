@@ -34,11 +34,11 @@ void for_each_cell(const DisplacedBody<dim> &body, const Work &work) {
 }
 
 /** Computes K v and |K| |u| with the symmetric matrix K of a cell. Registers sum columns, which are
- * rows of K: eight components at a time, some of them twice where their number is no multiple. */
+ * rows of K: four components at a time, some of them twice where their number is no multiple. */
 void multiply(const FullMatrix<double> &K, const dealii::Vector<double> &v,
               const dealii::Vector<double> &u, dealii::Vector<double> &product,
               dealii::Vector<double> &magnitudes) {
-  typedef double Lanes __attribute__((vector_size(64)));
+  typedef double Lanes __attribute__((vector_size(32)));
   constexpr unsigned int width = sizeof(Lanes) / sizeof(double);
   const unsigned int n = u.size();
   product.reinit(n, true);
