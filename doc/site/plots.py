@@ -6,13 +6,14 @@ import re
 import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot
+from matplotlib.ticker import MaxNLocator
 
 # Table: column of x, columns of y, column that names the curves, axes that are logarithmic. A column "level_" stands for all
 # columns level_1, level_2, ...; each row is a curve then.
 CURVES = {
-    "bound_effectivity": ("level_", [], "scene", ""),
+    "bound_effectivity": ("level_", [], "scene", "y"),
     "bound_pairs": ("unknowns", ["ratio"], "scene", "x"),
-    "bound_unresolved": ("level", ["bound_over_error"], "scene", ""),
+    "bound_unresolved": ("level", ["bound_over_error"], "scene", "y"),
     "compliance_model": ("patches", ["condition"], "body", "x"),
     "cost_levels": ("unknowns", ["contact_s", "no_contact_s"], "of", "xy"),
     "cycles_from_zero": ("cells_per_side", ["contact"], "body", "x"),
@@ -20,7 +21,7 @@ CURVES = {
     "estimate_few_patches": ("level", ["estimate_over_error"], "scene", ""),
     "flat_punch": ("w_over_a", ["difference"], "", "xy"),
     "graded_pairs": ("unknowns", ["sqrt_of_energy_difference"], "scene", "xy"),
-    "h_and_H": ("h", ["u_h1", "u_superclose_h1", "p_l2", "p_dual"], "H", "xy"),
+    "h_and_H": ("H", ["u_h1", "u_superclose_h1", "p_l2", "p_dual"], "h", "xy"),
     "multigrid_steps": ("unknowns", ["steps"], "body", "x"),
     "time_to_error_graded": ("seconds", ["error"], "scene", "xy"),
     "unknown_orders": ("level", ["u_h_percent"], "scene", "y"),
@@ -44,8 +45,8 @@ def curves_of(rows, x, columns, name):
         for column in columns:
             label = ", ".join(part for part in (row.get(name, ""), column if len(columns) > 1 else "") if part)
             curves.setdefault(label, []).append((number(row[x]), number(row[column])))
-    curves = {label: [point for point in points if None not in point] for label, points in curves.items()}
-    return {label: points for label, points in curves.items() if points}
+    curves = {label: sorted(point for point in points if None not in point) for label, points in curves.items()}
+    return {label: points for label, points in curves.items() if len(points) > 1}
 
 
 def draw(path, target):
@@ -54,17 +55,21 @@ def draw(path, target):
     with open(path, encoding="utf-8", newline="") as file:
         curves = curves_of(list(csv.DictReader(file)), x, columns, name)
     figure, axes = pyplot.subplots(figsize=(8, 4.2), layout="constrained")
+    many = len(curves) > 20  # the table has their names
     for i, (label, points) in enumerate(curves.items()):
-        axes.plot(*zip(*sorted(points)), marker="os^vD"[i // 10 % 5], ms=4, lw=1.2, label=label)
+        axes.plot(*zip(*points), marker="os^vD"[i // 10 % 5], ms=4, lw=1.2, label=label, alpha=0.5 if many else 1.)
     if "x" in logarithmic:
         axes.set_xscale("log")
     if "y" in logarithmic:
         axes.set_yscale("log")
     axes.set(xlabel=x.strip("_"), ylabel=", ".join(columns) or "bound / error")
     axes.grid(True, color="#DDDDDD", lw=0.5)
-    if len(curves) > 1:
-        axes.legend(fontsize="x-small" if len(curves) > 12 else "small", frameon=False, loc="center left",
-                    bbox_to_anchor=(1, 0.5), ncol=1 + len(curves) // 26)
+    if "level" in x:
+        axes.xaxis.set_major_locator(MaxNLocator(integer=True))
+    if many:
+        axes.set_title(f"{len(curves)} curves", fontsize="medium")
+    elif len(curves) > 1:
+        axes.legend(fontsize="small", frameon=False, loc="center left", bbox_to_anchor=(1, 0.5))
     target.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(target, metadata={"Date": None})
     pyplot.close(figure)
