@@ -56,7 +56,8 @@ Interval angle(const Interval &a, const Interval &b) {
 /** A product in which zero times infinity is zero. */
 double times(const double a, const double b) {
   const double product = a * b;
-  return product == product || !(a == 0. || b == 0.) ? product : 0.;
+  // Without branches, which registers of several numbers do not have.
+  return bool(product == product) | (bool(a != 0.) & bool(b != 0.)) ? product : 0.;
 }
 Interval times(const Interval &a, const Interval &b) {
   return is_zero(a) || is_zero(b) ? 0. : zero_in(a) || zero_in(b) ? hull(a * b, 0.) : a * b;
@@ -73,7 +74,16 @@ Operation rule(const char *name, const Rule &function, const char *in_a = nullpt
     // No operation adds a product, so that the digits are the same with all instruction sets.
     [](const double *a, const double *b, const double *c, std::size_t n, double *result) {
       run(instructions_of_this_machine(), [&](auto) SIGNORINI_INLINE {
-        for (std::size_t q = 0; q < n; ++q)
+        // Rows of a known length are computed in registers.
+        constexpr std::size_t length = 8;
+        std::size_t q = 0;
+        for (; q + length <= n; q += length) {
+          double row[length];
+          for (std::size_t k = 0; k < length; ++k)
+            row[k] = f(a[q + k], b[q + k], c[q + k]);
+          std::copy_n(row, length, result + q);
+        }
+        for (; q < n; ++q)
           result[q] = f(a[q], b[q], c[q]);
       });
     },
