@@ -63,6 +63,16 @@ Interval times(const Interval &a, const Interval &b) {
   return is_zero(a) || is_zero(b) ? 0. : zero_in(a) || zero_in(b) ? hull(a * b, 0.) : a * b;
 }
 
+/** The compiler computes rows of known length that overlap no others in registers. */
+constexpr std::size_t row_length = 8;
+template <typename Rule>
+SIGNORINI_INLINE inline void compute_row(const Rule &f, const double *const a,
+                                         const double *const b, const double *const c,
+                                         double *__restrict const result) {
+  for (std::size_t k = 0; k < row_length; ++k)
+    result[k] = f(a[k], b[k], c[k]);
+}
+
 /** Makes an operation of a function that takes numbers and intervals. */
 template <typename Rule>
 Operation rule(const char *name, const Rule &function, const char *in_a = nullptr,
@@ -73,16 +83,10 @@ Operation rule(const char *name, const Rule &function, const char *in_a = nullpt
     name, kind, in_a, in_b, precedence, 1, [](double a, double b, double c) { return f(a, b, c); },
     // No operation adds a product, so that the digits are the same with all instruction sets.
     [](const double *a, const double *b, const double *c, std::size_t n, double *result) {
-      run(instructions_of_this_machine(), [&](auto) SIGNORINI_INLINE {
-        // Rows of a known length are computed in registers.
-        constexpr std::size_t length = 8;
+      run(instructions_of_this_machine(), [=](auto) SIGNORINI_INLINE {
         std::size_t q = 0;
-        for (; q + length <= n; q += length) {
-          double row[length];
-          for (std::size_t k = 0; k < length; ++k)
-            row[k] = f(a[q + k], b[q + k], c[q + k]);
-          std::copy_n(row, length, result + q);
-        }
+        for (; q + row_length <= n; q += row_length)
+          compute_row(f, a + q, b + q, c + q, result + q);
         for (; q < n; ++q)
           result[q] = f(a[q], b[q], c[q]);
       });
