@@ -36,7 +36,7 @@ std::string word_for(const Trend::Kind kind) {
   case Trend::Kind::not_settled:
     return "not settled";
   case Trend::Kind::not_refined:
-    return "not refined there";
+    return "mesh around it unchanged";
   case Trend::Kind::unlimited:
     return "grows without limit";
   default:

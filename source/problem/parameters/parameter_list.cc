@@ -27,8 +27,8 @@ Declarations::Declarations(Parameters &parameters)
 }
 
 void Declarations::declare_scene(Parameters &parameters) {
-  add("Dimension", parameters.dimension,
-      "Bodies in 3-D are boxes. A scene of the catalogue has its own.", 2U, 3U, "2 or 3");
+  add("Dimension", parameters.dimension, "Of the body. A scene of the catalogue has its own.", 2U,
+      3U, "2 or 3");
   add("Scene/Name", parameters.scene.name,
       "'described', or a scene of the catalogue (see --list-scenes), which then fixes everything "
       "from Geometry to Exact solution.");
@@ -217,10 +217,9 @@ void Declarations::declare_solver(SolverParameters &solver) {
   add("Solver/Contact solver", solver.contact_solver,
       "Method for contact. psor (projected SOR) and active set (primal-dual) solve the dual "
       "problem. multigrid forms none: every V-cycle is followed by a small problem on the contact "
-      "sides (one process, nested meshes, Linear solver "
-      "= multigrid or automatic). automatic is multigrid on levels with 1e5 unknowns and more (in "
-      "3-D 5e3, on irregular meshes such as split triangles 2e6), where nothing forbids it, else "
-      "active set.");
+      "sides (nested meshes, Linear solver = multigrid or automatic). automatic is multigrid on "
+      "levels with 1e5 unknowns and more (in 3-D 5e3, on irregular meshes such as split triangles "
+      "2e6), where nothing forbids it, else active set.");
   add("Solver/Relaxation", solver.relaxation, "Relaxation parameter omega of projected SOR.",
       std::numeric_limits<double>::min(), 2. - 1e-15, "a number between 0 and 2 (both excluded)");
   add("Solver/Tolerance", solver.tolerance, "On the relative KKT residual of the dual problem.",
@@ -233,7 +232,7 @@ void Declarations::declare_solver(SolverParameters &solver) {
       "How systems with the stiffness matrix are solved. condensed (CHOLMOD, one process only) "
       "eliminates the contact unknowns last and reads the compliance C from the factor; "
       "amesos_mumps (on all processes) and amesos_klu (gathered on one) take one solve for every "
-      "contact patch that can touch. multigrid (one process, nested meshes) assembles and "
+      "contact patch that can touch. multigrid (nested meshes) assembles and "
       "factorises nothing: conjugate gradients with V-cycles. automatic is multigrid where Contact "
       "solver is that, else condensed on one process and amesos_mumps on several.");
   add("Solver/Warm start", solver.warm_start,

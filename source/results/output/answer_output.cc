@@ -50,16 +50,18 @@ std::string scaled_text(const AnswerVector &x, const double size) {
   return "(" + join(texts) + ")";
 }
 
-/** Returns "1.234567 +- 1.2e-06 at most (guaranteed)", with the digits that are known. */
-std::string interval_text(const BoundedValue &mean) {
-  if (!mean.error)
-    return digits(mean.value) + ": no interval, because " + mean.missing;
-  const double known = std::log10(std::abs(mean.value) / *mean.error);
+/** Returns "1.234567 +- 1.2e-06", with the digits that are known. */
+std::string bounded_text(const double value, const double error) {
+  const double known = std::log10(std::abs(value) / error);
   std::ostringstream text;
-  text << std::setprecision(known > 5. ? static_cast<int>(std::min(known, 13.)) + 2 : 6)
-       << mean.value << " +- " << std::setprecision(2) << 1.05 * *mean.error
-       << " at most (guaranteed)";
+  text << std::setprecision(known > 5. ? static_cast<int>(std::min(known, 13.)) + 2 : 6) << value
+       << " +- " << std::setprecision(2) << 1.05 * error;
   return text.str();
+}
+/** Returns "1.234567 +- 1.2e-06 at most (guaranteed)", or why there is no interval. */
+std::string interval_text(const BoundedValue &mean) {
+  return mean.error ? bounded_text(mean.value, *mean.error) + " at most (guaranteed)"
+                    : digits(mean.value) + ": no interval, because " + mean.missing;
 }
 
 /** Prints an answer; the size of the body decides which lengths are rounding. */
@@ -219,16 +221,18 @@ public:
       add("Penetration", "at most " + text +
                            (!presses_at(*deepest)      ? " (where nothing presses)"
                             : level_.sizes.is_graded() ? ""
-                                                       : " (between the means)"));
+                                                       : " (zero in the mean over each patch)"));
   }
 
   void add_energy() {
     const ErrorBound bound = level_.bound.value_or(ErrorBound());
-    add("Energy",
-        digits(level_.certificate.energy) + (bound.energy_lower && bound.energy_upper
-                                               ? " (exact: between " + digits(*bound.energy_lower) +
-                                                   " and " + digits(*bound.energy_upper) + ")"
-                                               : ""));
+    add("Energy", digits(level_.certificate.energy) +
+                    (bound.energy_lower && bound.energy_upper
+                       ? " (exact solution: " +
+                           bounded_text(0.5 * (*bound.energy_lower + *bound.energy_upper),
+                                        0.5 * (*bound.energy_upper - *bound.energy_lower)) +
+                           ")"
+                       : ""));
   }
 
   void add_load_cases() {
@@ -269,9 +273,10 @@ private:
     if (!*part.is_regular)
       return "this is one of at least two solutions (sign of the determinant)";
     if (!critical)
-      return "these zones are regular for every coefficient";
+      return "with these zones no other solution branches off, however large the coefficient";
     return (*critical < 1.5 ? "other solutions may exist: " : std::string()) +
-           "these zones lose uniqueness at " + digits(*critical) + " times the coefficient";
+           "with these zones another solution can branch off only at " + digits(*critical) +
+           " times the coefficient of friction";
   }
   void add_zones(const std::string &label, const std::vector<ContactZone> &zones) {
     for (const auto &[start, end, length, contact] : zones) {

@@ -149,8 +149,8 @@ std::string error_table(const std::vector<LevelRecord> &levels) {
   for (const ErrorColumn &column : columns)
     print_order(text, error_width + error_order_width, slope(levels, column.name));
   text << "\nErrors against the exact solution (1: norm of H1, 0: of L2; Iu: nodal\n"
-          "interpolant; PI: interpolation on cells of 2h). Slope: least squares over the\n"
-          "last four levels.\n";
+          "interpolant; PI: interpolation on blocks of 2 x 2 cells). Slope: least squares\n"
+          "over the last four levels.\n";
   return text.str();
 }
 
@@ -171,8 +171,7 @@ std::string distance_table(const std::vector<LevelRecord> &levels) {
   text << "level" << std::setw(percent_width) << "error of u_h, %" << std::setw(order_width)
        << "order";
   if (has_post)
-    text << std::setw(percent_width) << "of its interpolation, %" << std::setw(order_width)
-         << "order";
+    text << std::setw(percent_width) << "recovered, %" << std::setw(order_width) << "order";
   const LevelRecord *before = nullptr;
   for (const LevelRecord &level : levels) {
     const ErrorBound &bound = *level.bound;
@@ -186,10 +185,11 @@ std::string distance_table(const std::vector<LevelRecord> &levels) {
     }
     before = &level;
   }
-  text << "\nErrors in the energy norm, relative to u_h: distances to the stress of one graded\n"
-          "run, "
+  text << "\nErrors of the computed displacement u_h in the energy norm, in percent of u_h"
+       << (has_post ? ";\nrecovered: u_h smoothed over blocks of 2 x 2 cells" : "")
+       << ". They are measured with one run\non a graded mesh, and "
        << (levels.back().bound->is_conditional
-             ? "if friction carried at most f times the pressure of that run.\n"
+             ? "hold if friction carries at most f times the pressure of that run.\n"
              : "guaranteed within the margins.\n");
   return text.str();
 }

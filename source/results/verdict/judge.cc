@@ -116,12 +116,10 @@ std::string describe_accuracy(const std::vector<LevelRecord> &levels) {
       const double scale = 100. * *known.relative / *known.absolute;
       text << "the error is "
            << text_with_margin(scale * *known.distance, scale * *known.margin, " %")
-           << " (energy norm, guaranteed";
+           << " (energy norm, guaranteed)";
       if (known.post_distance)
-        text << "; "
-             << text_with_margin(scale * *known.post_distance, scale * *known.post_margin, " %")
-             << " for its interpolation on cells of 2h";
-      text << ")";
+        text << "; that of the recovered displacement (smoothed over blocks of 2 x 2 cells) is "
+             << text_with_margin(scale * *known.post_distance, scale * *known.post_margin, " %");
       return text.str();
     }
     if (is_guaranteed(finest)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Benchmarks with closed forms on rectangles: own weight, a wavy foundation (Westergaard), a flat
-// punch (Sadowsky). doc/formulas.md gives the sources.
+// punch (Sadowsky). The heads of prm/benchmarks give the sources.
 
 #include <deal.II/base/numbers.h>
 

@@ -76,9 +76,9 @@ def draw(directory, *options):
 words, save = {}, plot.Results.save
 
 
-def note_words(results, figure, name):
+def note_words(results, figure, name, **cut):
     words[name] = "\n".join(text.get_text() for text in figure.findobj(Text))
-    save(results, figure, name)
+    save(results, figure, name, **cut)
 
 
 plot.Results.save = plot.Scene.save = note_words

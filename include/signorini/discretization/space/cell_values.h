@@ -113,7 +113,7 @@ protected:
   using Values = typename ValuesCache<dim, rule_dim>::Values;
 
   /** Returns the values with Gauss' rule, or with cut_rule(n_points); they are valid until the
-   * next call. @param at a cell, or a cell and the number of a face. */
+   * next call. @param face_no the number of a face of the cell, or nothing. */
   template <typename CutRule, typename CellIterator, typename... FaceNumber>
   const Values &reinit_at(const bool is_cut, const CutRule &cut_rule, const CellIterator &cell,
                           const FaceNumber... face_no) {

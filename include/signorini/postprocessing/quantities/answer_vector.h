@@ -79,7 +79,7 @@ struct Trend {
  * grow by a constant factor or by a constant amount, and that never settles at 10 %. */
 Trend trend_of(const std::vector<std::optional<double>> &values);
 
-/** Returns "settled", "not settled", "one level only", "not refined there" or "grows without
- * limit". */
+/** Returns "settled", "not settled", "one level only", "mesh around it unchanged" or "grows
+ * without limit". */
 std::string word_for(Trend::Kind kind);
 } // namespace Signorini

@@ -12,7 +12,7 @@ namespace Signorini {
  * Formulas are enclosed in boxes, so that nothing hides between points. A box in which one of them
  * is not shown (FormulaTree::is_shown()) is halved; boxes in the body down to 1/4096 of its extent
  * (6e-8 where they hold much of the load), intervals on a side until a jump is known up to 1e-10
- * of its length. Data that varies by less than 1e-8 of the mean of its absolute value, times the
+ * of its length. Data that varies by less than 1e-9 of the mean of its absolute value, times the
  * body's area over that of the box, counts as constant. Formulas of the catalogue and distances to
  * foundations are not scanned; their kinks are declared.
  *
