@@ -21,20 +21,26 @@ except ImportError:  # the python3 found first may be another one than Debian's,
     sys.exit(f"{os.path.basename(sys.argv[0])}: SciPy is missing; install it (the package python3-scipy in Debian).")
 
 
+def is_singular(C):
+    """More patches than nodes carry the same loads by many pressures: then C P and the displacements are unique, P is not."""
+    return numpy.linalg.cond(C) > 1e12
+
+
 def without_friction(C, F):
-    """Q = -P >= 0 minimises Q'CQ/2 + Q'F, that is |L'Q + L^-1 F|^2/2 with C = LL'; where C is singular, by sweeps."""
-    try:
-        L = cholesky(C, lower=True)
-    except numpy.linalg.LinAlgError:
-        return with_friction(C, F, F, F)
-    Q, _ = nnls(L.T, -solve_triangular(L, F, lower=True))
+    """Q = -P >= 0 minimises Q'CQ/2 + Q'F, that is |L'Q + L^-1 F|^2/2 with C = LL'. Where C is singular, C + e takes its place and
+    e(Q - Q before) is added to the gradient until that is rounding: proximal points."""
+    e = 1e-8 * C.diagonal().mean() if is_singular(C) else 0.
+    L, Q, before = cholesky(C + e * numpy.eye(len(C)), lower=True), numpy.zeros(len(C)), None
+    while before is None or e * numpy.abs(Q - before).max() > 1e-12 * numpy.abs(C @ Q).max():
+        before = Q
+        Q, _ = nnls(L.T, -solve_triangular(L, F - e * before, lower=True))
     return -Q
 
 
 def with_friction(C, F, s, c):
     """Sweeps: each block is the projection of its own minimiser onto P_n <= 0 or |P_t| <= s + c |P_n|."""
     m = len(s)
-    P, blocks = numpy.zeros(len(C)), [[k] for k in range(m)] + [list(range(m + k, len(C), m)) for k in range(m) if m < len(C)]
+    P, blocks = numpy.zeros(len(C)), [[k] for k in range(m)] + [list(range(m + k, len(C), m)) for k in range(m)]
     for _ in range(100000):
         before = P.copy()
         for block in blocks:
@@ -66,9 +72,7 @@ def main(results, level):
     solve = splu(A.tocsc()).solve
     D = D.toarray()
     again = again.reshape(-1, 1)
-    # More patches than nodes carry the same loads by many pressures: C P and the displacements are unique.
-    redundant = numpy.linalg.cond(C) > 1e12
-    pressure = {"C P": (C @ P, C @ again)} if redundant else {"P": (P, again)}
+    pressure = {"C P": (C @ P, C @ again)} if is_singular(C) else {"P": (P, again)}
     differences = {**pressure, "C": (C, D.T @ solve(D)), "F": (F, G - D.T @ solve(f))}
     if exists("q"):
         B, K, b, q = map(read, "BKbq")
@@ -81,7 +85,7 @@ def main(results, level):
     unit = numpy.sqrt(C.diagonal()[presses])
     condition = numpy.linalg.cond(C[numpy.ix_(presses, presses)] / numpy.outer(unit, unit)) if len(presses) else 1.0
     scale = max(1.0, numpy.linalg.norm(F.ravel() / C.diagonal()) / numpy.linalg.norm(P)) if len(presses) else 1.0
-    if not redundant:
+    if not is_singular(C):
         allowed["P"] = max(1e-8, certificate["tolerance"] * scale * condition)
     wrong = False
     for name, (written, again) in differences.items():

@@ -2,6 +2,7 @@
 """Tables of what a run costs, on one core; most are made from the files of scripts/benchmark.py."""
 import functools
 import os
+import re
 import subprocess
 import sys
 from unittest import mock
@@ -47,13 +48,61 @@ def seconds(row, *names):
 
 @table("scene_solver", "mesh_spaces", "assembly", "factorisation", "compliance", "dual_problem", "recovery", "certificate", "bound",
        "together")
-def cost_stages():
+def cost_solvers():
     for scene, name in (("two_ends", "contact"), ("no_contact", "no contact")):
         for row in stages("benchmark.csv"):
             if row["scene"] == scene and row["level"] == FINEST:
                 yield (f"{name}, {row['linear_solver']}", seconds(row, "mesh", "setup"),
                        *(seconds(row, stage) for stage in ("assembly", "factor", "compliance", "qp", "recovery", "postprocess",
                                                            "bound", "solution")))
+
+
+# The stages of a run by functions: a sample belongs to the first stage whose functions are among its calls.
+FUNCTIONS = {
+    "bound": "compute_located_bound|LevelErrors<|CellFit|AiryCell|Misfit|Traction|ContactLift", "output": "ResultsWriter|StudyWriter|solution_vtu",
+    "pressure correction": "correct_by_finer_patches", "estimate": "estimate_error|contact_part|PatchInterpolation",
+    "examination": "StepExamination|missed_contact_cells|energy_distance|indicate|energy_on",
+    "answer": "compute_answer|plate_records|von_mises|StressIn3D", "A U, certificate": "nodal_forces|certify|energies_of|internal_forces",
+    "pattern of A": "make_matrix", "factor": "CondensedInverse::CondensedInverse|factorise<?",
+    "set-up of cycles": "make_multigrid_inverse|StiffnessMultigrid<[23]>::StiffnessMultigrid",
+    "entries of A, f": "assemble_linear_system|assemble_right_hand_side|CellStiffness|CellLoads|begin_system",
+    "V-cycles, contact": "solve_contact_by_cycles", "C, dual problem": "make_compliance|solve_dual|ActiveSet|active_set|Compliance",
+    "U, U_0": "StiffnessInverse|MatrixInverse", "mesh, plan": "Mesh<[23]>::|_plan\\b|hidden_data",
+    "spaces, D, G": "Discretization<|DisplacementSpace<|MultiplierSpace<", "carry over": "carry_over|start_for|transfer_pressure",
+    "scan, input": "make_scene|parameters|find_contradiction", "formulas": "FormulaTree|FormulaParts",
+    # Calls of OpenBLAS end in its kernels.
+    "rest": "Signorini::|dealii::|gemm|trsm|syrk|potrf", "start": "_dl_|_start|MPI_"}
+SAMPLES_PER_SECOND = 199
+
+
+def times_by_stage(scene, settings):
+    """Returns processor seconds by stage, from samples that perf takes, and those of the whole process."""
+    folder = f"{FOLDER.name}/{next(NUMBERS)}"
+    overrides = [text for key, value in settings.items() for text in ("--set", f"{key}={value}")]
+    for command, file in ((["perf", "record", "-q", "-F", str(SAMPLES_PER_SECOND), "--call-graph", "dwarf,16384", "-o", f"{folder}.perf",
+                            PROGRAM, f"{ROOT}/prm/{scene}.prm", "--output", folder, *overrides], "log"),
+                          (["perf", "script", "--no-inline", "-i", f"{folder}.perf", "-F", "ip,sym"], "calls")):
+        with open(f"{folder}.{file}", "w", encoding="utf-8") as output:
+            if subprocess.run(command, stdout=output, stderr=subprocess.DEVNULL, check=False).returncode != 0:
+                raise signorini.Refused(f"{' '.join(command[:2])} failed on {scene}: perf must be installed and allowed to sample.")
+    with open(f"{folder}.calls", encoding="utf-8") as calls:
+        samples = [sample for sample in calls.read().split("\n\n") if sample.strip()]
+    times = dict.fromkeys(FUNCTIONS, 0.)
+    for sample in samples:
+        times[next((stage for stage, names in FUNCTIONS.items() if re.search(names, sample)), "rest")] += 1. / SAMPLES_PER_SECOND
+    return times, len(samples) / SAMPLES_PER_SECOND
+
+
+@table("run", "together", *FUNCTIONS)
+def cost_stages():
+    finest, graded = levels(3, 6), {"Discretization/Coarsest level": 2}
+    runs = [("sphere, n = 64", "space/sphere", finest), ("D3, n = 64", "space/d3", finest)]
+    runs += [(f"{name} to {error}", scene, {**target(error), **graded}) for name, scene in
+             (("B3", "b3"), ("B1", "described_b1"), ("two ends", "smooth_contact_two_ends")) for error in ("1e-6", "1e-8")]
+    for name, scene, settings in runs:
+        with mock.patch.dict(os.environ, ONE_THREAD):
+            times, together = times_by_stage(scene, {"Output/VTU": "none", **WITHOUT_ERRORS, **settings})
+        yield name, number(together), *(f"{time:.2f}" for time in times.values())
 
 
 @table("of", "unknowns", "patches", "active_sets", "contact_s", "no_contact_s", "ratio", "us_per_unknown", "peak_memory_GB")
@@ -148,13 +197,3 @@ def time_to_error_graded():
             if row["scene"] == scene and (scene != "block" or row["request"] > 5e-7):
                 yield (name, power(row["request"], 0), power(row["error"]), int(row["steps"]), int(row["dofs"]), int(row["all_dofs"]),
                        int(row["max_degree"]), f"{row['cpu']:.2f}")
-
-
-@table("run", "sum_N", "spaces", "assembly", "factorisation", "compliance", "recovery", "certificate_estimate", "bound", "process")
-def cost_stages_graded():
-    rows = [row for row in targets("targets.csv") if row["strategy"] == "hp"]
-    for name, scene, request in (("B1 to 1e-6", "b1", 1e-6), ("B3 to 1e-8", "b3", 1e-8)):
-        row = next(row for row in rows if row["scene"] == scene and row["request"] == request)
-        yield (name, int(row["all_dofs"]), seconds(row, "mesh", "setup"),
-               *(seconds(row, stage) for stage in ("assembly", "factor", "compliance", "recovery", "postprocess", "bound")),
-               f"{row['cpu']:.2f}")

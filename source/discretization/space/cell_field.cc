@@ -21,13 +21,12 @@ struct Padded {
   typedef double Vector __attribute__((vector_size(dim == 2 ? 16 : 32)));
 };
 
-/** Computes Σ_k A_qk v_k along one direction of an array, in which @p stride entries of the
- * directions before follow one another. */
-template <typename Vector>
-SIGNORINI_INLINE inline void along(const FullMatrix<double> &A, const Vector *v,
+/** Computes Σ_k A_qk v_k for k < n along one direction of an array, in which @p stride entries of
+ * the directions before follow one another. */
+template <typename Size, typename Vector>
+SIGNORINI_INLINE inline void along(const Size n, const FullMatrix<double> &A, const Vector *v,
                                    const std::size_t stride, const std::size_t n_blocks,
                                    Vector *sums) {
-  const std::size_t n = A.n();
   for (std::size_t block = 0; block < n_blocks; ++block, v += n * stride)
     for (std::size_t q = 0; q < A.m(); ++q) {
       const double *const a = &A(q, 0);
@@ -70,10 +69,19 @@ void evaluate_products(const std::vector<Tensor<1, dim>> &nodal_values,
     const std::size_t new_size = n_blocks * values.m() * stride;
     sums.resize_fast((d + 2) * new_size);
     // Those along this direction first: it is that of the field.
-    run(instructions_of_this_machine(), [&](auto) SIGNORINI_INLINE {
-      along(lines[d]->derivatives, fields.data(), stride, n_blocks,
+    const auto sum = [&](const auto n) SIGNORINI_INLINE {
+      along(n, lines[d]->derivatives, fields.data(), stride, n_blocks,
             sums.data() + (d + 1) * new_size);
-      along(values, fields.data(), stride, (d + 1) * n_blocks, sums.data());
+      along(n, values, fields.data(), stride, (d + 1) * n_blocks, sums.data());
+    };
+    run(instructions_of_this_machine(), [&](auto) SIGNORINI_INLINE {
+      // Sums of known length have no loop.
+      if (values.n() == 3)
+        sum(std::integral_constant<unsigned int, 3>());
+      else if (values.n() == 2)
+        sum(std::integral_constant<unsigned int, 2>());
+      else
+        sum(values.n());
     });
     fields.swap(sums);
     stride *= values.m();

@@ -124,7 +124,7 @@ typename CellStiffness<dim>::Matrix CellStiffness<dim>::share(const CellIterator
   Sample sample = {space_.element_number(cell), {}, nullptr};
   const double size = cell->vertex(cell->n_vertices() - 1).distance(cell->vertex(0));
   for (const unsigned int v : cell->vertex_indices())
-    sample.shape.push_back((cell->vertex(v) - cell->vertex(0)) / (dim == 2 ? size : mesh_.size()));
+    sample.shape[v] = (cell->vertex(v) - cell->vertex(0)) / (dim == 2 ? size : mesh_.size());
   // The coordinates of small cells far from the origin determine their shape less accurately.
   const double tolerance =
     std::max(1e-12, 16. * std::numeric_limits<double>::epsilon() * cell->vertex(0).norm() / size) *

@@ -3,13 +3,11 @@
 
 #include <signorini/discretization/space/displacement_space.h>
 #include <signorini/problem/scene/contact_pair.h>
-#include <signorini/problem/scene/corners.h>
 #include <signorini/problem/scene/rigid_motions.h>
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/numerics/vector_tools_boundary.h>
-#include <deal.II/numerics/vector_tools_constraints.h>
 
 #include <algorithm>
 #include <array>
@@ -28,40 +26,16 @@ AffineConstraints<double> no_conditions(const DoFHandler<dim> &dofs) {
   return AffineConstraints<double>(relevant);
 }
 
-/** Fixes the corners at which rollers meet. Cells that share such a corner would have the mean of
- * its two normals there, and move along it. */
-void fix_corners_of_rollers(const DoFHandler<2> &dofs, const Scene<2> &scene,
-                            AffineConstraints<double> &conditions) {
-  const auto is_roller = [&](const unsigned int side) {
-    return scene.boundary[side].role == Role::roller;
-  };
-  constexpr double smallest_turn = 1e-6;
-  std::vector<Corner> fixed;
-  for (const Corner &corner : corners(scene.geometry))
-    if (is_roller(corner.sides[0]) && is_roller(corner.sides[1]) &&
-        std::abs(std::sin(corner.angle)) > smallest_turn)
-      fixed.push_back(corner);
-  for (const auto &cell : dofs.active_cell_iterators()) {
-    if (fixed.empty() || cell->is_artificial() || !cell->at_boundary())
-      continue;
-    for (const unsigned int v : cell->vertex_indices())
-      for (const Corner &corner : fixed)
-        if (scene.geometry.body_of(cell) == scene.geometry.body_of_side(corner.sides[0]) &&
-            cell->vertex(v).distance(corner.position) < 1e-6 * cell->diameter())
-          for (unsigned int c = 0; c < 2; ++c)
-            conditions.add_line(cell->vertex_dof_index(v, c, cell->active_fe_index()));
-  }
-}
-
 /** A node on rollers: its degrees of freedom, and orthonormal directions that are held. */
+template <int dim>
 struct RollerNode {
-  std::array<types::global_dof_index, 3> dofs;
-  std::vector<Tensor<1, 3>> held;
+  std::array<types::global_dof_index, dim> dofs;
+  std::vector<Tensor<1, dim>> held;
 
   /** Holds a normal as far as it is not held. */
-  void hold(Tensor<1, 3> normal) {
+  void hold(Tensor<1, dim> normal) {
     constexpr double smallest_turn = 1e-6;
-    for (const Tensor<1, 3> &known : held)
+    for (const Tensor<1, dim> &known : held)
       normal -= (normal * known) * known;
     if (normal.norm() > smallest_turn)
       held.push_back(normal / normal.norm());
@@ -69,32 +43,36 @@ struct RollerNode {
 };
 
 /** Returns the nodes on rollers by their first degree of freedom. */
-std::map<types::global_dof_index, RollerNode>
-roller_nodes(const Mesh<3> &mesh, const DoFHandler<3> &dofs, const Scene<3> &scene,
+template <int dim>
+std::map<types::global_dof_index, RollerNode<dim>>
+roller_nodes(const Mesh<dim> &mesh, const DoFHandler<dim> &dofs, const Scene<dim> &scene,
              const std::set<types::boundary_id> &rollers) {
-  std::map<types::global_dof_index, RollerNode> nodes;
+  std::map<types::global_dof_index, RollerNode<dim>> nodes;
   for (const auto &cell : dofs.active_cell_iterators())
     for (const unsigned int f : cell->face_indices()) {
-      if (cell->is_artificial() || !cell->face(f)->at_boundary() ||
+      if (cell->is_artificial() || !cell->at_boundary(f) ||
           rollers.count(cell->face(f)->boundary_id()) == 0)
         continue;
-      const Side<3> &side = scene.geometry.sides[cell->face(f)->boundary_id()];
-      const FiniteElement<3> &fe = cell->get_fe();
+      const Side<dim> &side = scene.geometry.sides[cell->face(f)->boundary_id()];
+      const FiniteElement<dim> &fe = cell->get_fe();
       std::vector<types::global_dof_index> indices(fe.n_dofs_per_cell());
       cell->get_dof_indices(indices);
-      std::map<unsigned int, std::array<unsigned int, 3>> on_face;
+      std::map<unsigned int, std::array<unsigned int, dim>> on_face;
       for (unsigned int i = 0; i < indices.size(); ++i)
         if (fe.has_support_on_face(i, f))
           on_face[fe.system_to_component_index(i).second][fe.system_to_component_index(i).first] =
             i;
       for (const auto &entry : on_face) {
-        const std::array<unsigned int, 3> &of_node = entry.second;
-        const Point<3> x =
+        const std::array<unsigned int, dim> &of_node = entry.second;
+        const Point<dim> x =
           mesh.mapping().transform_unit_to_real_cell(cell, fe.unit_support_point(of_node[0]));
-        RollerNode &node = nodes[indices[of_node[0]]];
-        for (unsigned int c = 0; c < 3; ++c)
+        RollerNode<dim> &node = nodes[indices[of_node[0]]];
+        for (unsigned int c = 0; c < dim; ++c)
           node.dofs[c] = indices[of_node[c]];
-        node.hold(side.normal_at(x));
+        if constexpr (dim == 2)
+          node.hold(side.normal_at(x, cell->face(f)->center()));
+        else
+          node.hold(side.normal_at(x));
       }
     }
   return nodes;
@@ -102,33 +80,36 @@ roller_nodes(const Mesh<3> &mesh, const DoFHandler<3> &dofs, const Scene<3> &sce
 
 /** Holds the normals of all rollers at their nodes. deal.II's function takes the mean of the
  * normals of two sides where no cell has faces on both, as at edges of tetrahedra. */
-void hold_rollers(const Mesh<3> &mesh, const DoFHandler<3> &dofs, const Scene<3> &scene,
+template <int dim>
+void hold_rollers(const Mesh<dim> &mesh, const DoFHandler<dim> &dofs, const Scene<dim> &scene,
                   const std::set<types::boundary_id> &rollers,
                   AffineConstraints<double> &conditions) {
   constexpr double rounding = 1e-13;
   for (const auto &entry : roller_nodes(mesh, dofs, scene, rollers)) {
-    const RollerNode &node = entry.second;
-    const bool is_plane = node.held.size() == 1;
+    const RollerNode<dim> &node = entry.second;
+    const bool is_plane = node.held.size() == 1, is_fixed = node.held.size() == dim;
     // One direction is held or one is free: all along it.
-    const Tensor<1, 3> along =
-      node.held.size() == 2 ? cross_product_3d(node.held[0], node.held[1]) : node.held[0];
+    Tensor<1, dim> along = node.held[0];
+    if constexpr (dim == 3)
+      if (node.held.size() == 2)
+        along = cross_product_3d(node.held[0], node.held[1]);
     unsigned int largest = 0;
-    for (unsigned int c = 1; c < 3; ++c)
+    for (unsigned int c = 1; c < dim; ++c)
       if (std::abs(along[c]) > std::abs(along[largest]) + rounding)
         largest = c;
     const auto add = [&](const unsigned int c, const unsigned int other, const double factor) {
       if (std::abs(factor) > rounding)
         conditions.add_entry(node.dofs[c], node.dofs[other], factor);
     };
-    for (unsigned int c = 0; c < 3; ++c) {
-      const bool is_bound = node.held.size() == 3 || (c == largest) == is_plane;
+    for (unsigned int c = 0; c < dim; ++c) {
+      const bool is_bound = is_fixed || (c == largest) == is_plane;
       if (!is_bound || conditions.is_constrained(node.dofs[c]))
         continue;
       conditions.add_line(node.dofs[c]);
-      for (unsigned int other = 0; is_plane && other < 3; ++other)
+      for (unsigned int other = 0; is_plane && other < dim; ++other)
         if (other != c)
           add(c, other, -along[other] / along[c]);
-      if (node.held.size() == 2)
+      if (!is_plane && !is_fixed)
         add(c, largest, along[c] / along[largest]);
     }
   }
@@ -153,12 +134,7 @@ AffineConstraints<double> essential_conditions(const Mesh<dim> &mesh, const DoFH
   AffineConstraints<double> conditions = no_conditions(dofs);
   VectorTools::interpolate_boundary_values(mesh.mapping(), dofs, displacements, conditions);
   // Where a roller meets a clamped or prescribed side, the entries above stay.
-  if constexpr (dim == 3)
-    hold_rollers(mesh, dofs, scene, rollers, conditions);
-  else if (!rollers.empty()) {
-    fix_corners_of_rollers(dofs, scene, conditions);
-    VectorTools::compute_no_normal_flux_constraints(dofs, 0, rollers, conditions, mesh.mapping());
-  }
+  hold_rollers(mesh, dofs, scene, rollers, conditions);
   conditions.close();
   return conditions;
 }
@@ -322,7 +298,7 @@ void DisplacementSpace<dim>::distribute(const Scene<dim> &scene,
   continuity_ = continuity_conditions(dofs_);
   if (scene.is_held_by_contact) {
     pins_ = choose_pins(dofs_, scene, essential);
-    constraints_without_pins_ = merge(essential_conditions(mesh_, dofs_, scene), continuity_);
+    constraints_without_pins_ = merge(AffineConstraints<double>(essential), continuity_);
     AffineConstraints<double> conditions = no_conditions(dofs_);
     conditions.merge(essential);
     for (const Pin &pin : pins_)

@@ -2,6 +2,7 @@
 // A U cell by cell, and |||u_h||| without the rounding errors of a rigid translation.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/base/instructions.h>
 #include <signorini/discretization/space/cell_stiffness.h>
 #include <signorini/discretization/space/internal_forces.h>
 
@@ -9,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <vector>
 
 namespace Signorini {
 namespace {
@@ -29,33 +32,56 @@ void for_each_cell(const DisplacedBody<dim> &body, const Work &work) {
         return;
     }
 }
+
+/** Computes K v and |K| |u| with the symmetric matrix K of a cell. Registers sum columns, which are
+ * rows of K: four components at a time, some of them twice where their number is no multiple. */
+void multiply(const FullMatrix<double> &K, const dealii::Vector<double> &v,
+              const dealii::Vector<double> &u, dealii::Vector<double> &product,
+              dealii::Vector<double> &magnitudes) {
+  typedef double Lanes __attribute__((vector_size(32)));
+  constexpr unsigned int width = sizeof(Lanes) / sizeof(double);
+  const unsigned int n = u.size();
+  product.reinit(n, true);
+  magnitudes.reinit(n, true);
+  run(instructions_of_this_machine(), [&](auto) SIGNORINI_INLINE {
+    for (unsigned int begin = 0; begin < n; begin += width) {
+      const unsigned int first = std::min(begin, n - width);
+      Lanes column, sum = {}, sizes = {};
+      for (unsigned int j = 0; j < n; ++j) {
+        std::memcpy(&column, &K(j, first), sizeof(Lanes));
+        sum += column * v[j];
+        column *= u[j];
+        sizes += column < 0. ? -column : column;
+      }
+      std::memcpy(&product[first], &sum, sizeof(Lanes));
+      std::memcpy(&magnitudes[first], &sizes, sizeof(Lanes));
+    }
+  });
+}
 } // namespace
 
 template <int dim>
 InternalForces<dim> internal_forces(const DisplacedBody<dim> &body) {
   const DisplacementSpace<dim> &space = body.space;
   InternalForces<dim> result = {space.make_vector(), space.make_vector()};
-  dealii::Vector<double> forces, magnitudes;
+  dealii::Vector<double> strained, forces, magnitudes;
+  std::vector<types::global_dof_index> indices;
   double energy = 0.;
-  for_each_cell(body, [&](const auto &cell, const FullMatrix<double> &K, auto &on_cell) {
-    forces.reinit(on_cell.size());
-    magnitudes.reinit(on_cell.size());
-    K.vmult(forces, on_cell);
-    // By columns, which are rows of the symmetric K: these sums fill registers.
-    for (unsigned int j = 0; j < on_cell.size(); ++j)
-      for (unsigned int i = 0; i < on_cell.size(); ++i)
-        magnitudes[i] += std::abs(K(j, i) * on_cell[j]);
-    const auto indices = space.cell_dofs(cell);
-    result.forces.add(indices, forces);
-    result.magnitudes.add(indices, magnitudes);
+  for_each_cell(body, [&](const auto &cell, const FullMatrix<double> &K, const auto &on_cell) {
     const FiniteElement<dim> &element = cell->get_fe();
     Tensor<1, dim> corner;
     // A translation away from an axis is no rigid motion.
     for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d)
       corner[d] = on_cell[element.component_to_system_index(d, 0)];
+    strained = on_cell;
     for (unsigned int i = 0; i < on_cell.size(); ++i)
-      on_cell[i] -= corner[element.system_to_component_index(i).first];
-    energy += K.matrix_norm_square(on_cell);
+      strained[i] -= corner[element.system_to_component_index(i).first];
+    multiply(K, strained, on_cell, forces, magnitudes);
+    energy += strained * forces;
+    indices.resize(on_cell.size());
+    cell->get_dof_indices(indices);
+    result.forces.add(indices, forces);
+    result.magnitudes.add(indices, magnitudes);
     return true;
   });
   const double unit = stiffness_unit(space, *body.scene.material);

@@ -12,25 +12,70 @@
 
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/affine_constraints.templates.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <Epetra_CrsGraph.h>
 #include <Epetra_CrsMatrix.h>
+#include <Epetra_Map.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 
 namespace Signorini {
+namespace {
+/** Adds the couplings of all unknowns in the cells of this rank. */
+template <int dim, typename Pattern>
+void add_couplings(const DisplacementSpace<dim> &space, Pattern &pattern) {
+  DoFTools::make_sparsity_pattern(space.dofs(), pattern, space.constraints(), false,
+                                  Utilities::MPI::this_mpi_process(space.mesh().communicator()));
+}
+
+/** A graph that can be told that its rows are sorted. */
+struct SortedGraph : Epetra_CrsGraph {
+  using Epetra_CrsGraph::Epetra_CrsGraph;
+  using Epetra_CrsGraph::SetSorted;
+};
+
+/** Returns the pattern of a matrix on one rank. Trilinos would look up every entry in its row, and
+ * every column in a map: a tenth of a run of graded meshes. */
+template <int dim>
+Epetra_CrsGraph graph_on_one_rank(const DisplacementSpace<dim> &space) {
+  const int n = static_cast<int>(space.dofs().n_dofs());
+  DynamicSparsityPattern pattern(n);
+  add_couplings(space, pattern);
+  const Epetra_Map map = space.locally_owned().make_trilinos_map(space.mesh().communicator());
+  std::vector<int> lengths(n), columns;
+  for (int row = 0; row < n; ++row)
+    lengths[row] = static_cast<int>(pattern.row_length(row));
+  SortedGraph graph(Copy, map, map, lengths.data(), true);
+  for (int row = 0; row < n; ++row) {
+    columns.clear();
+    for (int i = 0; i < lengths[row]; ++i)
+      columns.push_back(static_cast<int>(pattern.column_number(row, i)));
+    graph.InsertMyIndices(row, lengths[row], columns.data());
+  }
+  graph.SetSorted(true);
+  const int error = graph.FillComplete();
+  AssertThrow(error == 0, ExcTrilinosError(error));
+  return graph;
+}
+} // namespace
+
 template <int dim>
 TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space) {
   const MPI_Comm communicator = space.mesh().communicator();
-  const IndexSet &owned = space.locally_owned();
-  TrilinosWrappers::SparsityPattern sparsity(owned, owned, communicator);
-  DoFTools::make_sparsity_pattern(space.dofs(), sparsity, space.constraints(), false,
-                                  Utilities::MPI::this_mpi_process(communicator));
-  sparsity.compress();
   TrilinosWrappers::SparseMatrix matrix;
-  matrix.reinit(sparsity);
+  if (Utilities::MPI::n_mpi_processes(communicator) == 1) {
+    matrix.reinit(Epetra_CrsMatrix(View, graph_on_one_rank(space)), false);
+    return matrix;
+  }
+  const IndexSet &owned = space.locally_owned();
+  TrilinosWrappers::SparsityPattern pattern(owned, owned, communicator);
+  add_couplings(space, pattern);
+  pattern.compress();
+  matrix.reinit(pattern);
   return matrix;
 }
 
@@ -95,10 +140,11 @@ void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cel
 namespace {
 const UpdateFlags load_flags = update_values | update_quadrature_points | update_JxW_values;
 
-/** The loads of some cells: f_i of each, and the resultants by body. */
+/** The loads of some cells: f_i of one after the other, and the resultants by body. */
 template <int dim>
 struct ChunkLoads {
-  std::vector<std::pair<std::vector<types::global_dof_index>, dealii::Vector<double>>> cells;
+  std::vector<types::global_dof_index> indices;
+  std::vector<double> values;
   std::vector<Resultant<dim>> resultants;
 };
 
@@ -113,7 +159,7 @@ public:
     , face_values_(space.mesh().mapping(), space, scene.kinks, n_points, load_flags) {}
 
   /** Adds the loads of a cell to @p vector and to @p resultant. */
-  void add(const typename FaceValues<dim>::CellIterator &cell, dealii::Vector<double> &vector,
+  void add(const typename FaceValues<dim>::CellIterator &cell, const ArrayView<double> &vector,
            Resultant<dim> &resultant) {
     if (scene_.body_force != nullptr)
       add_force(cell_values_.reinit(cell), *scene_.body_force, "the body force", vector, resultant);
@@ -129,7 +175,7 @@ public:
 private:
   /** Adds Σ_q force(x_q).φ_i(x_q) dx_q to vector_i. */
   void add_force(const FEValuesBase<dim> &values, const Function<dim> &force, const char *name,
-                 dealii::Vector<double> &vector, Resultant<dim> &resultant) {
+                 const ArrayView<double> &vector, Resultant<dim> &resultant) {
     const std::vector<Point<dim>> &points = values.get_quadrature_points();
     force_.resize(points.size(), dealii::Vector<double>(dim));
     force.vector_value_list(points, force_);
@@ -143,8 +189,10 @@ private:
     }
     for (unsigned int i = 0; i < vector.size(); ++i) {
       const unsigned int component = values.get_fe().system_to_component_index(i).first;
+      // deal.II stores the values of a function at all points one behind the other.
+      const double *const value = &values.shape_value(i, 0);
       for (const unsigned int q : values.quadrature_point_indices())
-        vector[i] += force_[q][component] * values.shape_value(i, q);
+        vector[i] += force_[q][component] * value[q];
     }
   }
 
@@ -177,18 +225,22 @@ std::vector<Resultant<dim>> add_loads(const DisplacementSpace<dim> &space, const
     space,
     [&](const Cells<dim> &cells) {
       CellLoads<dim> cell_loads(space, scene, n_points);
-      ChunkLoads<dim> chunk = {{}, std::vector<Resultant<dim>>(n_bodies)};
+      ChunkLoads<dim> chunk = {{}, {}, std::vector<Resultant<dim>>(n_bodies)};
+      std::vector<types::global_dof_index> indices;
       for (const auto &cell : cells)
         if (scene.body_force != nullptr || cell->at_boundary()) {
-          chunk.cells.emplace_back(space.cell_dofs(cell), cell->get_fe().n_dofs_per_cell());
-          cell_loads.add(cell, chunk.cells.back().second,
+          const std::size_t first = chunk.values.size();
+          indices.resize(cell->get_fe().n_dofs_per_cell());
+          cell->get_dof_indices(indices);
+          chunk.indices.insert(chunk.indices.end(), indices.begin(), indices.end());
+          chunk.values.resize(chunk.indices.size());
+          cell_loads.add(cell, ArrayView<double>(&chunk.values[first], indices.size()),
                          chunk.resultants[scene.geometry.body_of(cell)]);
         }
       return chunk;
     },
     [&](const ChunkLoads<dim> &chunk) {
-      for (const auto &[indices, values] : chunk.cells)
-        loads.add(indices, values);
+      loads.add(chunk.indices.size(), chunk.indices.data(), chunk.values.data());
       for (unsigned int body = 0; body < n_bodies; ++body)
         resultants[body] += chunk.resultants[body];
     });
@@ -250,10 +302,10 @@ LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
 
 template <int dim>
 LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
-                                           const Scene<dim> &scene, const unsigned int n_points) {
+                                           const Scene<dim> &scene, const unsigned int n_points,
+                                           const Displacement &k) {
   LinearSystem<dim> system = begin_system(space, scene, n_points, {});
-  // f = Tᵀ (loads - A k) with the prescribed displacements k, U = T U_free + k.
-  const Displacement k = space.prescribed(scene);
+  // f = Tᵀ (loads - A k), U = T U_free + k.
   if (k.linfty_norm() == 0.)
     return system;
   system.f -= space.condense(internal_forces(DisplacedBody(space, scene, k)).forces);

@@ -80,25 +80,25 @@ BestStress find(const BoundData &data) {
 }
 } // namespace
 
-std::string objection_to_stress(const BoundData &data) {
-  if (data.scene.geometry.axisymmetric)
+std::string objection_to_stress(const DisplacedBody<2> &body) {
+  if (body.scene.geometry.axisymmetric)
     return "the body is one of revolution, for which there is no proof of a bound";
-  if (data.space.strain_operator() != StrainOperator::symmetric_gradient &&
-      data.space.max_element_degree() > 1)
+  if (body.space.strain_operator() != StrainOperator::symmetric_gradient &&
+      body.space.max_element_degree() > 1)
     return "the strain is that of B-bar, with elements of a degree above one";
   std::set<unsigned int> paired;
-  for (const ContactPair<2> &pair : contact_pairs(data.scene))
+  for (const ContactPair<2> &pair : contact_pairs(body.scene))
     if (pair.other_side()) {
       for (const unsigned int side : {pair.side(), *pair.other_side()})
         if (!paired.insert(side).second)
-          return "the side '" + data.scene.geometry.sides[side].name() + "' is in several pairs";
-      const Side<2> &a = data.scene.geometry.sides[pair.side()],
-                    &b = data.scene.geometry.sides[*pair.other_side()];
+          return "the side '" + body.scene.geometry.sides[side].name() + "' is in several pairs";
+      const Side<2> &a = body.scene.geometry.sides[pair.side()],
+                    &b = body.scene.geometry.sides[*pair.other_side()];
       if (!(a.is_flat() && b.is_flat() && (a.normal(0.) + b.normal(0.)).norm() < 1e-10))
         return "the sides '" + a.name() + "' and '" + b.name() +
                "' of a pair are not straight and parallel";
     }
-  return find_contradiction(data.scene);
+  return find_contradiction(body.scene);
 }
 
 BestStress find_best_stress(const BoundData &data) {

@@ -16,7 +16,7 @@
 namespace Signorini {
 namespace {
 /** The squares of norms of v - w, of a cell or of the body: of the values and the gradients of the
- * first displacement, and the energy of the last; then the energy of v itself of the first. */
+ * first displacement, and the energy of the last; in 2-D the energy of v itself of the first. */
 using Squares = Tensor<1, 4>;
 
 /** Integrates v - w, where v is the patch interpolation over @p fine generations and w that over
@@ -45,7 +45,7 @@ public:
       for (unsigned int q = 0; q < u_.size(); ++q)
         add(k, q, v.values[q] - w.values[q], u_.in_body(v.gradients[q] - w.gradients[q], q), sum);
     }
-    for (unsigned int q = 0; q < u_.size() && scene_ != nullptr; ++q)
+    for (unsigned int q = 0; dim == 2 && q < u_.size() && scene_ != nullptr; ++q)
       sum[3] += energy_->at(u_.points()[q]).density(u_.value(q), u_.gradient(q)) * u_.measure(q);
     return sum;
   }
@@ -121,7 +121,8 @@ ErrorEstimate estimate_error(const DisplacedBody<dim> &body, const EnergyScale &
   ErrorEstimate estimate;
   estimate.h1 = norm_1(squares, 1.);
   estimate.mesh = std::sqrt(squares[2]);
-  estimate.post_strain = squares[3];
+  if (dim == 2)
+    estimate.post_strain = squares[3];
   estimate.pressure = correction.energy_norm;
   estimate.algebra = others.algebra;
   estimate.contact = others.contact;

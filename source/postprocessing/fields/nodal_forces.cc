@@ -4,11 +4,11 @@
 #include <signorini/base/instantiate.h>
 #include <signorini/postprocessing/fields/nodal_forces.h>
 
-#include <deal.II/base/index_set.h>
 #include <deal.II/base/mpi.h>
-#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/grid/filtered_iterator.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -22,18 +22,25 @@ namespace {
  * the middle of the range of each component. */
 template <int dim>
 double translation_of(const DisplacementSpace<dim> &space, const Displacement &U) {
-  double range = 0.;
-  const std::vector<IndexSet> components = DoFTools::locally_owned_dofs_per_component(space.dofs());
-  for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d) {
-    double low = std::numeric_limits<double>::max(), high = -low;
-    for (const auto i : components[d]) {
-      low = std::min(low, U(i));
-      high = std::max(high, U(i));
+  std::array<double, dim> low, high;
+  low.fill(std::numeric_limits<double>::max());
+  high.fill(-low[0]);
+  dealii::Vector<double> on_cell;
+  for (const auto &cell :
+       space.dofs().active_cell_iterators() | IteratorFilters::LocallyOwnedCell()) {
+    const FiniteElement<dim> &element = cell->get_fe();
+    on_cell.reinit(element.n_dofs_per_cell());
+    cell->get_dof_values(U.entries(), on_cell);
+    for (unsigned int i = 0; i < on_cell.size(); ++i) {
+      const unsigned int d = element.system_to_component_index(i).first;
+      low[d] = std::min(low[d], on_cell[i]);
+      high[d] = std::max(high[d], on_cell[i]);
     }
-    low = Utilities::MPI::min(low, space.mesh().communicator());
-    high = Utilities::MPI::max(high, space.mesh().communicator());
-    range = std::max(range, 0.5 * (high - low));
   }
+  double range = 0.;
+  for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d)
+    range = std::max(range, 0.5 * (Utilities::MPI::max(high[d], space.mesh().communicator()) -
+                                   Utilities::MPI::min(low[d], space.mesh().communicator())));
   const double size = U.linfty_norm();
   return range < size ? size / std::max(range, std::numeric_limits<double>::epsilon() * size) : 1.;
 }

@@ -35,11 +35,13 @@ template <int dim>
 typename CaseSolver<dim>::LoadResponse CaseSolver<dim>::respond(const CaseFactor &factor) const {
   const Scene<dim> scene = with_only(scene_, *factor.kind);
   const DisplacementSpace<dim> &space = discretization_.space;
-  const LinearSystem<dim> system = assemble_right_hand_side(space, scene, discretization_.n_points);
+  const Displacement k = space.prescribed(scene);
+  const LinearSystem<dim> system =
+    assemble_right_hand_side(space, scene, discretization_.n_points, k);
   LoadResponse response;
   response.factor = factor.number;
   response.U = solve_homogeneous(*operators_.inverse, space, system.f);
-  response.U += space.prescribed(scene);
+  response.U += k;
   response.closing = discretization_.D.transpose_product(response.U);
   response.loads = system.loads;
   response.work = operators_.modes.work(scene.plates, system.loads, response.U);

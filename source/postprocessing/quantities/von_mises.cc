@@ -64,6 +64,7 @@ CellResults results_of(const Cells<dim> &cells, const SampledField<dim> &field,
     u.reinit(cell, field.space.element_number(cell));
     field.sample(u, samples);
     const double measure = cell->measure();
+    const Point<dim> centre = cell->center();
     results.measure += measure;
     if (is_large(samples[0].strain.in_body))
       results.strained += measure;
@@ -73,7 +74,7 @@ CellResults results_of(const Cells<dim> &cells, const SampledField<dim> &field,
     for (unsigned int q = at_nodes ? 1 : 0; q < samples.size(); ++q)
       try {
         const Point<dim> &x = samples[q].x;
-        const double value = von_mises(stress(x, cell->center(), samples[q].strain));
+        const double value = von_mises(stress(x, centre, samples[q].strain));
         // Most stresses are smaller, and nothing is stored for them.
         const auto matters = [&](const FieldMaximum &largest) {
           return value >= (1. - rounding) * largest.value;

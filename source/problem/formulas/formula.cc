@@ -297,7 +297,8 @@ namespace {
 template <int dim, typename Visitor>
 void evaluate(const Formula &formula, const Point<dim> *const points, const std::size_t n,
               const std::vector<Index> &parts, const Visitor &visit) {
-  const std::size_t width = std::min<std::size_t>(n, 16);
+  // A batch is all points of a cell with three in each direction.
+  const std::size_t width = std::min<std::size_t>(n, 32);
   boost::container::small_vector<double, 2048> run(formula.nodes.size() * width,
                                                    boost::container::default_init);
   const auto at = [&](const Index part) { return run.data() + part * width; };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // The operations of formulas, on numbers and on intervals.
 
+#include <signorini/base/instructions.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -67,16 +69,13 @@ Operation rule(const char *name, const Rule &function, const char *in_a = nullpt
                const unsigned int precedence = 0) {
   static const Rule f = function;
   return {
-    name,
-    kind,
-    in_a,
-    in_b,
-    precedence,
-    1,
-    [](double a, double b, double c) { return f(a, b, c); },
+    name, kind, in_a, in_b, precedence, 1, [](double a, double b, double c) { return f(a, b, c); },
+    // No operation adds a product, so that the digits are the same with all instruction sets.
     [](const double *a, const double *b, const double *c, std::size_t n, double *result) {
-      for (std::size_t q = 0; q < n; ++q)
-        result[q] = f(a[q], b[q], c[q]);
+      run(instructions_of_this_machine(), [&](auto) SIGNORINI_INLINE {
+        for (std::size_t q = 0; q < n; ++q)
+          result[q] = f(a[q], b[q], c[q]);
+      });
     },
     [](const Interval &a, const Interval &b, const Interval &c) -> Interval { return f(a, b, c); }};
 }

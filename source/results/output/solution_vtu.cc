@@ -2,6 +2,7 @@
 // The body for ParaView: displacement, its recovery, stresses, bound.
 
 #include <signorini/base/instantiate.h>
+#include <signorini/base/parallel.h>
 #include <signorini/discretization/space/cell_evaluator.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/postprocessing/fields/stress.h>
@@ -9,17 +10,24 @@
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
 #include <regex>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace Signorini {
 namespace {
-/** The most cells of a piece of the file: pieces bound the memory of writing, and some readers
- * (meshio) lose cells of a file of several. */
-constexpr std::size_t cells_per_piece = 65536;
+/** Some readers (meshio) lose cells of a file of several pieces: up to so many cells are one. */
+constexpr std::size_t cells_in_one_piece = 65536;
+/** The cells of each of several pieces, which bound the memory of writing: one takes 0.1 GB. */
+constexpr std::size_t cells_per_piece = 16384;
+/** The most threads that make pieces. */
+constexpr unsigned int max_threads = 4;
 
 /** Returns whether the file shows a patch interpolation beside u_h. */
 template <int dim>
@@ -27,41 +35,67 @@ bool is_recovered(const DisplacementSpace<dim> &space) {
   return space.max_element_degree() == 1 && space.mesh().has_parents();
 }
 
-/** Writes the cells of this rank with their fields. Cells may be divided in different ways. */
+/** A piece of the file: its text, and the names of the fields. */
+using VtuPiece = std::pair<std::string, std::vector<std::string>>;
+
+/** Makes a piece of some cells with their fields. Cells may be divided in different ways. */
 template <int dim>
-class BodyWriter {
+class PieceWriter {
 public:
-  BodyWriter(std::ostream &stream, const DataOutBase::VtkFlags &flags,
-             const DisplacedBody<dim> &body, const BoundFields &bound,
-             const unsigned int n_generations)
-    : stream_(stream)
-    , flags_(flags)
-    , field_(body)
-    , stress_(*body.scene.material)
+  using Cell = typename DoFHandler<dim>::active_cell_iterator;
+
+  PieceWriter(const SampledField<dim> &field, const BoundFields &bound,
+              const unsigned int n_generations)
+    : field_(field)
+    , stress_(*field.scene.material)
     , bound_(bound)
     , n_generations_(n_generations)
-    , is_recovered_(is_recovered(body.space))
-    , by_parents_(dim == 3 && is_recovered_ && body.scene.material->is_constant()) {}
+    , is_recovered_(is_recovered(field.space))
+    , by_parents_(dim == 3 && is_recovered_ && field.scene.material->is_constant()) {}
 
-  /** Writes all cells. @return their fields. */
-  VtuCells<dim> write() {
+  /** Writes all cells of this rank in pieces, which threads make; they are the same for any number
+   * of threads. @return the fields. */
+  VtuCells<dim> write(const DataOutBase::VtkFlags &flags, std::ostream &stream) const {
+    std::vector<Cell> cells;
     for (unsigned int number = 0; number < field_.space.elements().size(); ++number)
-      add_cells(number);
-    if (!cells_.cells.empty())
-      write_piece();
-    return std::move(cells_);
+      for (const Cell &cell : field_.space.dofs().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->active_fe_index() == number &&
+            !(by_parents_ && cell->parent()->child_index(0) != cell->index()))
+          cells.push_back(cell);
+    const std::size_t weight = by_parents_ ? 4 : 1,
+                      size = (weight * cells.size() > cells_in_one_piece ? cells_per_piece
+                                                                         : cells_in_one_piece) /
+                             weight;
+    VtuCells<dim> fields;
+    produce_in_parallel<VtuPiece>(
+      std::min(n_available_threads(), max_threads), (cells.size() + size - 1) / size,
+      [&](const std::size_t i) {
+        PieceWriter writer(field_, bound_, n_generations_);
+        for (auto first = cells.begin() + i * size,
+                  end = cells.begin() + std::min((i + 1) * size, cells.size()), next = first;
+             first != end; first = next) {
+          const unsigned int number = (*first)->active_fe_index();
+          next = std::find_if(first, end,
+                              [&](const Cell &cell) { return cell->active_fe_index() != number; });
+          writer.add_cells(number, first, next);
+        }
+        const VtuCells<dim> &piece = writer.cells_;
+        std::ostringstream text;
+        DataOutBase::write_vtu_main(piece.cells, piece.names, piece.ranges(), flags, text);
+        return VtuPiece(text.str(), piece.names);
+      },
+      [&](const VtuPiece &piece) {
+        stream << piece.first;
+        fields.names = piece.second;
+      });
+    return fields;
   }
 
 private:
-  using Cell = typename DoFHandler<dim>::active_cell_iterator;
+  using CellInList = typename std::vector<Cell>::const_iterator;
 
-  void write_piece() {
-    DataOutBase::write_vtu_main(cells_.cells, cells_.names, cells_.ranges(), flags_, stream_);
-    cells_.cells.clear();
-  }
-
-  /** Adds the cells of one of the elements. */
-  void add_cells(const unsigned int number) {
+  /** Adds cells of one of the elements. */
+  void add_cells(const unsigned int number, const CellInList first, const CellInList end) {
     const FiniteElement<dim> &element = field_.space.elements()[number];
     unsigned int n = dim == 3 ? 1 : element.degree;
     if (is_recovered_ && (dim == 2 || by_parents_))
@@ -79,12 +113,9 @@ private:
       fields.push_back({&field_.U, n_generations_});
     CellEvaluator<dim> u(
       field_.space, fields, [&](unsigned int) { return points; }, {}, false);
-    for (const Cell &cell : field_.space.dofs().active_cell_iterators()) {
-      if (!cell->is_locally_owned() || cell->active_fe_index() != number ||
-          (by_parents_ && cell->parent()->child_index(0) != cell->index()))
-        continue;
-      u.reinit(cell, number);
-      add_cell(cell, n, u, fields.size() - 1);
+    for (CellInList cell = first; cell != end; ++cell) {
+      u.reinit(*cell, number);
+      add_cell(*cell, n, u, fields.size() - 1);
     }
   }
 
@@ -129,8 +160,6 @@ private:
         fields.emplace_back("degree", cell->get_fe().degree);
     }
     cells_.add(n, points, fields_);
-    if (cells_.cells.size() == (by_parents_ ? cells_per_piece / 4 : cells_per_piece))
-      write_piece();
   }
 
   /** Adds the tensor, its components and its invariants. */
@@ -160,9 +189,7 @@ private:
                                  {"principal_stress_3", principal[2]}});
   }
 
-  std::ostream &stream_;
-  const DataOutBase::VtkFlags &flags_;
-  const SampledField<dim> field_;
+  const SampledField<dim> &field_;
   StressIn3D<dim> stress_;
   const BoundFields &bound_;
   /** Those of the patch interpolation. */
@@ -171,7 +198,6 @@ private:
   bool is_recovered_;
   /** Whether the children of a parent share their corners, where no field jumps between them. */
   bool by_parents_;
-  /** Those of the piece that is not written yet. */
   VtuCells<dim> cells_;
   /** Those of the points of a cell. */
   std::vector<VtuFields> fields_;
@@ -187,7 +213,8 @@ std::function<VtuCells<dim>(std::ostream &)> solution_vtu(const DisplacedBody<di
   return [body, &bound, number, n_generations](std::ostream &stream) {
     const DataOutBase::VtkFlags flags(number, number, false, DataOutBase::VtkFlags::best_speed);
     DataOutBase::write_vtu_header(stream, flags);
-    VtuCells<dim> fields = BodyWriter<dim>(stream, flags, body, bound, n_generations).write();
+    const SampledField<dim> field(body);
+    VtuCells<dim> fields = PieceWriter<dim>(field, bound, n_generations).write(flags, stream);
     DataOutBase::write_vtu_footer(stream);
     return fields;
   };

@@ -59,8 +59,8 @@ public:
     StageTimes times;
     progress("assembly");
     const auto system = timed(times.assembly, [&]() {
-      return std::make_shared<const LinearSystem<dim>>(
-        assemble_right_hand_side(space, scene_, discretization.n_points));
+      return std::make_shared<const LinearSystem<dim>>(assemble_right_hand_side(
+        space, scene_, discretization.n_points, space.complete(space.zero())));
     });
     progress("factorisation");
     const std::shared_ptr<const StiffnessInverse> inverse = timed(times.factor, [&]() {

@@ -270,7 +270,8 @@ public:
     progress("assembly");
     const auto system = timed(times.assembly, [&]() {
       return std::make_shared<const LinearSystem<dim>>(
-        choice_.is_matrix_free() ? assemble_right_hand_side(space, scene_, discretization.n_points)
+        choice_.is_matrix_free() ? assemble_right_hand_side(space, scene_, discretization.n_points,
+                                                            space.complete(space.zero()))
                                  : assemble_linear_system(space, scene_, discretization.n_points));
     });
     progress("factorisation");

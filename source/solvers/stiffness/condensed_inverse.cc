@@ -130,8 +130,7 @@ public:
       chosen[i] = true;
     cholmod_sparse matrix = view_of(A.n, A.start, A.column, A.value);
     analyse(A, matrix, chosen);
-    cholmod_factorize(&matrix, L_, &workspace_.common);
-    workspace_.check();
+    factorise(A);
   }
   ~CholeskyFactor() {
     for (cholmod_dense **const dense : {&x_, &y_, &e_})
@@ -205,6 +204,33 @@ private:
         return;
       given.assign(order(), order() + n_);
     }
+  }
+
+  /** Factorises A in the order of the analysis. Both triangles are stored, so that a column of the
+   * permuted matrix is one pass over a row of A. From one triangle CHOLMOD would permute A itself,
+   * which takes nearly as long as the numeric factorisation. */
+  void factorise(const Rows &A) {
+    std::vector<int> position(n_), start = {0}, row;
+    std::vector<double> value;
+    for (int j = 0; j < n_; ++j)
+      position[order()[j]] = j;
+    row.reserve((A.start[n_] + n_) / 2);
+    value.reserve(row.capacity());
+    for (int j = 0; j < n_; ++j) {
+      const int old = order()[j];
+      for (int entry = A.start[old]; entry < A.start[old + 1]; ++entry)
+        if (const int i = position[A.column[entry]]; i >= j) {
+          row.push_back(i);
+          value.push_back(A.value[entry]);
+        }
+      start.push_back(static_cast<int>(row.size()));
+    }
+    cholmod_sparse lower = view_of(n_, start.data(), row.data(), value.data());
+    lower.stype = -1;
+    lower.sorted = 0;
+    double no_shift[] = {0., 0.};
+    cholmod_super_numeric(&lower, nullptr, no_shift, L_, &workspace_.common);
+    workspace_.check();
   }
 
   Workspace workspace_;

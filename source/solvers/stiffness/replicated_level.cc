@@ -90,8 +90,10 @@ ReplicatedLevel<dim> replicate(const CellOperator<dim, double> &K,
   std::vector<std::pair<types::global_dof_index, Tensor<2, dim>>> given;
   for (const auto &[node, T] : conditions)
     given.emplace_back(numbers[node], T);
-  for (const auto &[number, T] : collect(given, communicator))
-    level.conditions.emplace(node_of[index_of(number)], T);
+  given = collect(given, communicator);
+  for (auto &condition : given)
+    condition.first = node_of[index_of(condition.first)];
+  level.conditions.insert(given.begin(), given.end());
   for (const types::global_dof_index number : numbers)
     level.nodes.push_back(node_of[index_of(number)]);
   return level;

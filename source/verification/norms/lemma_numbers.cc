@@ -144,7 +144,7 @@ LemmaNumbers compute_lemma_numbers(const Discretization<2> &discretization, cons
   const auto inverse = factorise(A_1, 1., linear_solver);
   // a(u, φ_j) = f(φ_j) + [p, B φ_j].
   DualVector defect = test_on_contact(space, multipliers, n_points, exact_p);
-  defect += assemble_right_hand_side(space, scene, discretization.n_points).loads;
+  defect += assemble_right_hand_side(space, scene, discretization.n_points, space.zero()).loads;
   defect -= internal_forces(body).forces;
   numbers.consistency = dual_norm(space, *inverse, defect);
   numbers.bound_26 =

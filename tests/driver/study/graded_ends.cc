@@ -74,8 +74,23 @@ void check_usual_target(Checks &checks) {
   const StudyResult<2> result = solve_hp({}, named_scene("B1"));
   const std::vector<GradedStep> steps = steps_of(result.levels);
   checks.that("No target: certified", result.verdict.outcome == Outcome::certified);
-  checks.between("No target: the last step", steps.back().estimate, steps.back().error, 1e-3);
+  checks.between("No target: the last step", last(result, "bound_relative"), steps.back().error,
+                 1e-3);
   checks.that("No target: the step before", steps[steps.size() - 2].estimate > 1e-3);
+}
+
+/** The bound is asked before the estimate reaches the target, where it may exist: B3 ends a step
+ * earlier. With Coulomb's law and on bodies of revolution only the last step looks for one. */
+void check_early_bound(Checks &checks) {
+  const StudyResult<2> result = solve(named_scene("B3"), graded("1e-6"));
+  checks.that("Early bound: the estimate has not met the target",
+              last(result, "estimated_relative") > 1e-6);
+  checks.between("Early bound: guaranteed", last(result, "bound_relative"),
+                 steps_of(result.levels).back().error, 1e-6);
+  for (const std::string name : {"R2", "KS"})
+    for (const LevelRecord &level : solve(named_scene(name), graded("1e-4")).levels)
+      checks.that(name + ": no early bound",
+                  level.estimate && (level.estimate->relative < 1e-4 || !level.bound));
 }
 
 /** A clamped block that is pulled: stresses are infinite at both ends of the clamped side, and
@@ -107,5 +122,5 @@ void check_growth(Checks &checks) {
 int main(int argc, char **argv) {
   return run_tests(argc, argv,
                    {check_nothing_to_do, check_early_stop, check_contradiction, check_coating,
-                    check_spike, check_usual_target, check_growth});
+                    check_spike, check_usual_target, check_early_bound, check_growth});
 }

@@ -19,7 +19,7 @@ struct Iterated {
     , contact{A, f, condensed_D, gap, *model} {
     // f = T^T (loads - a(k, .)), and the gap that k leaves.
     const Signorini::Displacement k = space.prescribed(scene);
-    Signorini::DualVector r = assemble_right_hand_side(space, scene, 2).loads;
+    Signorini::DualVector r = assemble_right_hand_side(space, scene, 2, k).loads;
     r -= Signorini::internal_forces(Signorini::DisplacedBody<dim>(space, scene, k)).forces;
     f = space.condense(r);
     gap -= D.transpose_product(k);

@@ -5,6 +5,7 @@
 #include <signorini/discretization/space/cell_values.h>
 #include <signorini/discretization/space/displacement_space.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -52,7 +53,7 @@ private:
    * by the body's. */
   struct Sample {
     unsigned int element_number;
-    std::vector<Tensor<1, dim>> shape;
+    std::array<Tensor<1, dim>, 1U << dim> shape;
     Matrix matrix;
   };
 

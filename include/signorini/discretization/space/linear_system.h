@@ -47,8 +47,10 @@ template <int dim>
 LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
                                          const Scene<dim> &scene, unsigned int n_points);
 
-/** Assembles the same system without the matrix. Collective. */
+/** Assembles the same system without the matrix. Collective. @param k the prescribed displacements.
+ */
 template <int dim>
 LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
-                                           const Scene<dim> &scene, unsigned int n_points);
+                                           const Scene<dim> &scene, unsigned int n_points,
+                                           const Displacement &k);
 } // namespace Signorini

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signorini/base/dealii.h>
+#include <signorini/discretization/space/displaced_body.h>
 #include <signorini/error_control/equilibration/equilibrated_stress.h>
 #include <signorini/error_control/equilibration/stress_bound.h>
 
@@ -28,7 +29,7 @@ struct BestStress {
 };
 
 /** Returns the reason why there is no such stress, one sentence; empty if there is one. */
-std::string objection_to_stress(const BoundData &data);
+std::string objection_to_stress(const DisplacedBody<2> &body);
 
 /** @throws ComputationError if no stress in equilibrium is found. Collective. */
 BestStress find_best_stress(const BoundData &data);

@@ -44,7 +44,7 @@ struct ErrorEstimate {
   std::optional<double> pressure;
   /** The parts of OtherErrors. */
   std::optional<double> algebra = {}, contact = {};
-  /** The energy |||π^{2h} u_h|||², by the same rule. */
+  /** In 2-D the energy |||π^{2h} u_h|||², by the same rule. */
   std::optional<double> post_strain = {};
 
   static Columns<ErrorEstimate> columns();

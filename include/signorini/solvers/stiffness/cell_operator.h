@@ -4,7 +4,8 @@
 #include <signorini/base/instructions.h>
 #include <signorini/solvers/stiffness/block_grid.h>
 
-#include <map>
+#include <boost/container/flat_map.hpp>
+
 #include <memory>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace Signorini {
 /** The essential conditions of nodes that are not free: T in u = T u_free. Columns of constrained
  * components are zero, and T_cc = 1 for the others. */
 template <int dim>
-using ConstrainedNodes = std::map<NodeNumber, Tensor<2, dim>>;
+using ConstrainedNodes = boost::container::flat_map<NodeNumber, Tensor<2, dim>>;
 
 /** Gauss' rule on the reference cell, with the same number of points in each direction. */
 template <int dim, typename Number>
