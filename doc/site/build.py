@@ -155,6 +155,7 @@ def main():
     gallery = [sys.executable, ROOT / "scripts/gallery", program, pages / "gallery", "--cache", folder / "cache"]
     if subprocess.run(gallery, check=False).returncode:
         sys.exit(1)
+    shutil.move(pages / "gallery/thumbnails", pages / "extra/gallery/thumbnails")  # they are pictures of raw HTML
     scenes = {f"prm/{page.relative_to(pages / 'gallery').with_suffix('.prm').as_posix()}": page.relative_to(pages)
               for page in (pages / "gallery").rglob("*.md")}
     copy_documents(pages, scenes)
