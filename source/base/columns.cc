@@ -6,6 +6,7 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <fstream>
 #include <sys/resource.h>
 
 namespace Signorini {
@@ -40,7 +41,9 @@ Resources measure_resources() {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
   Utilities::System::MemoryStats memory = {};
-  Utilities::System::get_memory_stats(memory);
+  // Where /proc is missing, in a bare chroot, deal.II reads this file for ever.
+  if (std::ifstream("/proc/self/status"))
+    Utilities::System::get_memory_stats(memory);
   return {seconds(usage.ru_utime) + seconds(usage.ru_stime),
           static_cast<double>(memory.VmHWM) / 1024.};
 }
