@@ -56,10 +56,21 @@ Interval angle(const Interval &a, const Interval &b) {
 /** A product in which zero times infinity is zero. */
 double times(const double a, const double b) {
   const double product = a * b;
-  return product == product || !(a == 0. || b == 0.) ? product : 0.;
+  // Without branches, which registers of several numbers do not have.
+  return bool(product == product) | (bool(a != 0.) & bool(b != 0.)) ? product : 0.;
 }
 Interval times(const Interval &a, const Interval &b) {
   return is_zero(a) || is_zero(b) ? 0. : zero_in(a) || zero_in(b) ? hull(a * b, 0.) : a * b;
+}
+
+/** The compiler computes rows of known length that overlap no others in registers. */
+constexpr std::size_t row_length = 8;
+template <typename Rule>
+SIGNORINI_INLINE inline void compute_row(const Rule &f, const double *const a,
+                                         const double *const b, const double *const c,
+                                         double *__restrict const result) {
+  for (std::size_t k = 0; k < row_length; ++k)
+    result[k] = f(a[k], b[k], c[k]);
 }
 
 /** Makes an operation of a function that takes numbers and intervals. */
@@ -72,8 +83,11 @@ Operation rule(const char *name, const Rule &function, const char *in_a = nullpt
     name, kind, in_a, in_b, precedence, 1, [](double a, double b, double c) { return f(a, b, c); },
     // No operation adds a product, so that the digits are the same with all instruction sets.
     [](const double *a, const double *b, const double *c, std::size_t n, double *result) {
-      run(instructions_of_this_machine(), [&](auto) SIGNORINI_INLINE {
-        for (std::size_t q = 0; q < n; ++q)
+      run(instructions_of_this_machine(), [=](auto) SIGNORINI_INLINE {
+        std::size_t q = 0;
+        for (; q + row_length <= n; q += row_length)
+          compute_row(f, a + q, b + q, c + q, result + q);
+        for (; q < n; ++q)
           result[q] = f(a[q], b[q], c[q]);
       });
     },

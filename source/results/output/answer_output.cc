@@ -225,14 +225,18 @@ public:
   }
 
   void add_energy() {
+    // More digits than these are in the files.
+    constexpr double shown = 1e-7;
     const ErrorBound bound = level_.bound.value_or(ErrorBound());
-    add("Energy", digits(level_.certificate.energy) +
-                    (bound.energy_lower && bound.energy_upper
-                       ? " (exact solution: " +
-                           bounded_text(0.5 * (*bound.energy_lower + *bound.energy_upper),
-                                        0.5 * (*bound.energy_upper - *bound.energy_lower)) +
-                           ")"
-                       : ""));
+    std::string text = digits(level_.certificate.energy);
+    if (bound.energy_lower && bound.energy_upper) {
+      const double middle = 0.5 * (*bound.energy_lower + *bound.energy_upper),
+                   margin = 0.5 * (*bound.energy_upper - *bound.energy_lower);
+      text +=
+        " (exact solution: " + bounded_text(middle, std::max(margin, shown * std::abs(middle))) +
+        ")";
+    }
+    add("Energy", text);
   }
 
   void add_load_cases() {
