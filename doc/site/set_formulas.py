@@ -111,7 +111,7 @@ def is_formula(word):
     if re.search(r"[A-Za-z]{3,}_|[\"“”;—–]|://|mm|Pa", word):
         return False
     return bool(OF_FORMULA.search(word)) or (
-        len(names) > 0 and all(len(name) == 1 for name in names) and word not in ("a", "A", "I", "S", "W")
+        len(names) > 0 and all(len(name) == 1 for name in names) and word not in ("a", "A", "I")
         and not re.search(r"[A-Z]\.|[A-Z]\d|\d[A-Za-z]|\w[-.][A-Za-z]", word))
 
 
@@ -141,7 +141,7 @@ def kinds_of(words):
         kinds.append("sign" if SIGN.fullmatch(word) and word != "-" else "number" if NUMBER.fullmatch(core or "") else
                      "formula" if core and is_formula(core) else "word")
     for i, word in enumerate(words):
-        if kinds[i] == "word" and re.fullmatch(r"[A-Z][A-Za-z]", peel(word)[1] or "") and "sign" in kinds[max(i - 1, 0):i + 2]:
+        if kinds[i] == "word" and re.fullmatch(r"[A-Z][A-Za-z]?", peel(word)[1] or "") and "sign" in kinds[max(i - 1, 0):i + 2]:
             kinds[i] = "formula"
         elif kinds[i] == "formula" and re.fullmatch(r"\(?[A-Z]\.", word) and re.match("[A-Za-z]", "".join(words[i + 1:i + 2])):
             kinds[i] = "word"  # the initial of a name
