@@ -29,7 +29,8 @@ from set_formulas import set_page
 
 DOCUMENTS = [*sorted((ROOT / "doc").glob("*.md")), ROOT / "doc/measured/README.md", ROOT / "README.md", ROOT / "CHANGELOG.md",
              ROOT / "CONTRIBUTING.md"]
-WITHOUT_FORMULAS = ("map", "design", "manual", "recipes", "README", "CHANGELOG", "CONTRIBUTING")
+WITHOUT_FORMULAS = [ROOT / f"{name}.md" for name in ("README", "CHANGELOG", "CONTRIBUTING", "doc/map", "doc/design", "doc/manual",
+                                                     "doc/recipes")]
 MATHJAX = pathlib.Path("/usr/share/javascript/mathjax")
 # What one output of MathJax needs: 54 MB are others.
 OF_MATHJAX = ["MathJax.js", "config/TeX-AMS_CHTML.js", "jax/element", "jax/input/TeX", "jax/output/CommonHTML", "extensions",
@@ -79,7 +80,7 @@ def copy_documents(pages, scenes):
     for page in DOCUMENTS:
         text = linked(page.read_text(encoding="utf-8"), page, pages, scenes)
         text = re.sub(r"<img[^>]*>", lambda tag: " ".join(tag[0].split()), text)
-        if page.stem not in WITHOUT_FORMULAS:
+        if page not in WITHOUT_FORMULAS:
             text = set_page(text)
         if page == ROOT / "doc/measured/README.md":
             text = plots.linked(text, ROOT / "doc/measured", pages / "doc/measured")

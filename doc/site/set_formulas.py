@@ -22,7 +22,7 @@ LOWERED = dict(zip("₀₁₂₃₄₅₆₇₈₉₊₋ₙₕᵢⱼₖₘₚₜ
 ACCENTS = {"\u0303": "tilde", "\u0304": "bar", "\u0302": "hat", "\u0305": "bar"}
 OPERATORS = "arctan cond cos diag div exp ln log max min osc sign sin sup tan tr dim Re Im".split()
 DIFFERENTIALS = ("dx", "ds", "dt", "dy", "dr")
-INDEX = r"(?:[A-Za-zα-ωΑ-Ωℓ0-9\u0300-\u036f']+(?:,[A-Za-zα-ω](?![\w^(α-ω]))?|[*+−-])"
+INDEX = r"(?:[A-Za-zα-ωΑ-Ωℓ0-9\u0300-\u036f']+(?:,[A-Za-zα-ω]+(?![\w^(α-ω]))?|[*+−-])"
 TOKEN = re.compile(r"[A-Za-zα-ω][\u0300-\u036f]|\|\|\||\.\.\.|[_^](?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\}|" + INDEX + r")|"
                    r"[⁰¹²³⁴-⁹⁺⁻ᵀⁿᵏ]+|[₀-₉₊₋ₙₕᵢⱼₖₘₚₜₓ]+|[A-Za-z]+|\d+(?:[.,]\d+)*(?:e[-−]?\d+)?|\s+|.", re.DOTALL)
 LETTER = "A-Za-zα-ωΓΔΘΛΞΠΣΦΨΩℓ"
@@ -108,11 +108,11 @@ def is_formula(word):
     names = [name for name in names if name not in OPERATORS and name not in DIFFERENTIALS]
     if any(len(name) > 2 or (len(name) == 2 and not OF_FORMULA.search(word)) for name in names):
         return False
-    if re.search(r"[A-Za-z]{3,}_|[\"“”;—–]|://", word):
+    if re.search(r"[A-Za-z]{3,}_|[\"“”;—–]|://|mm|Pa", word):
         return False
     return bool(OF_FORMULA.search(word)) or (
-        len(names) > 0 and all(len(name) == 1 for name in names) and word not in ("a", "A", "I", "S", "W")
-        and not re.search(r"[A-Z]\.|[A-Z]\d|\d[A-Za-z]|[A-Za-z][-.][A-Za-z]", word))
+        len(names) > 0 and all(len(name) == 1 for name in names) and word not in ("a", "A", "I")
+        and not re.search(r"[A-Z]\.|[A-Z]\d|\d[A-Za-z]|\w[-.][A-Za-z]", word))
 
 
 def peel(run):
@@ -138,10 +138,10 @@ def kinds_of(words):
     kinds = []
     for word in words:
         core = peel(word)[1]
-        kinds.append("sign" if SIGN.fullmatch(word) else "number" if NUMBER.fullmatch(core or "") else
+        kinds.append("sign" if SIGN.fullmatch(word) and word != "-" else "number" if NUMBER.fullmatch(core or "") else
                      "formula" if core and is_formula(core) else "word")
     for i, word in enumerate(words):
-        if kinds[i] == "word" and re.fullmatch(r"[A-Z][A-Za-z]", peel(word)[1] or "") and "sign" in kinds[max(i - 1, 0):i + 2]:
+        if kinds[i] == "word" and re.fullmatch(r"[A-Z][A-Za-z]?", peel(word)[1] or "") and "sign" in kinds[max(i - 1, 0):i + 2]:
             kinds[i] = "formula"
         elif kinds[i] == "formula" and re.fullmatch(r"\(?[A-Z]\.", word) and re.match("[A-Za-z]", "".join(words[i + 1:i + 2])):
             kinds[i] = "word"  # the initial of a name

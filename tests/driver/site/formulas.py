@@ -29,6 +29,7 @@ for text, expected in FORMULAS.items():
     check(f"{text} is {expected}, found {tex(text)}", tex(text) == expected)
 SENTENCES = {"for v in V, and ‖u − v‖ ≤ c h on a side.": r"for $v$ in $V$, and $\|u - v\| \le  c h$ on a side.",
              "a file of 10 s, A scene": "a file of 10 s, A scene", "(s ≥ 0 given)": r"($s \ge  0$ given)",
+             "- On a plane, in 3-D": "- On a plane, in 3-D", "D_t,jτ = 0": r"$D_{t,j\tau} = 0$",
              "P. Luo and G.-P. Liang": "P. Luo and G.-P. Liang", "V-cycles and `u_h` with 2 T": "V-cycles and `u_h` with $2 T$"}
 for text, expected in SENTENCES.items():
     check(f"{text} is {expected}, found {set_page(text)}", set_page(text) == expected)
