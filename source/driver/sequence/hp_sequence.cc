@@ -7,7 +7,6 @@
 #include <signorini/base/text.h>
 #include <signorini/driver/sequence/sequence.h>
 #include <signorini/error_control/bound/error_bound.h>
-#include <signorini/error_control/equilibration/best_stress.h>
 #include <signorini/error_control/hp/hidden_data.h>
 #include <signorini/error_control/hp/step_examination.h>
 #include <signorini/postprocessing/fields/pressure_transfer.h>

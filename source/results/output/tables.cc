@@ -187,9 +187,9 @@ std::string distance_table(const std::vector<LevelRecord> &levels) {
   }
   text << "\nErrors of the computed displacement u_h in the energy norm, in percent of u_h"
        << (has_post ? ";\nrecovered: u_h smoothed over blocks of 2 x 2 cells" : "")
-       << ". They are measured with one run\non a graded mesh, and "
+       << ".\nThey are measured with one graded run, and "
        << (levels.back().bound->is_conditional
-             ? "hold if friction carries at most f times the pressure of that run.\n"
+             ? "hold if friction carries at most f times\nits pressure.\n"
              : "guaranteed within the margins.\n");
   return text.str();
 }

@@ -69,7 +69,7 @@ subsection Discretization
   set Strategy       = hp
   set Coarsest level = 2
   set Finest level   = 7
-  set Target error   = 0.02
+  set Target error   = 0.001
 end
 subsection Output
   set Compliance = true

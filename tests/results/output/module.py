@@ -123,7 +123,7 @@ def python(*arguments, **options):
 absolute = os.path.abspath("results/sweep/0.001")
 READ = f"""import sys; sys.modules['numpy'] = None
 import signorini
-assert not signorini.__file__.startswith({root!r})
+assert not signorini.__file__.startswith({os.path.join(root, "python")!r})
 print(signorini.read({absolute!r}))"""
 wheel = python("-B", "-c", f"import sys; sys.path.insert(0, 'python'); import backend; print(backend.build_wheel({os.getcwd()!r}))")
 check("its wheel is made", wheel is not None and os.path.exists(wheel))
