@@ -11,7 +11,7 @@ import numpy as np
 import signorini
 from signorini.arrays import read_csv
 
-from tables.common import FOLDER, NUMBERS, PROGRAM, ROOT, WITHOUT_ERRORS, committed, levels, measure, number, power, table
+from tables.common import FOLDER, NUMBERS, PROGRAM, ROOT, WITHOUT_ERRORS, committed, levels, measure, number, power, table, target
 
 FINEST, LARGEST_RUNS, REPETITIONS, LINEAR_SOLVERS = 8, (9, 10), 3, "condensed amesos_mumps amesos_klu"
 TARGETS = "1e-2 1e-3 1e-4 1e-5 1e-6 1e-7 1e-8"
