@@ -32,7 +32,7 @@ if(EXISTS "${DEAL_II_TARGET_CONFIG}")
   string(REGEX MATCHALL "/[^ \n]+" _loaded "${_library} ${_loaded}")
   if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT _loaded STREQUAL SIGNORINI_LOADED_LIBRARIES)
     message(STATUS "Putting the libraries of deal.II in order")
-    # A program that names what this one would name: libraries of its own calls, which BLAS is not among.
+    # A program that names the libraries whose functions this one calls itself. BLAS is not one of them.
     set(_files ${_loaded})
     list(FILTER _files INCLUDE REGEX
       "/lib(deal|tbb|lapack|trilinos_amesos|trilinos_epetra|trilinos_teuchos|boost_|petsc|mpi|z|cholmod|gmp)[^/]*\\.so[.0-9]*$")

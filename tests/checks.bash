@@ -19,6 +19,15 @@ check() {
   fi
 }
 
+# find_python MODULE: sets python to one that has a module of Debian's package python3-MODULE; without one the test is skipped.
+find_python() {
+  for python in python3 /usr/bin/python3; do
+    if "$python" -c "import $1" 2>/dev/null; then return; fi
+  done
+  echo "SKIP there is no python3 with $1 (package python3-$1)"
+  exit 77
+}
+
 is_empty() { [ ! -s "$1" ]; }
 # What the program has to say about wrong input, in the file stderr.
 one_line_of_complaint() {

@@ -95,7 +95,7 @@ def copy_documents(pages, scenes):
 
 
 def make_tour(program, pages, cache):
-    """Writes what the tour shows of the run that the gallery has made."""
+    """Writes the input and the output of the tour, from the run of the gallery."""
     loader = importlib.machinery.SourceFileLoader("gallery", str(ROOT / "scripts/gallery"))
     gallery = importlib.util.module_from_spec(importlib.util.spec_from_loader("gallery", loader))
     loader.exec_module(gallery)

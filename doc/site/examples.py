@@ -64,7 +64,7 @@ def page(path, results):
         result = next(results)
         if result["output"]:
             lines += ["```text", result["output"], "```", ""]
-        lines += [f"![what the lines above draw]({name})\n" for name in result["pictures"]]
+        lines += [f"![The picture of the lines above]({name})\n" for name in result["pictures"]]
     return "\n".join(lines)
 
 

@@ -34,7 +34,7 @@ def decomposed(text):
 
 
 def index(text):
-    """Returns what stands behind _ or ^."""
+    """Returns the text behind _ or ^."""
     inside = text[1:-1] if text.startswith("{") else text
     return "{" + tex(inside, words=False) + "}"
 

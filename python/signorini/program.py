@@ -19,11 +19,11 @@ Setting = Union[str, bool, float]
 def find_program() -> str:
     """Returns the program that $SIGNORINI names, that of the installation or build tree of this file, or that on the path."""
     root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-    places = [os.environ.get("SIGNORINI", ""), os.path.join(root, "signorini"), os.path.join(root, "../../bin/signorini"),
+    candidates = [os.environ.get("SIGNORINI", ""), os.path.join(root, "signorini"), os.path.join(root, "../../bin/signorini"),
               os.path.join(root, "build/release/source/signorini"), shutil.which("signorini") or ""]
-    for place in places:
-        if os.path.isfile(place) and os.access(place, os.X_OK):
-            return place
+    for path in candidates:
+        if os.path.isfile(path) and os.access(path, os.X_OK):
+            return path
     raise FileNotFoundError("the program signorini: install it, or name it in the environment variable SIGNORINI")
 
 

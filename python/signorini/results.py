@@ -16,7 +16,7 @@ Content = TypeVar("Content")
 
 
 class DamagedFile(Exception):
-    """A file of a run that does not hold what it should."""
+    """A file of a run in which names, numbers or bytes are missing or wrong."""
 
 
 class Refused(Exception):

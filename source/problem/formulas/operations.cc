@@ -63,8 +63,10 @@ Interval times(const Interval &a, const Interval &b) {
   return is_zero(a) || is_zero(b) ? 0. : zero_in(a) || zero_in(b) ? hull(a * b, 0.) : a * b;
 }
 
-/** The compiler computes rows of known length that overlap no others in registers. */
 constexpr std::size_t row_length = 8;
+
+/** Computes f for a row of numbers. The compiler does this in registers, because the length is
+ * known and the results overlap no argument. */
 template <typename Rule>
 SIGNORINI_INLINE inline void compute_row(const Rule &f, const double *const a,
                                          const double *const b, const double *const c,

@@ -225,7 +225,7 @@ public:
   }
 
   void add_energy() {
-    // More digits than these are in the files.
+    // The files have all digits.
     constexpr double shown = 1e-7;
     const ErrorBound bound = level_.bound.value_or(ErrorBound());
     std::string text = digits(level_.certificate.energy);

@@ -62,6 +62,7 @@ public:
         if (cell->is_locally_owned() && cell->active_fe_index() == number &&
             !(by_parents_ && cell->parent()->child_index(0) != cell->index()))
           cells.push_back(cell);
+    // A parent in space takes the memory of four cells in the plane.
     const std::size_t weight = by_parents_ ? 4 : 1,
                       size = (weight * cells.size() > cells_in_one_piece ? cells_per_piece
                                                                          : cells_in_one_piece) /

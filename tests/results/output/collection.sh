@@ -6,15 +6,8 @@
 
 program=$(realpath "$1")
 root=$(realpath "$2")
-python=
-for candidate in python3 /usr/bin/python3; do
-  if "$candidate" -c 'import scipy' 2>/dev/null; then python=$candidate; break; fi
-done
-if [ -z "$python" ]; then
-  echo "SKIP there is no python3 with scipy (package python3-scipy)"
-  exit 77
-fi
 . "$(dirname "$0")/../../checks.bash"
+find_python scipy
 export SIGNORINI=$program PYTHONDONTWRITEBYTECODE=1
 script=$root/scripts/collection.py
 

@@ -6,15 +6,8 @@
 program=$(realpath "$1")
 script=$(realpath "$2")/scripts/solve_dual.py
 scenes=$(realpath "$2")/prm
-python=
-for candidate in python3 /usr/bin/python3; do
-  if "$candidate" -c 'import scipy' 2>/dev/null; then python=$candidate; break; fi
-done
-if [ -z "$python" ]; then
-  echo "SKIP there is no python3 with scipy (package python3-scipy)"
-  exit 77
-fi
 . "$(dirname "$0")/../../checks.bash"
+find_python scipy
 
 check "--help" "$python" "$script" --help
 for arguments in "" nowhere "nowhere one" "nowhere 3"; do
