@@ -4,9 +4,13 @@
 
 #include <signorini/base/instantiate.h>
 #include <signorini/discretization/space/cell_evaluator.h>
+#include <signorini/discretization/space/cell_stiffness.h>
 #include <signorini/error_control/estimate/error_estimate.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/polynomials_piecewise.h>
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/tensor_product_polynomials.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,16 +85,149 @@ private:
   CellEvaluator<dim> u_;
 };
 
+/** Integrals over the reference cell of products of two functions, and of their derivatives. */
+struct Products {
+  double values = 0.;
+  Tensor<2, 3> gradients;
+};
+
+/** Returns, at 27 a + b, those of φ_a - I_h φ_a and φ_b - I_h φ_b: φ_a are the functions of π^{2h}
+ * on a parent, and I_h interpolates them by degree one on its children. */
+std::vector<Products> products_of_differences() {
+  using Basis = TensorProductPolynomials<3, Polynomials::PiecewisePolynomial<double>>;
+  using Polynomials::generate_complete_Lagrange_basis_on_subdivisions;
+  const Basis smooth(generate_complete_Lagrange_basis_on_subdivisions(1, 2)),
+    interpolation(generate_complete_Lagrange_basis_on_subdivisions(2, 1));
+  const QIterated<3> rule(QGauss<1>(3), 2);
+  const auto n = smooth.n();
+  std::vector<Products> products(n * n);
+  std::vector<double> values(n);
+  std::vector<Tensor<1, 3>> gradients(n);
+  for (unsigned int q = 0; q < rule.size(); ++q)
+    for (unsigned int a = 0; a < n; ++a) {
+      const Point<3> &x = rule.point(q);
+      values[a] = smooth.compute_value(a, x) - interpolation.compute_value(a, x);
+      gradients[a] = smooth.compute_grad(a, x) - interpolation.compute_grad(a, x);
+      // The other triangle counts, too.
+      for (unsigned int b = 0; b <= a; ++b) {
+        const double weight = (a == b ? 1. : 2.) * rule.weight(q);
+        products[n * a + b].values += weight * values[a] * values[b];
+        products[n * a + b].gradients += weight * outer_product(gradients[a], gradients[b]);
+      }
+    }
+  return products;
+}
+
+/** Integrates the same over parents that are parallelepipeds, for elements of degree one and one
+ * law of Hooke: quadratic forms of nodal values, linear in their products, which are summed over
+ * parents of one shape first. */
+class ParentDistance {
+public:
+  using Cell = DoFHandler<3>::active_cell_iterator;
+
+  ParentDistance(const DisplacementSpace<3> &space, const Scene<3> &scene,
+                 const std::vector<const Displacement *> &displacements,
+                 const std::vector<Products> &products)
+    : products_(products)
+    , law_(scene.material->hooke(Point<3>()))
+    , values_(displacements.size(), FullMatrix<double>(max_parents, 3 * nodes_.size())) {
+    for (const Displacement *const U : displacements)
+      interpolations_.emplace_back(space, *U);
+  }
+  /** Takes the parent of a cell, with its first child. @return whether it is one of these. */
+  bool take(const Cell &cell) {
+    const auto parent = cell->parent();
+    if (!is_affine<3>(parent))
+      return false;
+    if (parent->child_index(0) != cell->index())
+      return true;
+    Tensor<2, 3> edges;
+    for (unsigned int d = 0; d < 3; ++d)
+      edges[d] = parent->vertex(1U << d) - parent->vertex(0);
+    if (n_parents_ == max_parents || (edges - edges_).norm() > 1e-12 * edges.norm())
+      add_integrals();
+    edges_ = edges;
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      const std::vector<Tensor<1, 3>> &u = interpolations_[k].nodal_values(cell);
+      double *value = &values_[k](n_parents_, 0);
+      for (unsigned int a = 0; a < nodes_.size(); ++a) {
+        // v - w has no part of a linear function but its rounding.
+        const Point<3> &x = nodes_[a];
+        const Tensor<1, 3> rest =
+          u[a] - u[0] - x[0] * (u[2] - u[0]) - x[1] * (u[6] - u[0]) - x[2] * (u[18] - u[0]);
+        value = std::copy_n(rest.begin_raw(), 3, value);
+      }
+    }
+    ++n_parents_;
+    return true;
+  }
+  /** Returns the integrals over all parents taken. */
+  const Squares &sum() {
+    add_integrals();
+    return sum_;
+  }
+
+private:
+  /** Adds the integrals over the last parents, which have one shape. */
+  void add_integrals() {
+    for (std::size_t k = 0; k < values_.size() && n_parents_ > 0; ++k) {
+      const Tensor<2, 3> inverse = invert(edges_);
+      FullMatrix<double> sums(values_[k].n(), values_[k].n());
+      values_[k].Tmmult(sums, values_[k]);
+      sums *= determinant(edges_);
+      values_[k] = 0.;
+      for (unsigned int a = 0; a < nodes_.size(); ++a)
+        for (unsigned int b = 0; b <= a; ++b) {
+          const Products &products = products_[nodes_.size() * a + b];
+          const Tensor<2, 3> gradients = inverse * products.gradients * transpose(inverse);
+          for (unsigned int i = 0; i < 3; ++i) {
+            const double square = sums(3 * a + i, 3 * b + i);
+            sum_[0] += k == 0 ? square * products.values : 0.;
+            sum_[1] += k == 0 ? square * trace(gradients) : 0.;
+            for (unsigned int j = 0; j < 3 && k + 1 == values_.size(); ++j)
+              for (unsigned int d = 0; d < 3; ++d)
+                sum_[2] += sums(3 * a + i, 3 * b + j) * (law_[i][d][j] * gradients[d]);
+          }
+        }
+    }
+    n_parents_ = 0;
+  }
+
+  static constexpr unsigned int max_parents = 64;
+  const std::vector<Products> &products_;
+  const Tensor<4, 3> law_;
+  const std::vector<Point<3>> nodes_ = QIterated<3>(QTrapezoid<1>(), 2).get_points();
+  std::vector<PatchInterpolation<3>> interpolations_;
+  /** Those of each displacement, a row for every parent since the last sum. */
+  std::vector<FullMatrix<double>> values_;
+  unsigned int n_parents_ = 0;
+  /** The edges of these parents along the coordinates, by rows. */
+  Tensor<2, 3> edges_;
+  Squares sum_;
+};
+
 /** Returns the sums over all ranks; the parts of the threads are added up in the order of cells. */
 template <int dim>
 Squares integrate(const DisplacementSpace<dim> &space, const Scene<dim> *const scene,
                   const std::vector<const Displacement *> &displacements, const unsigned int fine) {
   Squares sum;
+  std::vector<Products> products;
+  if (dim == 3 && scene != nullptr && space.element().degree == 1 &&
+      !space.mesh().has_bent_parents() && scene->material->is_constant())
+    products = products_of_differences();
   integrate_by_chunks<Squares, dim>(
     space,
     [&](const Cells<dim> &cells) {
       Distance<dim> distance(space, scene, displacements, fine);
       Squares chunk_result;
+      if constexpr (dim == 3)
+        if (!products.empty()) {
+          ParentDistance of_parents(space, *scene, displacements, products);
+          for (const auto &cell : cells)
+            if (!of_parents.take(cell))
+              chunk_result += distance.integrate(cell);
+          return chunk_result + of_parents.sum();
+        }
       for (const auto &cell : cells)
         chunk_result += distance.integrate(cell);
       return chunk_result;

@@ -8,6 +8,11 @@
 #include <signorini/error_control/estimate/error_estimate.h>
 #include <signorini/solvers/contact/compliance.h>
 
+#include <deal.II/grid/grid_tools.h>
+
+#include <array>
+#include <cmath>
+
 #include "box.h"
 #include "tests.h"
 
@@ -79,8 +84,49 @@ void estimate(Checks &checks) {
   checks.near("estimate in the energy norm, and relative", {found.energy, found.relative},
               {energy, energy / scale}, 1e-13);
 }
+
+/** On cells with oblique edges and one law, quadratic forms of the nodal values of parents replace
+ * the integrals by points, which a law given as a function of x still takes. */
+void forms_of_parents(Checks &checks) {
+  const auto found = [](const std::string &modulus) {
+    Scene<3> scene = make_box_scene(zero, nothing);
+    const auto straight = scene.geometry.make_coarse_mesh;
+    scene.geometry.make_coarse_mesh = [straight](dealii::Triangulation<3> &mesh) {
+      straight(mesh);
+      const auto shear = [](const dealii::Point<3> &x) {
+        return dealii::Point<3>(x[0] + 0.4 * x[1] - 0.3 * x[2], 0.7 * x[1] + 0.2 * x[2],
+                                1.3 * x[2] + 0.1 * x[0]);
+      };
+      dealii::GridTools::transform(shear, mesh);
+    };
+    for (BoundaryCondition<3> &condition : scene.boundary)
+      condition = {};
+    scene.material = make_isotropic<3>(Expression<3>(modulus, {}, "E"),
+                                       Expression<3>("0.3", {}, "nu"), PlaneState::strain);
+    const Mesh<3> mesh(scene.geometry, 0, 3, MPI_COMM_WORLD);
+    const DisplacementSpace<3> space(mesh, scene, StrainOperator::symmetric_gradient, 1);
+    const auto interpolated = [&](const double twist) {
+      return interpolate_at_nodes(space, *field([twist](const auto &x) {
+                                    return Vector3({std::exp(x[0]) + x[1] * x[2],
+                                                    std::sin(2. * x[1] + x[2] - twist * x[0]),
+                                                    x[0] * x[0] * x[2] + twist * x[1]});
+                                  }));
+    };
+    const Displacement U = interpolated(0.);
+    PressureCorrection correction;
+    correction.z = interpolated(1.5);
+    correction.z -= U;
+    const ErrorEstimate estimate =
+      estimate_error(DisplacedBody(space, scene, U), {1., std::nullopt}, correction, {});
+    return std::array<double, 2>{*estimate.h1, *estimate.mesh};
+  };
+  const auto by_forms = found("1"), by_points = found("1 + 1e-30*x");
+  for (const unsigned int norm : {0U, 1U})
+    checks.near(norm == 0 ? "norm of order 1" : "energy", by_forms[norm], by_points[norm],
+                1e-12 * by_points[norm]);
+}
 } // namespace
 
 int main(int argc, char **argv) {
-  return run_tests(argc, argv, {stiffness_and_loads, compliance, estimate});
+  return run_tests(argc, argv, {stiffness_and_loads, compliance, estimate, forms_of_parents});
 }

@@ -50,6 +50,11 @@ public:
   const FieldValues<dim> &on_reference_cell(const CellIterator &cell) {
     return on_reference_cell(cell, usual_points_);
   }
+  /** Returns the values at the nodes of the ancestor of a cell, lexicographically. */
+  const std::vector<Tensor<1, dim>> &nodal_values(const CellIterator &cell) {
+    collect_values(cell);
+    return nodal_values_;
+  }
 
 private:
   /** The position of a cell among the descendants of its ancestor: 0..2^k-1 per direction. */
