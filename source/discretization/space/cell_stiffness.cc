@@ -48,12 +48,13 @@ std::vector<double> mean_divergences(const Mesh<dim> &mesh, const FEValues<dim> 
 
 template <int dim>
 bool is_affine(const typename Triangulation<dim>::cell_iterator &cell) {
+  const double size = cell->vertex(cell->n_vertices() - 1).distance(cell->vertex(0));
   for (const unsigned int v : cell->vertex_indices()) {
     Tensor<1, dim> difference = cell->vertex(v) - cell->vertex(0);
     for (unsigned int d = 0; d < dim; ++d)
       if (((v >> d) & 1U) != 0)
         difference -= cell->vertex(1U << d) - cell->vertex(0);
-    if (!(difference.norm() < 1e-12 * cell->diameter()))
+    if (!(difference.norm() < 1e-12 * size))
       return false;
   }
   return true;

@@ -253,6 +253,12 @@ void StiffnessInverse::solve(Vector &x, const Vector &b) const {
   x = several[0];
 }
 
+void StiffnessInverse::solve_once(Vector &x, const Vector &b) const {
+  std::vector<Vector> several = {x};
+  apply(several, {b});
+  x.equ(1. / unit_, several[0]);
+}
+
 void StiffnessInverse::refuse_singular_matrix() const {
   Vector b = make_vector();
   for (const auto i : b.locally_owned_elements())

@@ -85,6 +85,8 @@ public:
   void solve(std::vector<Vector> &x, const std::vector<Vector> &b) const;
   /** Computes x = A⁻¹ b for one right-hand side. */
   void solve(Vector &x, const Vector &b) const;
+  /** Computes an x close to A⁻¹ b, where rounding of x does no harm: without refinement. */
+  void solve_once(Vector &x, const Vector &b) const;
 
   /** Returns the factor of the given unknowns; nothing if they were not eliminated last. */
   virtual std::optional<TrailingFactor>
