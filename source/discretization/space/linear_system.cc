@@ -10,7 +10,7 @@
 #include <signorini/discretization/space/linear_system.h>
 #include <signorini/discretization/space/resultant.h>
 
-#include <deal.II/lac/affine_constraints.templates.h>
+#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
@@ -96,61 +96,11 @@ TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space,
   return matrix;
 }
 
-namespace {
-/** The entries of a matrix that one rank stores, as deal.II adds to them. Trilinos looks up every
- * entry in its row, which took a third of a run of graded meshes to 1e-6; here one pass over a row
- * finds all columns of a cell. */
-class OwnRows : public Subscriptor {
-public:
-  using size_type = types::global_dof_index;
-  using value_type = double;
-
-  explicit OwnRows(const Epetra_CrsMatrix &matrix)
-    : size_(matrix.NumMyRows()) {
-    const int error = matrix.ExtractCrsDataPointers(start_, column_, value_);
-    AssertThrow(error == 0, ExcTrilinosError(error));
-  }
-
-  size_type m() const {
-    return size_;
-  }
-  size_type n() const {
-    return size_;
-  }
-
-  void add(const size_type row, const size_type column, const double value) {
-    add(row, 1, &column, &value, false, true);
-  }
-
-  /** Adds to increasing columns. */
-  void add(const size_type row, const size_type n, const size_type *const columns,
-           const double *const values, bool, bool) {
-    int entry = start_[row];
-    for (size_type j = 0; j < n; ++j, ++entry) {
-      while (column_[entry] < static_cast<int>(columns[j]))
-        ++entry;
-      value_[entry] += values[j];
-    }
-  }
-
-private:
-  size_type size_;
-  int *start_, *column_;
-  double *value_;
-};
-} // namespace
-
 template <int dim>
 void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cell_matrix,
               const std::vector<types::global_dof_index> &indices,
               TrilinosWrappers::SparseMatrix &matrix) {
-  const auto add_to = [&](auto &rows) {
-    space.constraints().distribute_local_to_global(cell_matrix, indices, rows);
-  };
-  if (Utilities::MPI::n_mpi_processes(space.mesh().communicator()) > 1)
-    return add_to(matrix);
-  OwnRows rows(matrix.trilinos_matrix());
-  add_to(rows);
+  space.constraints().distribute_local_to_global(cell_matrix, indices, matrix);
 }
 
 namespace {
