@@ -10,8 +10,7 @@
 #include <signorini/discretization/space/linear_system.h>
 #include <signorini/discretization/space/resultant.h>
 
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/affine_constraints.templates.h>
+#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
@@ -21,15 +20,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <sstream>
 
 namespace Signorini {
 namespace {
-/** Adds the couplings of all unknowns in the cells of this rank. */
+/** Returns the number of unknowns inside a cell. */
+template <int dim>
+unsigned int n_inner(const FiniteElement<dim> &element) {
+  return element.template n_dofs_per_object<dim>();
+}
+
+/** Adds the couplings of unknowns in the cells of this rank. */
 template <int dim, typename Pattern>
-void add_couplings(const DisplacementSpace<dim> &space, Pattern &pattern) {
-  DoFTools::make_sparsity_pattern(space.dofs(), pattern, space.constraints(), false,
-                                  Utilities::MPI::this_mpi_process(space.mesh().communicator()));
+void add_couplings(const DisplacementSpace<dim> &space, const bool condensed, Pattern &pattern) {
+  std::vector<types::global_dof_index> indices;
+  for (const auto &cell : space.dofs().active_cell_iterators())
+    if (cell->is_locally_owned()) {
+      indices.resize(cell->get_fe().n_dofs_per_cell());
+      cell->get_dof_indices(indices);
+      // Inner unknowns are the last of a cell.
+      for (unsigned int i = condensed ? n_inner(cell->get_fe()) : 0; i > 0; --i) {
+        pattern.add(indices.back(), indices.back());
+        indices.pop_back();
+      }
+      space.constraints().add_entries_local_to_global(indices, pattern, false);
+    }
 }
 
 /** A graph that can be told that its rows are sorted. */
@@ -41,10 +57,10 @@ struct SortedGraph : Epetra_CrsGraph {
 /** Returns the pattern of a matrix on one rank. Trilinos would look up every entry in its row, and
  * every column in a map: a tenth of a run of graded meshes. */
 template <int dim>
-Epetra_CrsGraph graph_on_one_rank(const DisplacementSpace<dim> &space) {
+Epetra_CrsGraph graph_on_one_rank(const DisplacementSpace<dim> &space, const bool condensed) {
   const int n = static_cast<int>(space.dofs().n_dofs());
   DynamicSparsityPattern pattern(n);
-  add_couplings(space, pattern);
+  add_couplings(space, condensed, pattern);
   const Epetra_Map map = space.locally_owned().make_trilinos_map(space.mesh().communicator());
   std::vector<int> lengths(n), columns;
   for (int row = 0; row < n; ++row)
@@ -64,77 +80,27 @@ Epetra_CrsGraph graph_on_one_rank(const DisplacementSpace<dim> &space) {
 } // namespace
 
 template <int dim>
-TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space) {
+TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space,
+                                           const bool condensed) {
   const MPI_Comm communicator = space.mesh().communicator();
   TrilinosWrappers::SparseMatrix matrix;
   if (Utilities::MPI::n_mpi_processes(communicator) == 1) {
-    matrix.reinit(Epetra_CrsMatrix(View, graph_on_one_rank(space)), false);
+    matrix.reinit(Epetra_CrsMatrix(View, graph_on_one_rank(space, condensed)), false);
     return matrix;
   }
   const IndexSet &owned = space.locally_owned();
   TrilinosWrappers::SparsityPattern pattern(owned, owned, communicator);
-  add_couplings(space, pattern);
+  add_couplings(space, condensed, pattern);
   pattern.compress();
   matrix.reinit(pattern);
   return matrix;
 }
 
-namespace {
-/** The entries of a matrix that one rank stores, as deal.II adds to them. Trilinos looks up every
- * entry in its row, which took a third of a run of graded meshes to 1e-6; here one pass over a row
- * finds all columns of a cell. */
-class OwnRows : public Subscriptor {
-public:
-  using size_type = types::global_dof_index;
-  using value_type = double;
-
-  explicit OwnRows(const Epetra_CrsMatrix &matrix)
-    : size_(matrix.NumMyRows()) {
-    const int error = matrix.ExtractCrsDataPointers(start_, column_, value_);
-    AssertThrow(error == 0, ExcTrilinosError(error));
-  }
-
-  size_type m() const {
-    return size_;
-  }
-  size_type n() const {
-    return size_;
-  }
-
-  void add(const size_type row, const size_type column, const double value) {
-    add(row, 1, &column, &value, false, true);
-  }
-
-  /** Adds to increasing columns. */
-  void add(const size_type row, const size_type n, const size_type *const columns,
-           const double *const values, bool, bool) {
-    int entry = start_[row];
-    for (size_type j = 0; j < n; ++j, ++entry) {
-      while (column_[entry] < static_cast<int>(columns[j]))
-        ++entry;
-      value_[entry] += values[j];
-    }
-  }
-
-private:
-  size_type size_;
-  int *start_, *column_;
-  double *value_;
-};
-} // namespace
-
 template <int dim>
 void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cell_matrix,
               const std::vector<types::global_dof_index> &indices,
-              TrilinosWrappers::SparseMatrix &matrix, DualVector &reduction) {
-  const auto add_to = [&](auto &rows) {
-    space.constraints().distribute_local_to_global(
-      cell_matrix, dealii::Vector<double>(indices.size()), indices, rows, reduction);
-  };
-  if (Utilities::MPI::n_mpi_processes(space.mesh().communicator()) > 1)
-    return add_to(matrix);
-  OwnRows rows(matrix.trilinos_matrix());
-  add_to(rows);
+              TrilinosWrappers::SparseMatrix &matrix) {
+  space.constraints().distribute_local_to_global(cell_matrix, indices, matrix);
 }
 
 namespace {
@@ -247,56 +213,87 @@ std::vector<Resultant<dim>> add_loads(const DisplacementSpace<dim> &space, const
   return resultants;
 }
 
-/** Adds the matrices of all owned cells, and -a(k, φ_i)/unit with the prescribed displacements k;
- * threads integrate them. */
+/** Adds the matrices of all owned cells; threads integrate and condense them. */
 template <int dim>
 void add_stiffness(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                   TrilinosWrappers::SparseMatrix &matrix, DualVector &reduction) {
-  using Matrices = std::vector<
-    std::pair<std::vector<types::global_dof_index>, typename CellStiffness<dim>::Matrix>>;
+                   const bool condensed, LinearSystem<dim> &system) {
+  using Matrix = typename CellStiffness<dim>::Matrix;
+  using Matrices = std::vector<std::pair<CondensedCell<dim>, Matrix>>;
   integrate_by_chunks<Matrices, dim>(
     space,
     [&](const Cells<dim> &cells) {
       CellStiffness<dim> stiffness(space, scene);
+      std::map<Matrix, std::shared_ptr<const CondensedMatrix>> known;
       Matrices matrices;
-      for (const auto &cell : cells)
-        matrices.emplace_back(space.cell_dofs(cell), stiffness.share(cell));
+      for (const auto &cell : cells) {
+        const Matrix K = stiffness.share(cell);
+        auto &matrix = known[K];
+        if (condensed && matrix == nullptr)
+          matrix = std::make_shared<const CondensedMatrix>(*K, n_inner(cell->get_fe()));
+        matrices.push_back({{space.cell_dofs(cell), &cell->get_fe(), matrix}, K});
+      }
       return matrices;
     },
     [&](const Matrices &matrices) {
-      for (const auto &[indices, cell_matrix] : matrices)
-        add_cell(space, *cell_matrix, indices, matrix, reduction);
+      for (const auto &[cell, K] : matrices) {
+        const FullMatrix<double> &S = condensed ? cell.matrix->S : *K;
+        add_cell(space, S, {cell.dofs.begin(), cell.dofs.begin() + S.m()}, system.matrix);
+        for (unsigned int i = S.m(); i < K->m(); ++i)
+          system.matrix.add(cell.dofs[i], cell.dofs[i], (*K)(i, i));
+        if (condensed)
+          system.cells.push_back(cell);
+      }
     });
 }
 
-/** Returns the system without prescribed displacements, f = Tᵀ loads, and with a matrix to fill. */
+/** Returns the system with the prescribed displacements k, and with a matrix to fill. */
 template <int dim>
 LinearSystem<dim> begin_system(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-                               const unsigned int n_points, TrilinosWrappers::SparseMatrix matrix) {
-  const MPI_Comm communicator = space.mesh().communicator();
-  LinearSystem<dim> system = {std::move(matrix),
-                              stiffness_unit(space, *scene.material),
-                              space.make_vector(),
-                              space.make_vector(),
-                              {}};
+                               const unsigned int n_points, const Displacement &k,
+                               TrilinosWrappers::SparseMatrix matrix) {
+  LinearSystem<dim> system = {
+    std::move(matrix),   {}, stiffness_unit(space, *scene.material), space.make_vector(),
+    space.make_vector(), {}};
   system.applied = add_loads(space, scene, n_points, system.loads);
   system.loads.compress(VectorOperation::add);
   for (Resultant<dim> &resultant : system.applied)
-    resultant = sum_over_ranks(resultant, communicator);
+    resultant = sum_over_ranks(resultant, space.mesh().communicator());
   system.f = space.condense(system.loads);
+  // f = Tᵀ (loads - A k), U = T U_free + k.
+  if (k.linfty_norm() > 0.)
+    system.f -= space.condense(internal_forces(DisplacedBody(space, scene, k)).forces);
   return system;
 }
 } // namespace
 
+CondensedMatrix::CondensedMatrix(const FullMatrix<double> &matrix, const unsigned int n_inner)
+  : S(matrix.m() - n_inner)
+  , K(matrix.m())
+  , X(n_inner, S.m())
+  , inner(n_inner) {
+  FullMatrix<double> K_ie(n_inner, S.m()), K_ii(n_inner);
+  K_ie.fill(matrix, 0, 0, S.m(), 0);
+  K_ii.fill(matrix, 0, 0, S.m(), S.m());
+  S.fill(matrix);
+  K = matrix;
+  X = K_ie;
+  inner = K_ii;
+  const LAPACKFullMatrix<double> K_ie_again(X);
+  X *= -1.;
+  inner.set_property(LAPACKSupport::symmetric);
+  inner.compute_cholesky_factorization();
+  inner.solve(X);
+  K_ie_again.Tmmult(S, X, true);
+}
+
 template <int dim>
 LinearSystem<dim> assemble_linear_system(const DisplacementSpace<dim> &space,
-                                         const Scene<dim> &scene, const unsigned int n_points) {
-  LinearSystem<dim> system = begin_system(space, scene, n_points, make_matrix(space));
-  DualVector reduction = space.make_vector();
-  add_stiffness(space, scene, system.matrix, reduction);
+                                         const Scene<dim> &scene, const unsigned int n_points,
+                                         const bool condensed) {
+  LinearSystem<dim> system = begin_system(space, scene, n_points, space.complete(space.zero()),
+                                          make_matrix(space, condensed));
+  add_stiffness(space, scene, condensed, system);
   system.matrix.compress(VectorOperation::add);
-  reduction.compress(VectorOperation::add);
-  system.f.add(system.unit, reduction);
   return system;
 }
 
@@ -304,12 +301,7 @@ template <int dim>
 LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
                                            const Scene<dim> &scene, const unsigned int n_points,
                                            const Displacement &k) {
-  LinearSystem<dim> system = begin_system(space, scene, n_points, {});
-  // f = Tᵀ (loads - A k), U = T U_free + k.
-  if (k.linfty_norm() == 0.)
-    return system;
-  system.f -= space.condense(internal_forces(DisplacedBody(space, scene, k)).forces);
-  return system;
+  return begin_system(space, scene, n_points, k, {});
 }
 
 INSTANTIATE_FUNCTION(make_matrix);

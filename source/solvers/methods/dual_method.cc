@@ -9,6 +9,7 @@
 #include <signorini/solvers/contact/dual_solver.h>
 #include <signorini/solvers/contact/free_motions.h>
 #include <signorini/solvers/contact/motion_modes.h>
+#include <signorini/solvers/stiffness/cellwise_inverse.h>
 #include <signorini/solvers/stiffness/stiffness_multigrid.h>
 
 #include <algorithm>
@@ -266,20 +267,23 @@ public:
                                      const Progress &progress) const override {
     const DisplacementSpace<dim> &space = discretization.space;
     const Coupling &D = discretization.condensed_D;
+    // Cells of degree two have few unknowns inside; files of A have all of them.
+    const bool is_condensed = space.max_element_degree() > 2 && !parameters_.output.compliance;
     StageTimes times;
     progress("assembly");
     const auto system = timed(times.assembly, [&]() {
       return std::make_shared<const LinearSystem<dim>>(
-        choice_.is_matrix_free() ? assemble_right_hand_side(space, scene_, discretization.n_points,
-                                                            space.complete(space.zero()))
-                                 : assemble_linear_system(space, scene_, discretization.n_points));
+        choice_.is_matrix_free()
+          ? assemble_right_hand_side(space, scene_, discretization.n_points,
+                                     space.complete(space.zero()))
+          : assemble_linear_system(space, scene_, discretization.n_points, is_condensed));
     });
     progress("factorisation");
     const std::shared_ptr<const StiffnessInverse> inverse =
       timed(times.factor, [&]() -> std::unique_ptr<StiffnessInverse> {
         if (choice_.is_matrix_free())
           return make_multigrid_inverse(space, scene_, solve_tolerance);
-        return factorise(system->matrix, system->unit, choice_.linear, contact_unknowns(D));
+        return make_stiffness_inverse(*system, space, choice_.linear, contact_unknowns(D));
       });
     MotionModes<dim> modes =
       timed(times.compliance, [&]() { return make_motion_modes(space, scene_, *inverse); });

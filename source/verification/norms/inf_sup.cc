@@ -53,7 +53,6 @@ double ratio_of_determinants(const typename Triangulation<dim>::active_cell_iter
 template <int dim>
 TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<dim> &space) {
   TrilinosWrappers::SparseMatrix A_1 = make_matrix(space);
-  DualVector unused = space.make_vector();
   ValuesCache<dim> cache(update_values | update_gradients | update_JxW_values);
   FullMatrix<double> cell_matrix;
   for (const auto &cell : space.dofs().active_cell_iterators()) {
@@ -77,7 +76,7 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
                      values.JxW(q);
         cell_matrix(i, j) = cell_matrix(j, i) = product;
       }
-    add_cell(space, cell_matrix, space.cell_dofs(cell), A_1, unused);
+    add_cell(space, cell_matrix, space.cell_dofs(cell), A_1);
   }
   A_1.compress(VectorOperation::add);
   return A_1;

@@ -87,6 +87,8 @@ public:
   void solve(Vector &x, const Vector &b) const;
   /** Computes an x close to A⁻¹ b, where rounding of x does no harm: without refinement. */
   void solve_once(Vector &x, const Vector &b) const;
+  /** Computes x = matrix⁻¹ b by the factors (or iterations) alone, for every pair. */
+  virtual void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const = 0;
 
   /** Returns the factor of the given unknowns; nothing if they were not eliminated last. */
   virtual std::optional<TrailingFactor>
@@ -149,8 +151,6 @@ private:
     double rounding_error = 0.;
   };
 
-  /** Computes x = matrix⁻¹ b by the factors (or iterations) alone, for every pair. */
-  virtual void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const = 0;
   /** Computes r = b - matrix x. With @p accurate, sums are in extended precision where there are
    * any, so that differences of large terms keep their digits. */
   virtual void residual(Vector &r, const Vector &x, const Vector &b, bool accurate) const = 0;
