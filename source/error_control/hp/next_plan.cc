@@ -11,9 +11,8 @@
 
 namespace Signorini {
 namespace {
-/** The factors by which the error should fall in a full step, and at most in one that aims at the
- * target: a short step behind a full one would cost as much as that again. */
-constexpr double reduction = 12., last_reduction = 60.;
+/** The factor by which the error should fall in a full step. */
+constexpr double reduction = 12.;
 
 /** The number of additional layers in a full step at an end of contact, where u ~ r^{3/2}. */
 constexpr double layers_per_step = 3.;
@@ -32,9 +31,9 @@ constexpr double rise_per_step = 1.5;
 /** The decay above which a cell is split. Below it, the degree rises. */
 constexpr double slow_decay = 0.4;
 
-/** Returns the length of the step that leads to the goal; that of a full one is 1. */
+/** Returns the share of a full step that leads to the goal. */
 double step_length(const double error, const double goal) {
-  return std::max(1. / 3., std::log(error / goal) / std::log(reduction));
+  return std::min(1., std::max(1. / 3., std::log(error / goal) / std::log(reduction)));
 }
 
 /** Returns the indicators of the cells at a singularity. */
@@ -82,7 +81,7 @@ struct Goal {
   double error;
   /** The error of one cell. */
   double per_cell;
-  /** The length of the step. */
+  /** The share of a full step. */
   double length;
 };
 
@@ -330,9 +329,7 @@ MeshPlan next_plan(const MeshPlan &plan, const Scene<2> &scene, const Mesh<2> &m
     return next;
   }
   const double reachable = std::max(findings.target, findings.unsplit);
-  const double last_aim = 0.8 * reachable, aim = findings.error > last_reduction * last_aim
-                                                   ? findings.error / reduction
-                                                   : last_aim;
+  const double aim = std::max(0.6 * reachable, findings.error / reduction);
   Goal goal = {};
   goal.length = step_length(findings.error, aim);
   goal.error = findings.error > 0. ? total(findings.indicators) * aim / findings.error : 0.;
