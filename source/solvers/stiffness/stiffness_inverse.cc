@@ -151,8 +151,9 @@ double StiffnessInverse::refine(Vector &x, const Vector &r) const {
   return size > 0. ? correction[0].l2_norm() / size : 0.;
 }
 
-MatrixInverse::MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, const double unit)
-  : StiffnessInverse(diagonal_of(matrix), unit, SolveAccuracy())
+MatrixInverse::MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, const double unit,
+                             const SolveAccuracy &accuracy)
+  : StiffnessInverse(diagonal_of(matrix), unit, accuracy)
   , matrix_(matrix) {}
 
 namespace {

@@ -186,7 +186,8 @@ protected:
    * Stores the matrix.
    * @param matrix must outlive the object.
    */
-  MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, double unit);
+  MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, double unit,
+                const SolveAccuracy &accuracy = {});
 
 private:
   void residual(Vector &r, const Vector &x, const Vector &b, bool accurate) const override;
