@@ -179,14 +179,14 @@ public:
         loads.resultants[body].add(weighted, points_[p++]);
       }
       const FiniteElement<dim> &element = values->get_fe();
-      for (unsigned int i = 0; i < element.base_element(0).n_dofs_per_cell(); ++i) {
+      for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i) {
+        const unsigned int component = element.system_to_component_index(i).first;
         // deal.II stores the values of a function at all points one behind the other.
-        const double *value = &values->shape_value(element.component_to_system_index(0, i), 0);
-        Tensor<1, dim> sum;
+        const double *value = &values->shape_value(i, 0);
+        double sum = 0.;
         for (const Tensor<1, dim> &weighted : weighted_)
-          sum += *value++ * weighted;
-        for (unsigned int d = 0; d < dim; ++d)
-          loads.values[first + element.component_to_system_index(d, i)] += sum[d];
+          sum += *value++ * weighted[component];
+        loads.values[first + i] += sum;
       }
     }
     rules_.clear();
