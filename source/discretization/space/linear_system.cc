@@ -114,54 +114,53 @@ struct ChunkLoads {
   std::vector<Resultant<dim>> resultants;
 };
 
-/** Integrates f_i of one cell: body force and tractions. */
+/** Rules on cells or faces, at whose points a force is evaluated together: for few points, formulas
+ * take twice as long. */
 template <int dim>
-class CellLoads {
+class LoadBatch {
 public:
-  CellLoads(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
-            const unsigned int n_points)
-    : scene_(scene)
-    , cell_values_(space.mesh().mapping(), space, scene.kinks, n_points, load_flags)
-    , face_values_(space.mesh().mapping(), space, scene.kinks, n_points, load_flags) {}
-
-  /** Adds the loads of a cell to @p vector and to @p resultant. */
-  void add(const typename FaceValues<dim>::CellIterator &cell, const ArrayView<double> &vector,
-           Resultant<dim> &resultant) {
-    if (scene_.body_force != nullptr)
-      add_force(cell_values_.reinit(cell), *scene_.body_force, "the body force", vector, resultant);
-    for (const unsigned int f : cell->face_indices())
-      if (cell->face(f)->at_boundary()) {
-        const auto side = cell->face(f)->boundary_id();
-        if (scene_.boundary[side].role == Role::traction)
-          add_force(face_values_.reinit(cell, f, scene_.geometry.sides[side]),
-                    *scene_.boundary[side].data, "the traction", vector, resultant);
+  /** Adds a rule. The object may move to other cells, where shape functions have the same values.
+   * @param first the number of the first load of the cell. @return whether the batch is full. */
+  bool add(const FEValuesBase<dim> &values, const std::size_t first, const unsigned int body) {
+    rules_.push_back({&values, first, body});
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      points_.push_back(values.quadrature_point(q));
+      weights_.push_back(measure_at(values, q));
+    }
+    return points_.size() >= 200;
+  }
+  /** Adds Σ_q force(x_q).φ_i(x_q) dx_q of all rules to the loads, and forgets the rules. */
+  void evaluate(const Function<dim> &force, const char *name, ChunkLoads<dim> &loads) {
+    forces_.resize(points_.size(), dealii::Vector<double>(dim));
+    force.vector_value_list(points_, forces_);
+    std::size_t p = 0;
+    for (const auto &[values, first, body] : rules_) {
+      weighted_.clear();
+      while (weighted_.size() < values->n_quadrature_points) {
+        Tensor<1, dim> &weighted = weighted_.emplace_back();
+        for (unsigned int d = 0; d < dim; ++d) {
+          check_finite(forces_[p][d], points_[p], name);
+          weighted[d] = forces_[p][d] * weights_[p];
+        }
+        loads.resultants[body].add(weighted, points_[p++]);
       }
+      const FiniteElement<dim> &element = values->get_fe();
+      for (unsigned int i = 0; i < element.n_dofs_per_cell(); ++i) {
+        const unsigned int component = element.system_to_component_index(i).first;
+        // deal.II stores the values of a function at all points one behind the other.
+        const double *value = &values->shape_value(i, 0);
+        double sum = 0.;
+        for (const Tensor<1, dim> &weighted : weighted_)
+          sum += *value++ * weighted[component];
+        loads.values[first + i] += sum;
+      }
+    }
+    rules_.clear();
+    points_.clear();
+    weights_.clear();
   }
 
 private:
-  /** Adds Σ_q force(x_q).φ_i(x_q) dx_q to vector_i. */
-  void add_force(const FEValuesBase<dim> &values, const Function<dim> &force, const char *name,
-                 const ArrayView<double> &vector, Resultant<dim> &resultant) {
-    const std::vector<Point<dim>> &points = values.get_quadrature_points();
-    force_.resize(points.size(), dealii::Vector<double>(dim));
-    force.vector_value_list(points, force_);
-    for (const unsigned int q : values.quadrature_point_indices()) {
-      Tensor<1, dim> weighted;
-      for (unsigned int d = 0; d < dim; ++d) {
-        check_finite(force_[q][d], points[q], name);
-        weighted[d] = force_[q][d] *= measure_at(values, q);
-      }
-      resultant.add(weighted, points[q]);
-    }
-    for (unsigned int i = 0; i < vector.size(); ++i) {
-      const unsigned int component = values.get_fe().system_to_component_index(i).first;
-      // deal.II stores the values of a function at all points one behind the other.
-      const double *const value = &values.shape_value(i, 0);
-      for (const unsigned int q : values.quadrature_point_indices())
-        vector[i] += force_[q][component] * value[q];
-    }
-  }
-
   static void check_finite(const double component, const Point<dim> &x, const char *name) {
     if (std::isfinite(component))
       return;
@@ -171,12 +170,50 @@ private:
     throw InputError(message.str());
   }
 
-  const Scene<dim> &scene_;
-  CellValues<dim> cell_values_;
-  FaceValues<dim> face_values_;
-  /** The force at the quadrature points, then times the weights. */
-  std::vector<dealii::Vector<double>> force_;
+  struct Rule {
+    const FEValuesBase<dim> *values;
+    std::size_t first;
+    unsigned int body;
+  };
+  std::vector<Rule> rules_;
+  std::vector<Point<dim>> points_;
+  std::vector<double> weights_;
+  std::vector<dealii::Vector<double>> forces_;
+  /** The forces of a rule, times the weights. */
+  std::vector<Tensor<1, dim>> weighted_;
 };
+
+/** Integrates f_i of cells: body force and tractions. */
+template <int dim>
+ChunkLoads<dim> integrate_loads(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
+                                const unsigned int n_points, const Cells<dim> &cells) {
+  CellValues<dim> cell_values(space.mesh().mapping(), space, scene.kinks, n_points, load_flags);
+  FaceValues<dim> face_values(space.mesh().mapping(), space, scene.kinks, n_points, load_flags);
+  ChunkLoads<dim> loads = {{}, {}, std::vector<Resultant<dim>>(scene.geometry.n_bodies())};
+  LoadBatch<dim> body_force, traction;
+  std::vector<types::global_dof_index> indices;
+  for (const auto &cell : cells)
+    if (scene.body_force != nullptr || cell->at_boundary()) {
+      const std::size_t first = loads.indices.size();
+      const unsigned int body = scene.geometry.body_of(cell);
+      indices.resize(cell->get_fe().n_dofs_per_cell());
+      cell->get_dof_indices(indices);
+      loads.indices.insert(loads.indices.end(), indices.begin(), indices.end());
+      loads.values.resize(loads.indices.size());
+      if (scene.body_force != nullptr && (body_force.add(cell_values.reinit(cell), first, body) ||
+                                          cell_values.is_cut() || cell == cells.back()))
+        body_force.evaluate(*scene.body_force, "the body force", loads);
+      for (const unsigned int f : cell->face_indices())
+        if (cell->face(f)->at_boundary()) {
+          const auto side = cell->face(f)->boundary_id();
+          if (scene.boundary[side].role == Role::traction) {
+            traction.add(face_values.reinit(cell, f, scene.geometry.sides[side]), first, body);
+            traction.evaluate(*scene.boundary[side].data, "the traction", loads);
+          }
+        }
+    }
+  return loads;
+}
 
 /**
  * Adds f_i of all owned cells; threads integrate them.
@@ -188,23 +225,7 @@ std::vector<Resultant<dim>> add_loads(const DisplacementSpace<dim> &space, const
   const unsigned int n_bodies = scene.geometry.n_bodies();
   std::vector<Resultant<dim>> resultants(n_bodies);
   integrate_by_chunks<ChunkLoads<dim>, dim>(
-    space,
-    [&](const Cells<dim> &cells) {
-      CellLoads<dim> cell_loads(space, scene, n_points);
-      ChunkLoads<dim> chunk = {{}, {}, std::vector<Resultant<dim>>(n_bodies)};
-      std::vector<types::global_dof_index> indices;
-      for (const auto &cell : cells)
-        if (scene.body_force != nullptr || cell->at_boundary()) {
-          const std::size_t first = chunk.values.size();
-          indices.resize(cell->get_fe().n_dofs_per_cell());
-          cell->get_dof_indices(indices);
-          chunk.indices.insert(chunk.indices.end(), indices.begin(), indices.end());
-          chunk.values.resize(chunk.indices.size());
-          cell_loads.add(cell, ArrayView<double>(&chunk.values[first], indices.size()),
-                         chunk.resultants[scene.geometry.body_of(cell)]);
-        }
-      return chunk;
-    },
+    space, [&](const Cells<dim> &cells) { return integrate_loads(space, scene, n_points, cells); },
     [&](const ChunkLoads<dim> &chunk) {
       loads.add(chunk.indices.size(), chunk.indices.data(), chunk.values.data());
       for (unsigned int body = 0; body < n_bodies; ++body)

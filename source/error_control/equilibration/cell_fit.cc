@@ -217,12 +217,12 @@ void CellFitter::project_load(const CellShape &shape, const PlaneRule &rule, Cel
   std::vector<Point<2>> points;
   std::vector<double> weights;
   std::vector<Tensor<1, 2>> forces;
-  Vector f(2);
-  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+  std::vector<Vector> f(rule.points.size(), Vector(2));
+  data_.scene.body_force->vector_value_list(rule.points, f);
+  for (std::size_t q = 0; q < f.size(); ++q) {
     points.push_back(fit.airy->on_diagonals((rule.points[q] - shape.crossing) / fit.size));
     weights.push_back(rule.weights[q] / (fit.size * fit.size));
-    data_.scene.body_force->vector_value(rule.points[q], f);
-    forces.emplace_back(Tensor<1, 2>({f[0], f[1]}) * fit.size);
+    forces.emplace_back(Tensor<1, 2>({f[q][0], f[q][1]}) * fit.size);
   }
   double rest = 0.;
   fit.load = fit.airy->project(points, weights, forces, rest);

@@ -55,9 +55,8 @@ Interval angle(const Interval &a, const Interval &b) {
 
 /** A product in which zero times infinity is zero. */
 double times(const double a, const double b) {
-  const double product = a * b;
   // Without branches, which registers of several numbers do not have.
-  return bool(product == product) | (bool(a != 0.) & bool(b != 0.)) ? product : 0.;
+  return (b == 0. ? 0. : a) * (a == 0. ? 0. : b);
 }
 Interval times(const Interval &a, const Interval &b) {
   return is_zero(a) || is_zero(b) ? 0. : zero_in(a) || zero_in(b) ? hull(a * b, 0.) : a * b;

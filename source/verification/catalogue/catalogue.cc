@@ -69,8 +69,9 @@ public:
                          std::vector<dealii::Vector<double>> &values) const override {
     std::vector<double> all(points.size() * this->n_components);
     formulas_.values(points.data(), points.size(), all.data());
-    for (std::size_t i = 0; i < all.size(); ++i)
-      values[i % points.size()][i / points.size()] = all[i];
+    for (std::size_t c = 0, i = 0; c < this->n_components; ++c)
+      for (auto &value : values)
+        value[c] = all[i++];
   }
   Tensor<1, dim> gradient(const Point<dim> &x, const unsigned int component) const override {
     Gradients all(this->n_components);
@@ -81,8 +82,9 @@ public:
                             std::vector<Gradients> &gradients) const override {
     Gradients all(points.size() * this->n_components);
     formulas_.gradients(points.data(), points.size(), all.data());
-    for (std::size_t i = 0; i < all.size(); ++i)
-      gradients[i % points.size()][i / points.size()] = all[i];
+    for (std::size_t c = 0, i = 0; c < this->n_components; ++c)
+      for (auto &gradient : gradients)
+        gradient[c] = all[i++];
   }
 
 private:
@@ -169,12 +171,14 @@ void set_condition(const Description<dim> &description, const unsigned int numbe
     condition.data = std::make_shared<FieldFunction<dim>>(
       [u = scene.exact_displacement, material = scene.material, geometry = scene.geometry,
        normal](const Point<dim> &x) {
+        std::vector<std::vector<Tensor<1, dim>>> gradients(1, std::vector<Tensor<1, dim>>(dim));
+        u->vector_gradient_list({x}, gradients);
         Tensor<1, dim> value;
         Tensor<2, dim> gradient;
-        for (unsigned int i = 0; i < dim; ++i) {
-          value[i] = u->value(x, i);
-          gradient[i] = u->gradient(x, i);
-        }
+        for (unsigned int i = 0; i < dim; ++i)
+          gradient[i] = gradients[0][i];
+        if (geometry.axisymmetric)
+          value[0] = u->value(x, 0);
         const HookesLaw<dim> law = {material->hooke(x), material->across(x)};
         return law.stress(strain_at(geometry, x, value, gradient)) * normal;
       });

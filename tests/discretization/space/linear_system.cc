@@ -62,10 +62,14 @@ std::string loaded(const std::string &body_force, const std::string &traction,
 
 void loads(Checks &checks) {
   // int f = (4, 1), int x f2 - y f1 = 4/3 - 2; int t = (1/2, 2) at x = 2 with moment 4 - 1/3.
+  // On level 5 the force is evaluated in many cells at a time, and in several chunks of cells.
   for (const char *distortion : {"0", "0.3"})
-    check_resultant(checks, "polynomial data, distortion " + std::string(distortion),
-                    System(loaded("1 + x; x*y", "right: y; 2", distortion, ""), 2),
-                    Point<2>(4.5, 3.), 3.);
+    for (const unsigned int level : {2, 5})
+      check_resultant(checks,
+                      "polynomial data, distortion " + std::string(distortion) + ", level " +
+                        std::to_string(level),
+                      System(loaded("1 + x; x*y", "right: y; 2", distortion, ""), level),
+                      Point<2>(4.5, 3.), 3.);
   // int (x - 0.7)_+ = 1.3^2/2, int x (x - 0.7)_+ = (8 - 0.343)/3 - 0.7 (4 - 0.49)/2; on the right
   // int (y - 1/3)_+ = 2/9 and int y (y - 1/3)_+ = 1/3 - 1/6 + 1/162 = 14/81.
   const double first = 7.657 / 3. - 0.35 * 3.51;
