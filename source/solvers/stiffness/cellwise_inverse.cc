@@ -25,7 +25,7 @@ public:
   /** @param edges the inverse of the system's matrix. */
   CellwiseInverse(const LinearSystem<dim> &system, const DisplacementSpace<dim> &space,
                   std::unique_ptr<StiffnessInverse> edges)
-    : MatrixInverse(system.matrix, system.unit, {1e-13})
+    : MatrixInverse(system.matrix, system.unit)
     , cells_(system.cells)
     , space_(space)
     , edges_(std::move(edges)) {}

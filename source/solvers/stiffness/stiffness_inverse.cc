@@ -151,9 +151,8 @@ double StiffnessInverse::refine(Vector &x, const Vector &r) const {
   return size > 0. ? correction[0].l2_norm() / size : 0.;
 }
 
-MatrixInverse::MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, const double unit,
-                             const SolveAccuracy &accuracy)
-  : StiffnessInverse(diagonal_of(matrix), unit, accuracy)
+MatrixInverse::MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, const double unit)
+  : StiffnessInverse(diagonal_of(matrix), unit, SolveAccuracy())
   , matrix_(matrix) {}
 
 namespace {

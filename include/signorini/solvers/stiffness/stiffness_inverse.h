@@ -186,8 +186,7 @@ protected:
    * Stores the matrix.
    * @param matrix must outlive the object.
    */
-  MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, double unit,
-                const SolveAccuracy &accuracy = {});
+  MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, double unit);
 
 private:
   void residual(Vector &r, const Vector &x, const Vector &b, bool accurate) const override;
