@@ -61,17 +61,6 @@ void multiply(const FullMatrix<double> &K, const dealii::Vector<double> &v,
 } // namespace
 
 template <int dim>
-void subtract_translation(const DisplacementSpace<dim> &space, const FiniteElement<dim> &element,
-                          dealii::Vector<double> &on_cell) {
-  Tensor<1, dim> corner;
-  // A translation away from an axis is no rigid motion.
-  for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d)
-    corner[d] = on_cell[element.component_to_system_index(d, 0)];
-  for (unsigned int i = 0; i < on_cell.size(); ++i)
-    on_cell[i] -= corner[element.system_to_component_index(i).first];
-}
-
-template <int dim>
 InternalForces<dim> internal_forces(const DisplacedBody<dim> &body) {
   const DisplacementSpace<dim> &space = body.space;
   InternalForces<dim> result = {space.make_vector(), space.make_vector()};
@@ -79,8 +68,14 @@ InternalForces<dim> internal_forces(const DisplacedBody<dim> &body) {
   std::vector<types::global_dof_index> indices;
   double energy = 0.;
   for_each_cell(body, [&](const auto &cell, const FullMatrix<double> &K, const auto &on_cell) {
+    const FiniteElement<dim> &element = cell->get_fe();
+    Tensor<1, dim> corner;
+    // A translation away from an axis is no rigid motion.
+    for (unsigned int d = space.mesh().is_axisymmetric() ? 1 : 0; d < dim; ++d)
+      corner[d] = on_cell[element.component_to_system_index(d, 0)];
     strained = on_cell;
-    subtract_translation(space, cell->get_fe(), strained);
+    for (unsigned int i = 0; i < on_cell.size(); ++i)
+      strained[i] -= corner[element.system_to_component_index(i).first];
     multiply(K, strained, on_cell, forces, magnitudes);
     energy += strained * forces;
     indices.resize(on_cell.size());
@@ -124,7 +119,6 @@ std::optional<double> norm_of_rigid_motion(const DisplacedBody<dim> &body) {
   return std::max(motion, 1e-6 * size) * std::sqrt(stiffness_unit(space, *body.scene.material));
 }
 
-INSTANTIATE_FUNCTION(subtract_translation);
 INSTANTIATE_FUNCTION(internal_forces);
 INSTANTIATE_FUNCTION(norm_of_rigid_motion);
 } // namespace Signorini

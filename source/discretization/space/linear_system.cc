@@ -251,7 +251,7 @@ void add_stiffness(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
         auto &matrix = known[K];
         if (condensed && matrix == nullptr)
           matrix = std::make_shared<const CondensedMatrix>(*K, n_inner(cell->get_fe()));
-        matrices.push_back({{space.cell_dofs(cell), &cell->get_fe(), matrix}, K});
+        matrices.push_back({{space.cell_dofs(cell), matrix}, K});
       }
       return matrices;
     },
@@ -289,14 +289,12 @@ LinearSystem<dim> begin_system(const DisplacementSpace<dim> &space, const Scene<
 
 CondensedMatrix::CondensedMatrix(const FullMatrix<double> &matrix, const unsigned int n_inner)
   : S(matrix.m() - n_inner)
-  , K(matrix.m())
   , X(n_inner, S.m())
   , inner(n_inner) {
   FullMatrix<double> K_ie(n_inner, S.m()), K_ii(n_inner);
   K_ie.fill(matrix, 0, 0, S.m(), 0);
   K_ii.fill(matrix, 0, 0, S.m(), S.m());
   S.fill(matrix);
-  K = matrix;
   X = K_ie;
   inner = K_ii;
   const LAPACKFullMatrix<double> K_ie_again(X);

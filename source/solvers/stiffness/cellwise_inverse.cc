@@ -2,7 +2,6 @@
 // A⁻¹ where the unknowns inside cells are eliminated cell by cell.
 
 #include <signorini/base/instantiate.h>
-#include <signorini/discretization/space/internal_forces.h>
 #include <signorini/solvers/stiffness/cellwise_inverse.h>
 
 #include <utility>
@@ -36,15 +35,10 @@ public:
 
   /** x_i = K_ii⁻¹ b_i + X x_e, where x_e solves the system of all S for b_e + Xᵀ b_i. */
   void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override {
-    std::vector<Vector> reduced;
+    std::vector<Vector> on_edges;
     for (const Vector &b_k : b)
-      reduced.push_back(add_by_cells(b_k, [&](const Cell &cell) {
-        const LAPACKFullMatrix<double> &X = cell.matrix->X;
-        dealii::Vector<double> product(X.n());
-        X.Tvmult(product, values(b_k, cell.dofs.begin() + X.n(), cell.dofs.end()));
-        return product;
-      }));
-    edges_->apply(x, reduced);
+      on_edges.push_back(reduced(b_k));
+    edges_->apply(x, on_edges);
     for (std::size_t k = 0; k < x.size(); ++k) {
       const Displacement u = displacement(x[k]);
       for (const Cell &cell : cells_) {
@@ -59,26 +53,22 @@ public:
   }
 
 private:
-  void residual(Vector &r, const Vector &x, const Vector &b, bool /*accurate*/) const override {
-    const Displacement u = displacement(x);
-    r.copy_locally_owned_data_from(add_by_cells(b, [&](const Cell &cell) {
-      dealii::Vector<double> strained = values(u, cell.dofs.begin(), cell.dofs.end()),
-                             forces(strained.size());
-      subtract_translation(space_, *cell.element, strained);
-      strained *= -1.;
-      cell.matrix->K.vmult(forces, strained);
-      return forces;
-    }));
+  void residual(Vector &r, const Vector &x, const Vector &b, const bool accurate) const override {
+    MatrixInverse::residual(r, x, reduced(b), accurate);
+    for (const Cell &cell : cells_)
+      for (Dof i = cell.dofs.begin() + cell.matrix->X.n(); i != cell.dofs.end(); ++i)
+        r(*i) = 0.;
   }
 
-  /** Returns Tᵀ (b + the sum of the functionals of cells, for their first unknowns). */
-  template <typename Functional>
-  DualVector add_by_cells(const Vector &b, const Functional &functional) const {
+  /** Returns b_e + Xᵀ b_i beside b_i. */
+  Vector reduced(const Vector &b) const {
     DualVector sum = space_.make_vector();
     sum.copy_locally_owned_data_from(b);
     for (const Cell &cell : cells_) {
-      const dealii::Vector<double> share = functional(cell);
-      sum.add(share.size(), cell.dofs.data(), share.begin());
+      const LAPACKFullMatrix<double> &X = cell.matrix->X;
+      dealii::Vector<double> product(X.n());
+      X.Tvmult(product, values(b, cell.dofs.begin() + X.n(), cell.dofs.end()));
+      sum.add(product.size(), cell.dofs.data(), product.begin());
     }
     sum.compress(VectorOperation::add);
     return space_.condense(sum);

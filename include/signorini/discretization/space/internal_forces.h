@@ -21,12 +21,6 @@ struct InternalForces {
   double energy_norm = 0.;
 };
 
-/** Subtracts the displacement of the first node from the values on a cell: strains keep their
- * digits, however far the body moves. */
-template <int dim>
-void subtract_translation(const DisplacementSpace<dim> &space, const FiniteElement<dim> &element,
-                          dealii::Vector<double> &on_cell);
-
 /** Integrates the forces. Collective. */
 template <int dim>
 InternalForces<dim> internal_forces(const DisplacedBody<dim> &body);

@@ -35,7 +35,7 @@ struct CondensedMatrix {
   CondensedMatrix(const FullMatrix<double> &matrix, unsigned int n_inner);
 
   FullMatrix<double> S;
-  LAPACKFullMatrix<double> K, X;
+  LAPACKFullMatrix<double> X;
   /** K_ii as its Cholesky factor. */
   LAPACKFullMatrix<double> inner;
 };
@@ -44,7 +44,6 @@ struct CondensedMatrix {
 template <int dim>
 struct CondensedCell {
   std::vector<types::global_dof_index> dofs;
-  const FiniteElement<dim> *element;
   std::shared_ptr<const CondensedMatrix> matrix;
 };
 

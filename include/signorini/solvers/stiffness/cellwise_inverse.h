@@ -11,8 +11,8 @@ namespace Signorini {
 /**
  * Returns the inverse of A by the factors of a system's matrix. Where cells are condensed, a solve
  * eliminates their inner unknowns before, and finds them afterwards; residuals are those of the
- * cells' K, for displacements less that of a corner: a translation costs no digits. The system and
- * the space must outlive the result. Collective.
+ * matrix, whose factors also make C: so U and C agree. The system and the space must outlive the
+ * result. Collective.
  *
  * @param contact_unknowns see factorise() of a matrix.
  * @throws ComputationError if the factorisation fails.

@@ -188,8 +188,9 @@ protected:
    */
   MatrixInverse(const TrilinosWrappers::SparseMatrix &matrix, double unit);
 
-private:
   void residual(Vector &r, const Vector &x, const Vector &b, bool accurate) const override;
+
+private:
   void accurate_residual(Vector &r, const Vector &x, const Vector &b) const;
 
   const TrilinosWrappers::SparseMatrix &matrix_;
