@@ -36,6 +36,7 @@ public:
   /** x_i = K_ii⁻¹ b_i + X x_e, where x_e solves the system of all S for b_e + Xᵀ b_i. */
   void apply(std::vector<Vector> &x, const std::vector<Vector> &b) const override {
     std::vector<Vector> on_edges;
+    on_edges.reserve(b.size());
     for (const Vector &b_k : b)
       on_edges.push_back(reduced(b_k));
     edges_->apply(x, on_edges);
