@@ -59,17 +59,18 @@ def cost_solvers():
 
 # The stages of a run by functions: a sample belongs to the first stage whose functions are among its calls.
 FUNCTIONS = {
+    "formulas": "FormulaTree|FormulaParts",
     "bound": "compute_located_bound|LevelErrors<|CellFit|AiryCell|Misfit|Traction|ContactLift", "output": "ResultsWriter|StudyWriter|solution_vtu",
     "pressure correction": "correct_by_finer_patches", "estimate": "estimate_error|contact_part|PatchInterpolation",
     "examination": "StepExamination|missed_contact_cells|energy_distance|indicate|energy_on",
     "answer": "compute_answer|plate_records|von_mises|StressIn3D", "A U, certificate": "nodal_forces|certify|energies_of|internal_forces",
     "pattern of A": "make_matrix", "factor": "CondensedInverse::CondensedInverse|factorise<?",
     "set-up of cycles": "make_multigrid_inverse|StiffnessMultigrid<[23]>::StiffnessMultigrid",
-    "entries of A, f": "assemble_linear_system|assemble_right_hand_side|CellStiffness|CellLoads|begin_system",
+    "entries of A, f": "assemble_linear_system|assemble_right_hand_side|CellStiffness|integrate_loads|begin_system",
     "V-cycles, contact": "solve_contact_by_cycles", "C, dual problem": "make_compliance|solve_dual|ActiveSet|active_set|Compliance",
     "U, U_0": "StiffnessInverse|MatrixInverse", "mesh, plan": "Mesh<[23]>::|_plan\\b|hidden_data",
     "spaces, D, G": "Discretization<|DisplacementSpace<|MultiplierSpace<", "carry over": "carry_over|start_for|transfer_pressure",
-    "scan, input": "make_scene|parameters|find_contradiction", "formulas": "FormulaTree|FormulaParts",
+    "scan, input": "make_scene|parameters|find_contradiction",
     # Calls of OpenBLAS end in its kernels.
     "rest": "Signorini::|dealii::|gemm|trsm|syrk|potrf", "start": "_dl_|_start|MPI_"}
 SAMPLES_PER_SECOND = 199
