@@ -96,13 +96,6 @@ TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space,
   return matrix;
 }
 
-template <int dim>
-void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cell_matrix,
-              const std::vector<types::global_dof_index> &indices,
-              TrilinosWrappers::SparseMatrix &matrix) {
-  space.constraints().distribute_local_to_global(cell_matrix, indices, matrix);
-}
-
 namespace {
 const UpdateFlags load_flags = update_values | update_quadrature_points | update_JxW_values;
 
@@ -258,7 +251,8 @@ void add_stiffness(const DisplacementSpace<dim> &space, const Scene<dim> &scene,
     [&](const Matrices &matrices) {
       for (const auto &[cell, K] : matrices) {
         const FullMatrix<double> &S = condensed ? cell.matrix->S : *K;
-        add_cell(space, S, {cell.dofs.begin(), cell.dofs.begin() + S.m()}, system.matrix);
+        space.constraints().distribute_local_to_global(
+          S, {cell.dofs.begin(), cell.dofs.begin() + S.m()}, system.matrix);
         for (unsigned int i = S.m(); i < K->m(); ++i)
           system.matrix.add(cell.dofs[i], cell.dofs[i], (*K)(i, i));
         if (condensed)
@@ -324,7 +318,6 @@ LinearSystem<dim> assemble_right_hand_side(const DisplacementSpace<dim> &space,
 }
 
 INSTANTIATE_FUNCTION(make_matrix);
-INSTANTIATE_FUNCTION(add_cell);
 INSTANTIATE_FUNCTION(assemble_linear_system);
 INSTANTIATE_FUNCTION(assemble_right_hand_side);
 } // namespace Signorini

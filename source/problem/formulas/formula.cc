@@ -3,7 +3,7 @@
 
 #include <signorini/problem/formulas/formula.h>
 
-#include <deal.II/base/aligned_vector.h>
+#include <boost/container/small_vector.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -297,10 +297,10 @@ namespace {
 template <int dim, typename Visitor>
 void evaluate(const Formula &formula, const Point<dim> *const points, const std::size_t n,
               const std::vector<Index> &parts, const Visitor &visit) {
-  // Many, because each operation is a call; few, because all parts stay in the fast memory.
+  // Points of a batch share the call of each operation. The values of all parts stay in the cache.
   const std::size_t width = std::min<std::size_t>(n, 64);
-  static thread_local AlignedVector<double> run;
-  run.resize(std::max(run.size(), formula.nodes.size() * width));
+  boost::container::small_vector<double, 2048> run(formula.nodes.size() * width,
+                                                   boost::container::default_init);
   const auto at = [&](const Index part) { return run.data() + part * width; };
   for (const Index i : parts)
     if (formula.nodes[i].operation == nullptr)

@@ -76,7 +76,7 @@ TrilinosWrappers::SparseMatrix assemble_h1_gram_matrix(const DisplacementSpace<d
                      values.JxW(q);
         cell_matrix(i, j) = cell_matrix(j, i) = product;
       }
-    add_cell(space, cell_matrix, space.cell_dofs(cell), A_1);
+    space.constraints().distribute_local_to_global(cell_matrix, space.cell_dofs(cell), A_1);
   }
   A_1.compress(VectorOperation::add);
   return A_1;

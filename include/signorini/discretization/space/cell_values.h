@@ -111,7 +111,7 @@ public:
 
   /** Returns whether the last values were those of a cut_rule: the next ones destroy them. */
   bool is_cut() const {
-    return is_cut_;
+    return cut_ != nullptr;
   }
 
 protected:
@@ -124,7 +124,7 @@ protected:
                           const FaceNumber... face_no) {
     const FiniteElement<dim> &element = space_.element(cell);
     const unsigned int n_points = n_points_ + element.degree - 1;
-    is_cut_ = is_cut;
+    cut_.reset();
     if (!is_cut)
       return plain_.reinit(mapping_, element, n_points, cell, face_no...);
     cut_ = std::make_unique<Values>(mapping_, element, cut_rule(n_points), plain_.flags());
@@ -143,8 +143,8 @@ private:
   const DisplacementSpace<dim> &space_;
   unsigned int n_points_;
   ValuesCache<dim, rule_dim> plain_;
+  /** The last values, if a rule of their own made them. */
   std::unique_ptr<Values> cut_;
-  bool is_cut_ = false;
 };
 
 /** The shape functions at the Gauss points of a cell; on the pieces of a cell that a kink crosses,

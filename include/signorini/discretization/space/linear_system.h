@@ -18,12 +18,6 @@ template <int dim>
 TrilinosWrappers::SparseMatrix make_matrix(const DisplacementSpace<dim> &space,
                                            bool condensed = false);
 
-/** Adds the matrix of a cell to such a matrix, constraints eliminated. */
-template <int dim>
-void add_cell(const DisplacementSpace<dim> &space, const FullMatrix<double> &cell_matrix,
-              const std::vector<types::global_dof_index> &indices,
-              TrilinosWrappers::SparseMatrix &matrix);
-
 /**
  * The matrix of a cell whose inner unknowns i are eliminated; e are those on its edges:
  *
